@@ -1,0 +1,33 @@
+# The libraries that the floors stand on, each behind one target. All come from Debian (cmake/packages.txt).
+find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+# Trilinos gives variables, no usable targets; its TPL list would drag in a second MUMPS.
+find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos Teuchos)
+add_library(trilinos INTERFACE)
+target_include_directories(trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
+target_link_libraries(trilinos INTERFACE -Wl,--as-needed ${Trilinos_LIBRARIES} lapack blas MPI::MPI_CXX)
+
+find_path(HYPRE_INCLUDE HYPRE.h PATH_SUFFIXES hypre REQUIRED)
+find_library(HYPRE_LIBRARY HYPRE REQUIRED)
+add_library(hypre INTERFACE)
+target_include_directories(hypre SYSTEM INTERFACE ${HYPRE_INCLUDE})
+target_link_libraries(hypre INTERFACE ${HYPRE_LIBRARY} MPI::MPI_C)
+
+# Only the _ptscotch flavour has real orderings and the real MPI.
+find_path(MUMPS_INCLUDE dmumps_c.h REQUIRED)
+find_library(MUMPS_LIBRARY dmumps_ptscotch REQUIRED)
+add_library(mumps INTERFACE)
+target_include_directories(mumps SYSTEM INTERFACE ${MUMPS_INCLUDE})
+target_link_libraries(mumps INTERFACE ${MUMPS_LIBRARY} MPI::MPI_C)
+
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 REQUIRED COMPONENTS C)
+add_library(hdf5_parallel INTERFACE)
+target_include_directories(hdf5_parallel SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
+target_link_libraries(hdf5_parallel INTERFACE ${HDF5_C_LIBRARIES} MPI::MPI_C)

@@ -1,0 +1,84 @@
+#include "core/base/parallel.hpp"
+
+namespace bulbus {
+namespace {
+
+bool started_here = false;
+
+template <class T>
+std::vector<T> gather_all(std::span<const T> x, MPI_Comm comm, int size, MPI_Datatype type) {
+  int count = static_cast<int>(x.size());
+  std::vector<int> counts(size), starts(size, 0);
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+  for (int r = 1; r < size; ++r) starts[r] = starts[r - 1] + counts[r - 1];
+  std::vector<T> all(starts.back() + counts.back());
+  MPI_Allgatherv(x.data(), count, type, all.data(), counts.data(), starts.data(), type, comm);
+  return all;
+}
+
+}  // namespace
+
+Session::Session(int& argc, char**& argv) {
+  int running = 0;
+  MPI_Initialized(&running);
+  if (!running) MPI_Init(&argc, &argv);
+  started_here = !running;
+}
+
+Session::~Session() {
+  int ended = 0;
+  MPI_Finalized(&ended);
+  if (started_here && !ended) MPI_Finalize();
+}
+
+Comm::Comm(MPI_Comm c) : comm_(c) {
+  MPI_Comm_rank(c, &rank_);
+  MPI_Comm_size(c, &size_);
+}
+
+double Comm::sum(double x) const {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  return x;
+}
+
+long long Comm::sum(long long x) const {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_LONG_LONG, MPI_SUM, comm_);
+  return x;
+}
+
+double Comm::max(double x) const {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  return x;
+}
+
+double Comm::min(double x) const { return -max(-x); }
+
+void Comm::sum(std::span<double> x) const {
+  MPI_Allreduce(MPI_IN_PLACE, x.data(), static_cast<int>(x.size()), MPI_DOUBLE, MPI_SUM, comm_);
+}
+
+void Comm::max(std::span<double> x) const {
+  MPI_Allreduce(MPI_IN_PLACE, x.data(), static_cast<int>(x.size()), MPI_DOUBLE, MPI_MAX, comm_);
+}
+
+void Comm::broadcast(std::span<double> x, int root) const {
+  MPI_Bcast(x.data(), static_cast<int>(x.size()), MPI_DOUBLE, root, comm_);
+}
+
+long long Comm::offset(long long x) const {
+  long long below = 0;
+  MPI_Exscan(&x, &below, 1, MPI_LONG_LONG, MPI_SUM, comm_);
+  return rank_ == 0 ? 0 : below;
+}
+
+std::vector<double> Comm::gather(std::span<const double> x) const {
+  return gather_all(x, comm_, size_, MPI_DOUBLE);
+}
+
+std::vector<long long> Comm::gather(std::span<const long long> x) const {
+  return gather_all(x, comm_, size_, MPI_LONG_LONG);
+}
+
+void Comm::barrier() const { MPI_Barrier(comm_); }
+
+}  // namespace bulbus

@@ -1,0 +1,49 @@
+#pragma once
+#include <mpi.h>
+
+#include <span>
+#include <vector>
+
+namespace bulbus {
+
+/// Starts and ends MPI and the libraries on it (Kokkos, hypre are started by their own wrappers). One per program.
+class Session {
+ public:
+  Session(int& argc, char**& argv);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+};
+
+/// A communicator with the few reductions that the program needs. Every member but rank/size is collective.
+class Comm {
+ public:
+  Comm(MPI_Comm c = MPI_COMM_WORLD);
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  MPI_Comm raw() const { return comm_; }
+
+  double sum(double x) const;
+  long long sum(long long x) const;
+  int sum(int x) const { return static_cast<int>(sum(static_cast<long long>(x))); }
+  double max(double x) const;
+  double min(double x) const;
+  bool any(bool x) const { return max(x ? 1.0 : 0.0) > 0; }
+  bool all(bool x) const { return !any(!x); }
+  /// In place.
+  void sum(std::span<double> x) const;
+  void max(std::span<double> x) const;
+  void broadcast(std::span<double> x, int root = 0) const;
+  /// Sum of x over the ranks below this one.
+  long long offset(long long x) const;
+  /// Concatenation in the order of the ranks, on every rank.
+  std::vector<double> gather(std::span<const double> x) const;
+  std::vector<long long> gather(std::span<const long long> x) const;
+  void barrier() const;
+
+ private:
+  MPI_Comm comm_;
+  int rank_, size_;
+};
+
+}  // namespace bulbus

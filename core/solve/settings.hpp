@@ -1,0 +1,73 @@
+#pragma once
+#include <string>
+
+#include "core/base/parameters.hpp"
+
+namespace bulbus {
+
+/// The linear solver: flexible GMRES on the bordered, augmented system, or MUMPS on the bordered one.
+struct LinearSettings {
+  std::string method = "iterative";
+  std::string displacement = "hybrid";
+  std::string op = "cache";
+  double gamma = 10;
+  int restart = 40, max_iterations = 400, degree = 4;
+  std::string dump;
+  bool record_krylov = false, record_spectrum = false;
+  template <class V>
+  void describe(V&& v) {
+    v("method", method, About{"flexible GMRES or the direct solver MUMPS"}.one_of({"iterative", "direct"}));
+    v("displacement", displacement,
+      About{"preconditioner of the displacement block"}.one_of(
+          {"hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
+    v("operator", op, About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of(
+                          {"recompute", "cache", "assembled"}));
+    v("gamma", gamma, About{"augmentation of the incompressibility in the linear system"}.between(0, 1e4));
+    v("restart", restart, About{"Krylov basis before a restart"}.between(2, 500));
+    v("max_iterations", max_iterations, About{"Krylov iterations before the increment is cut"}.between(1, 100000));
+    v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
+    v("dump", dump, About{"folder that receives every linear system with its right-hand side (HDF5); empty: none"});
+    v("record_krylov", record_krylov, About{"write the residual of every Krylov iteration, block by block, to krylov.csv"});
+    v("record_spectrum", record_spectrum, About{"write eigenvalue estimates of every preconditioned system to krylov.csv"});
+  }
+};
+
+/// Newton's iteration and where it stops, all relative and free of units.
+struct NewtonSettings {
+  double force = 1e-6, volume = 1e-6, liquid = 1e-7, eta_max = 1e-3;
+  int max_iterations = 25;
+  template <class V>
+  void describe(V&& v) {
+    v("force", force, About{"largest force imbalance of a region relative to its internal forces"}.between(1e-13, 1e-1));
+    v("volume", volume, About{"largest |V_e/V0_e - 1| of an element"}.between(1e-14, 1e-1));
+    v("liquid", liquid, About{"largest violation of a liquid's law, relative to its volume"}.between(1e-15, 1e-1));
+    v("eta_max", eta_max, About{"cap of the forcing term of Eisenstat and Walker"}.between(1e-14, 0.5));
+    v("max_iterations", max_iterations, About{"iterations before the increment is cut"}.between(1, 1000));
+  }
+};
+
+/// How increments are cut and grown.
+struct SteppingSettings {
+  double smallest = 1e-3, growth = 1.5;
+  int easy = 6;
+  template <class V>
+  void describe(V&& v) {
+    v("smallest", smallest, About{"smallest increment, as a part of the step, before the run gives up"}.between(1e-9, 1));
+    v("growth", growth, About{"factor after an easy increment"}.between(1, 10));
+    v("easy", easy, About{"Newton iterations that count as easy"}.between(1, 100));
+  }
+};
+
+struct SolverSettings {
+  LinearSettings linear;
+  NewtonSettings newton;
+  SteppingSettings stepping;
+  template <class V>
+  void describe(V&& v) {
+    v("linear", linear, About{"the linear solver"});
+    v("newton", newton, About{"Newton's iteration"});
+    v("stepping", stepping, About{"increments"});
+  }
+};
+
+}  // namespace bulbus
