@@ -16,6 +16,10 @@ InputError input_error(const std::string& what, const std::string& remedy) {
   return InputError(what + (remedy.empty() ? "" : "\n  " + remedy));
 }
 
+InputError scene_error(const std::string& key, const std::string& what, const std::string& remedy) {
+  return InputError(what + (remedy.empty() ? "" : "\n  " + remedy), key);
+}
+
 int edit_distance(const std::string& a, const std::string& b) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);

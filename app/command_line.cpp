@@ -1,0 +1,119 @@
+#include "app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/help.hpp"
+#include "app/version.hpp"
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+struct Arguments {
+  std::string scene, out, topic;
+  std::vector<std::string> set;
+};
+
+struct Parser {
+  Arguments given;
+  CLI::App app{"Bulbus: finite strains of the eye, with enclosed liquids", "bulbus"};
+  CLI::App* run = app.add_subcommand("run", "solve a scene");
+  CLI::App* check = app.add_subcommand("check", "validate a scene and print its sizes; solves nothing");
+  CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
+  CLI::App* help = app.add_subcommand("help", "every key of a scene, or its JSON schema");
+
+  Parser() {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", std::string("bulbus ") + version);
+    for (CLI::App* command : {run, check, mesh}) {
+      command->add_option("SCENE", given.scene, "scene file (YAML)")->required();
+      command
+          ->add_option("--set", given.set,
+                       "overrides, such as solver.linear.gamma=20 or steps.0.increments=4")
+          ->type_name("PATH=VALUE ...")
+          ->allow_extra_args(false);
+    }
+    run->add_option("-o", given.out, "folder of the results (default: results/ and the scene's name)")
+        ->type_name("DIR");
+    mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
+    help->add_option("TOPIC", given.topic, "scene or schema")
+        ->required()
+        ->check(CLI::IsMember({"scene", "schema"}));
+  }
+};
+
+// `--set a=1 b=2 SCENE` becomes `--set a=1 --set b=2 SCENE`: CLI11 would take the scene for a third override.
+std::vector<std::string> one_set_each(const std::vector<std::string>& arguments) {
+  std::vector<std::string> out;
+  bool after_value = false;
+  for (const std::string& a : arguments) {
+    const bool more = after_value && a.find('=') != std::string::npos && a[0] != '-';
+    if (more) out.emplace_back("--set");
+    after_value = more || (!out.empty() && out.back() == "--set");
+    out.push_back(a);
+  }
+  return out;
+}
+
+std::string results_of(const std::string& scene) {
+  return (std::filesystem::path("results") / std::filesystem::path(scene).stem()).string();
+}
+
+// A rank that cannot see the file must not leave the others waiting.
+Scene read_together(const Arguments& given, const Comm& comm) {
+  Scene scene;
+  std::string fault;
+  try {
+    scene = read_scene(given.scene, given.set);
+  } catch (const InputError& e) {
+    fault = e.what();
+  }
+  if (comm.any(!fault.empty()))
+    throw InputError(fault.empty() ? given.scene + ": cannot be read on every rank" : fault);
+  return scene;
+}
+
+void print_topic(const std::string& topic, std::ostream& out) {
+  if (topic == "scene")
+    out << scene_help();
+  else
+    out << scene_schema().dump(2) << "\n";
+}
+
+int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
+  const Arguments& given = parser.given;
+  if (*parser.help) {
+    print_topic(given.topic, out);
+    return 0;
+  }
+  const Scene scene = read_together(given, comm);
+  if (*parser.check) return check(scene, comm);
+  if (*parser.run)
+    return run(scene, given.scene, given.out.empty() ? results_of(given.scene) : given.out, comm);
+  return write_mesh(scene, given.out, comm);
+}
+
+}  // namespace
+
+int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostream& out, std::ostream& err) {
+  std::ostream silent(nullptr);
+  std::ostream &said = comm.rank() == 0 ? out : silent, &faults = comm.rank() == 0 ? err : silent;
+  Parser parser;
+  try {
+    arguments = one_set_each(arguments);
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    parser.app.parse(arguments);
+    return obey(parser, comm, said);
+  } catch (const CLI::ParseError& e) {
+    return parser.app.exit(e, said, faults) == 0 ? 0 : 2;
+  } catch (const InputError& e) {
+    faults << located(e, parser.given.scene, parser.given.set).what() << std::endl;
+    return 2;
+  }
+}
+
+}  // namespace bulbus

@@ -1,0 +1,34 @@
+#include "app/mesh_source.hpp"
+
+#include "app/kinds.hpp"
+#include "app/wording.hpp"
+#include "core/base/error.hpp"
+#include "core/mesh/gmsh.hpp"
+
+namespace bulbus {
+
+void MeshSource::validate() const {
+  MeshSource copy = *this;
+  std::vector<std::string> given;
+  copy.describe([&](const char* key, auto& member, const About&) {
+    if (member) given.emplace_back(key);
+  });
+  if (given.size() == 1) return;
+  const std::string all = alternatives(kinds::keys_of(copy));
+  if (given.empty()) throw input_error("the mesh has no source", "give one of " + all);
+  throw input_error(
+      "the mesh has " + std::to_string(given.size()) + " sources: " + given[0] + " and " + given[1],
+      "keep exactly one of " + all);
+}
+
+Mesh make_mesh(const MeshSource& source) {
+  source.validate();
+  if (source.file) return read_gmsh(*source.file);
+  if (source.eye) return generate(*source.eye);
+  if (source.block) return generate(*source.block);
+  if (source.shell) return generate(*source.shell);
+  if (source.ball) return generate(*source.ball);
+  return generate(*source.cylinder);
+}
+
+}  // namespace bulbus

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "core/base/parameters.hpp"
+#include "core/mesh/eye.hpp"
+#include "core/mesh/generate.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace bulbus {
+
+/// Where the mesh comes from: a file, or one of the shapes that can be generated.
+struct MeshSource {
+  std::optional<std::string> file;
+  std::optional<EyeSettings> eye;
+  std::optional<BlockShape> block;
+  std::optional<ShellShape> shell;
+  std::optional<BallShape> ball;
+  std::optional<CylinderShape> cylinder;
+  template <class V>
+  void describe(V&& v) {
+    v("file", file, About{"Gmsh file (MSH 4.1 or 2.2) of 8-node hexahedra; lengths in mm"});
+    v("eye", eye, About{"the parametric half eye"});
+    v("block", block, About{"a box of equal cells"});
+    v("shell", shell, About{"a spherical shell, or a part of one"});
+    v("ball", ball, About{"a solid ball, or a part of one"});
+    v("cylinder", cylinder, About{"a solid cylinder about z"});
+  }
+  /// Throws InputError unless exactly one source is given.
+  void validate() const;
+};
+
+/// Reads or generates; whole on every rank. Throws InputError.
+Mesh make_mesh(const MeshSource& source);
+
+}  // namespace bulbus

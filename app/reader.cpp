@@ -1,0 +1,145 @@
+#include "app/reader.hpp"
+
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+
+#include "app/wording.hpp"
+
+namespace bulbus::reader {
+namespace {
+
+std::string name_of(Entry::Kind kind) {
+  switch (kind) {
+    case Entry::Kind::nothing:
+      return "nothing";
+    case Entry::Kind::word:
+      return "a single value";
+    case Entry::Kind::list:
+      return "a list";
+    default:
+      return "a map";
+  }
+}
+
+// A value as messages show it: in quotes, cut where it is long.
+std::string shown(const Entry& entry) {
+  return "'" + (entry.text.size() > 60 ? entry.text.substr(0, 60) + "..." : entry.text) + "'";
+}
+
+std::string example_of(Entry::Kind kind) {
+  switch (kind) {
+    case Entry::Kind::list:
+      return "write [a, b], or one line '- ...' for each entry";
+    case Entry::Kind::map:
+      return "write 'key: value' lines below it, further indented";
+    default:
+      return "write one value behind the colon";
+  }
+}
+
+void check_bounds(const Entry& entry, const std::string& key, const About& about, double value) {
+  const bool low = about.above ? value > about.low : value >= about.low;
+  if (!low || value > about.high)
+    refuse(entry, key, shown(entry) + " is out of bounds", "give " + wanted_number(about));
+}
+
+void check_choice(const Entry& entry, const std::string& key, const About& about) {
+  if (about.choices.empty()) return;
+  if (std::find(about.choices.begin(), about.choices.end(), entry.text) != about.choices.end()) return;
+  const std::string near = nearest(entry.text, about.choices);
+  refuse(entry, key, shown(entry) + " is not among the choices",
+         (near.empty() ? "" : "did you mean '" + near + "'? ") + "choose " + alternatives(about.choices));
+}
+
+// A number and a word are never an expression: "15 mmhg" is a slip in the unit.
+bool looks_like_quantity(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos || !std::strchr("+-.0123456789", text[first])) return false;
+  char* end = nullptr;
+  std::strtod(text.c_str() + first, &end);
+  return end != text.c_str() + first && !std::strpbrk(end, "+-*/^()<>=?:,&|!");
+}
+
+std::string read_formula(const Entry& entry, const std::string& key, const About& about) {
+  if (!looks_like_quantity(entry.text)) return entry.text;
+  double value = 0;
+  read(entry, key, about, value);
+  return number_text(value);
+}
+
+}  // namespace
+
+void refuse(const Entry& entry, const std::string& key, const std::string& what, const std::string& remedy) {
+  throw input_error(entry.place.file, entry.place.line, (key.empty() ? "" : key + ": ") + what, remedy);
+}
+
+void expect(const Entry& entry, Entry::Kind kind, const std::string& key) {
+  if (entry.is(kind)) return;
+  const std::string found = entry.is(Entry::Kind::word) ? shown(entry) : name_of(entry.kind);
+  refuse(entry, key, name_of(kind) + " is wanted here, not " + found, example_of(kind));
+}
+
+void check_keys(const Entry& map, const std::string& key, const std::vector<std::string>& known) {
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    if (std::find(known.begin(), known.end(), map.keys[i]) != known.end()) continue;
+    const std::string near = nearest(map.keys[i], known);
+    throw input_error(map.key_places[i].file, map.key_places[i].line,
+                      "unknown key '" + map.keys[i] + "'" + (key.empty() ? "" : " in " + key),
+                      near.empty() ? "known here: " + alternatives(known) : "did you mean '" + near + "'?");
+  }
+}
+
+void refuse_missing(const Entry& map, const std::string& key, const std::string& name, const About& about) {
+  refuse(map, key, "the key '" + name + "' is missing", "add '" + name + ": ...' (" + about.help + ")");
+}
+
+void read(const Entry& entry, const std::string& key, const About&, bool& value) {
+  expect(entry, Entry::Kind::word, key);
+  if (entry.text == "true" || entry.text == "yes" || entry.text == "on")
+    value = true;
+  else if (entry.text == "false" || entry.text == "no" || entry.text == "off")
+    value = false;
+  else
+    refuse(entry, key, shown(entry) + " is neither true nor false", "write true or false");
+}
+
+void read(const Entry& entry, const std::string& key, const About& about, int& value) {
+  expect(entry, Entry::Kind::word, key);
+  const char *first = entry.text.data(), *last = first + entry.text.size();
+  const auto [end, fault] = std::from_chars(first, last, value);
+  if (fault != std::errc{} || end != last) {
+    const std::string bounds = bounds_text(about);
+    refuse(entry, key, shown(entry) + " is not a whole number",
+           "give a whole number" + (bounds.empty() ? "" : " " + bounds));
+  }
+  check_bounds(entry, key, about, value);
+}
+
+void read(const Entry& entry, const std::string& key, const About& about, double& value) {
+  expect(entry, Entry::Kind::word, key);
+  try {
+    value = parse_quantity(entry.text, about.quantity);
+  } catch (const std::invalid_argument& fault) {
+    refuse(entry, key, fault.what(), "give " + wanted_number(about));
+  }
+  check_bounds(entry, key, about, value);
+}
+
+void read(const Entry& entry, const std::string& key, const About& about, std::string& value) {
+  expect(entry, Entry::Kind::word, key);
+  if (about.required && entry.text.empty()) refuse(entry, key, "is empty", "give " + about.help);
+  check_choice(entry, key, about);
+  value = about.formula ? read_formula(entry, key, about) : entry.text;
+}
+
+void read(const Entry& entry, const std::string& key, const About& about, Point& value) {
+  expect(entry, Entry::Kind::list, key);
+  if (entry.items.size() != value.size())
+    refuse(entry, key, std::to_string(entry.items.size()) + " numbers where three are wanted",
+           "write [x, y, z]");
+  for (std::size_t i = 0; i < value.size(); ++i)
+    read(entry.items[i], below(key, std::string(1, "xyz"[i])), about, value[i]);
+}
+
+}  // namespace bulbus::reader

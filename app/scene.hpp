@@ -1,0 +1,61 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/mesh_source.hpp"
+#include "core/base/error.hpp"
+#include "core/problem/model.hpp"
+#include "core/solve/settings.hpp"
+
+namespace bulbus {
+
+/// What a run saves for ParaView. The last converged increment is always saved.
+struct OutputSettings {
+  bool vtk = true;
+  int every = 1;
+  std::vector<std::string> fields{"displacement", "stress", "mises", "pressure", "region"};
+  template <class V>
+  void describe(V&& v) {
+    v("vtk", vtk, About{"write result_*.vtkhdf and their series"});
+    v("every", every, About{"save each n-th converged increment, and always the last"}.between(1, 1000000));
+    v("fields", fields,
+      About{"what is saved"}.one_of({"displacement", "stress", "mises", "pressure", "region"}));
+  }
+};
+
+/// A whole scene file, checked as far as it can be without the mesh.
+struct Scene {
+  std::string title;
+  MeshSource mesh;
+  Model model;
+  SolverSettings solver;
+  OutputSettings output;
+  template <class V>
+  void describe(V&& v) {
+    v("title", title, About{"a line for the records"});
+    v("mesh", mesh, About{"where the mesh comes from: exactly one of the keys below"}.needed());
+    model.describe(v);
+    v("solver", solver, About{"how the equations are solved"});
+    v("output", output, About{"what is saved"});
+  }
+  /// Throws InputError if two probes or two named steps share a name.
+  void validate() const;
+};
+
+/// Reads a scene file, after `path.to.key=value` overrides in their order. A relative mesh.file counts from
+/// the folder of the scene and comes out absolute. Throws InputError with file, line, key, value and remedy.
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same from text; `path` is the name in messages and gives the folder.
+Scene parse_scene(const std::string& text, const std::string& path,
+                  const std::vector<std::string>& overrides = {});
+
+/// The message of a fault that knows only its key, with the place where the scene gives that key (or the
+/// nearest map around it). A fault without a key comes back as it is.
+InputError located(const InputError& fault, const std::string& path,
+                   const std::vector<std::string>& overrides = {});
+
+/// The scene as YAML with every default written out. Reading it back gives the same scene.
+std::string resolved_yaml(const Scene& scene);
+
+}  // namespace bulbus

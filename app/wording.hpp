@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/base/parameters.hpp"
+
+namespace bulbus {
+
+/// Shortest text that reads back as the same double, in a form that every YAML reader takes for a number.
+std::string number_text(double value);
+
+/// "between 0 and 10", "above 0", "at least 1"; empty without bounds.
+std::string bounds_text(const About& about);
+
+/// "a, b or c".
+std::string alternatives(const std::vector<std::string>& words);
+
+/// What a number may be: "a number in MPa (or with its unit), above 0".
+std::string wanted_number(const About& about);
+
+}  // namespace bulbus

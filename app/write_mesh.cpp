@@ -1,0 +1,18 @@
+#include "app/commands.hpp"
+#include "core/base/error.hpp"
+#include "core/mesh/gmsh.hpp"
+
+namespace bulbus {
+
+int write_mesh(const Scene& scene, const std::string& file, const Comm& comm) {
+  std::string fault;
+  try {
+    if (comm.rank() == 0) write_gmsh(make_mesh(scene.mesh), file);
+  } catch (const InputError& e) {
+    fault = e.what();
+  }
+  if (comm.any(!fault.empty())) throw InputError(fault);
+  return 0;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace bulbus {
+
+/// Eight elements are computed side by side, one per lane.
+constexpr int lanes = 8;
+
+/// Eight doubles. The compiler's vector type in a struct that broadcasts; wider or narrower machines split it.
+struct Pack {
+  using Vector = double __attribute__((vector_size(lanes * sizeof(double))));
+  Vector v;
+
+  Pack() = default;
+  Pack(double x) : v(Vector{} + x) {}
+  explicit Pack(Vector x) : v(x) {}
+  Pack& operator+=(const Pack& b) { return v += b.v, *this; }
+  Pack& operator-=(const Pack& b) { return v -= b.v, *this; }
+  Pack& operator*=(const Pack& b) { return v *= b.v, *this; }
+  double operator[](int lane) const { return v[lane]; }
+  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.v + b.v); }
+  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.v - b.v); }
+  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v * b.v); }
+  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v / b.v); }
+  friend Pack operator-(const Pack& a) { return Pack(-a.v); }
+};
+
+inline Pack load(const double* p) {
+  Pack::Vector v;
+  std::memcpy(&v, p, sizeof v);
+  return Pack(v);
+}
+inline void store(const Pack& x, double* p) { std::memcpy(p, &x.v, sizeof x.v); }
+
+using FloatVector = float __attribute__((vector_size(lanes * sizeof(float))));
+inline Pack load(const float* p) {
+  FloatVector f;
+  std::memcpy(&f, p, sizeof f);
+  return Pack(__builtin_convertvector(f, Pack::Vector));
+}
+inline void store(const Pack& x, float* p) {
+  const FloatVector f = __builtin_convertvector(x.v, FloatVector);
+  std::memcpy(p, &f, sizeof f);
+}
+
+/// x^(-1/3) for normal x > 0: an estimate from the exponent bits (3 %), then four Newton steps to round-off.
+/// For x ≤ 0, which only a rejected trial state has, the result is not used.
+inline double inverse_cube_root(double x) {
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  double y = std::bit_cast<double>(0x553EF0FF289DD796 - bits / 3);
+  for (int i = 0; i < 4; ++i) y *= (4.0 - x * y * y * y) * (1.0 / 3);
+  return y;
+}
+
+inline Pack inverse_cube_root(const Pack& x) {
+  using Bits = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
+  const Pack::Vector third = __builtin_convertvector(std::bit_cast<Bits>(x.v), Pack::Vector) * (1.0 / 3);
+  const Bits guess = 0x553EF0FF289DD796 - __builtin_convertvector(third, Bits);
+  Pack y(std::bit_cast<Pack::Vector>(guess));
+  for (int i = 0; i < 4; ++i) y *= (4.0 - x * y * y * y) * (1.0 / 3);
+  return y;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,175 @@
+#include "core/element/solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/memory.hpp"
+#include "core/element/solid_kernel.hpp"
+
+namespace bulbus {
+namespace {
+
+std::array<int, 8> lexicographic(const Hex& hex) {
+  std::array<int, 8> nodes;
+  for (int a = 0; a < 8; ++a) nodes[a] = hex[vtk_of_lexicographic[a]];
+  return nodes;
+}
+
+Pack volume_of(const ReferenceGradient<Pack>& x) {
+  Pack v(0.);
+  for_each_gauss_point([&](int i, int j, int k) { v += determinant(x.at(i, j, k)); });
+  return v;
+}
+
+}  // namespace
+
+Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<SolidRegion> regions)
+    : X_(std::move(X)), regions_(std::move(regions)), V0_(hexes.size()), mu_(hexes.size()), penalty_(hexes.size()) {
+  for (SolidRegion& r : regions_) {
+    auto packs = make_packs<8>(r.count, [&](int e) { return lexicographic(hexes[r.first + e]); });
+    r.first_pack = static_cast<int>(packs_.size());
+    r.packs = static_cast<int>(packs.size());
+    packs_.insert(packs_.end(), packs.begin(), packs.end());
+  }
+  for_each_pack([&](const auto&, int p, int first) {
+    store_some(volume_of(reference_gradient(gather<8>(packs_[p], X_))), V0_, first, packs_[p].used);
+  });
+}
+
+void Solid::residual(std::span<const double> x, std::span<const double> lambda, std::span<double> force,
+                     std::span<double> volume_defect, std::span<double> magnitude) const {
+  for_each_pack([&](const auto& material, int p, int first) {
+    const auto& pack = packs_[p];
+    Pack volume;
+    const auto f = internal_force(material, reference_gradient(gather(pack, x)), reference_gradient(gather<8>(pack, X_)),
+                                  load_some(lambda, first, pack.used), volume);
+    scatter_add(pack, f, force);
+    store_some(volume - load_some(V0_, first, pack.used), volume_defect, first, pack.used);
+    if (magnitude.empty()) return;
+    for (int l = 0; l < pack.used; ++l)
+      for (int a = 0; a < 8; ++a)
+        magnitude[pack.node[a][l]] += std::hypot(f[a][0][l], f[a][1][l], f[a][2][l]);
+  });
+}
+
+double Solid::least_jacobian(std::span<const double> x, int* hex) const {
+  double least = std::numeric_limits<double>::infinity();
+  for_each_pack([&](const auto&, int p, int first) {
+    const auto gx = reference_gradient(gather(packs_[p], x)), gX = reference_gradient(gather<8>(packs_[p], X_));
+    for_each_gauss_point([&](int i, int j, int k) {
+      const Pack J = determinant(gx.at(i, j, k)) / determinant(gX.at(i, j, k));
+      for (int l = 0; l < packs_[p].used; ++l)
+        if (!(J[l] >= least)) {  // a NaN counts as inverted
+          least = std::isnan(J[l]) ? -std::numeric_limits<double>::infinity() : J[l];
+          if (hex) *hex = first + l;
+        }
+    });
+  });
+  return least;
+}
+
+void Solid::linearize(std::span<const double> x, std::span<const double> lambda, double gamma, StrainSource source) {
+  x_ = x;
+  lambda_ = lambda;
+  gamma_ = gamma;
+  source_ = source;
+  update_moduli();
+  if (source == StrainSource::cache) fill_cache();
+  else std::vector<float>().swap(cache_);
+}
+
+void Solid::update_moduli() {
+  constexpr double floor = 0.1;
+  for (const SolidRegion& r : regions_) {
+    const double initial = initial_shear_modulus(r.material);
+    if (std::holds_alternative<NeoHooke>(r.material))
+      std::fill_n(mu_.begin() + r.first, r.count, initial);
+    else
+      std::visit(
+          [&](const auto& material) {
+            for (int p = 0; p < r.packs; ++p) {
+              const auto& pack = packs_[r.first_pack + p];
+              const auto gx = reference_gradient(gather(pack, x_)), gX = reference_gradient(gather<8>(pack, X_));
+              Pack mu(0.);
+              for_each_gauss_point([&](int i, int j, int k) {
+                const Mat3<Pack> a = gx.at(i, j, k);
+                mu += 0.125 * material.shear_modulus(point_strain(a, determinant(a), gX.at(i, j, k)).b);
+              });
+              for (int l = 0; l < pack.used; ++l) mu_[r.first + p * lanes + l] = std::max(mu[l], floor * initial);
+            }
+          },
+          r.material);
+  }
+  for (std::size_t e = 0; e < mu_.size(); ++e) penalty_[e] = gamma_ * mu_[e] / V0_[e];
+}
+
+void Solid::fill_cache() {
+  constexpr int per_point = cached_floats * lanes;
+  cache_.resize(packs_.size() * 8 * per_point);
+  for_each_pack([&](const auto&, int p, int) {
+    const auto gx = reference_gradient(gather(packs_[p], x_)), gX = reference_gradient(gather<8>(packs_[p], X_));
+    for_each_gauss_point([&](int i, int j, int k) {
+      const Mat3<Pack> a = gx.at(i, j, k);
+      const PointStrain<Pack> s = point_strain(a, determinant(a), gX.at(i, j, k));
+      float* to = cache_.data() + (static_cast<std::size_t>(p) * 8 + i + 2 * j + 4 * k) * per_point;
+      for (int c = 0; c < 6; ++c) store(s.b.v[c], to + c * lanes);
+      store(s.dV0, to + 6 * lanes);
+    });
+  });
+}
+
+void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
+                  std::span<double> volume_change) const {
+  for_each_pack([&](const auto& material, int p, int first) {
+    const auto& pack = packs_[p];
+    const auto gx = reference_gradient(gather(pack, x_)), gd = reference_gradient(gather(pack, dx));
+    const Pack lambda = load_some(lambda_, first, pack.used), penalty = load_some(penalty_, first, pack.used);
+    const Pack dl = dlambda.empty() ? Pack(0.) : load_some(dlambda, first, pack.used);
+    Pack theta;
+    if (source_ == StrainSource::cache) {
+      const CachedStrain strain{cache_.data() + static_cast<std::size_t>(p) * 8 * cached_floats * lanes};
+      scatter_add(pack, tangent_action(material, strain, gx, gd, lambda, dl, penalty, theta), force);
+    } else {
+      const RecomputedStrain strain{reference_gradient(gather<8>(pack, X_))};
+      scatter_add(pack, tangent_action(material, strain, gx, gd, lambda, dl, penalty, theta), force);
+    }
+    if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
+  });
+}
+
+void Solid::apply_pressure(std::span<const double> dlambda, std::span<double> force) const {
+  for_each_pack([&](const auto&, int p, int first) {
+    const auto& pack = packs_[p];
+    const auto gx = reference_gradient(gather(pack, x_));
+    const Pack dl = load_some(dlambda, first, pack.used);
+    ReferenceGradient<Pack> flux{};
+    for_each_gauss_point([&](int i, int j, int k) {
+      Mat3<Pack> cof = cofactor(gx.at(i, j, k));
+      for (auto& row : cof.m)
+        for (Pack& c : row) c *= dl;
+      flux.add(i, j, k, cof);
+    });
+    scatter_add(pack, transposed_gradient(flux), force);
+  });
+}
+
+void Solid::volume_change(std::span<const double> dx, std::span<double> volume_change) const {
+  for_each_pack([&](const auto&, int p, int first) {
+    const auto& pack = packs_[p];
+    const auto gx = reference_gradient(gather(pack, x_)), gd = reference_gradient(gather(pack, dx));
+    Pack theta(0.);
+    for_each_gauss_point([&](int i, int j, int k) {
+      theta += trace(times_transposed(gd.at(i, j, k), cofactor(gx.at(i, j, k))));
+    });
+    store_some(theta, volume_change, first, pack.used);
+  });
+}
+
+std::size_t Solid::bytes() const {
+  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_);
+}
+
+std::size_t Solid::cache_bytes() const { return bytes_of(cache_); }
+
+}  // namespace bulbus

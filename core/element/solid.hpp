@@ -1,0 +1,104 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/element/contribution.hpp"
+#include "core/element/packing.hpp"
+#include "core/material/material.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace bulbus {
+
+/// A run of hexahedra of one material.
+struct SolidRegion {
+  std::string name;
+  Material material;
+  int first = 0, count = 0;  ///< hexahedra
+  int first_pack = 0, packs = 0;
+};
+
+/// How the tangent gets the strain at its Gauss points.
+enum class StrainSource { recompute, cache };
+
+/// Stress of one hexahedron: the mean over its Gauss points.
+struct CellStress {
+  Sym3<double> cauchy;  ///< MPa
+  double mises;         ///< MPa; mean of the points' Mises stresses
+};
+
+/// Total-Lagrangian Q1/P0 mixed hexahedra of one rank: nodal vectors have 3 numbers per local node (owned and ghost), element
+/// vectors one per hexahedron. Forces are added, so that ghosts can be folded to their owners afterwards.
+///     R_u = Σ ∫ (τ + λJ I) : ∇ₓN dV0,   R_λ = V_e − V0_e
+class Solid {
+ public:
+  /// `X`: reference places. The hexahedra of a region are consecutive.
+  Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<SolidRegion> regions);
+
+  int hexes() const { return static_cast<int>(V0_.size()); }
+  const std::vector<SolidRegion>& regions() const { return regions_; }
+  std::span<const double> reference_volumes() const { return V0_; }
+
+  /// force += internal forces; volume_defect = V_e − V0_e.
+  /// With `magnitude`: += |nodal force of each element|, the yardstick of the force balance.
+  void residual(std::span<const double> x, std::span<const double> lambda, std::span<double> force,
+                std::span<double> volume_defect, std::span<double> magnitude = {}) const;
+
+  /// Smallest J of any Gauss point (+∞ without hexahedra), and its hexahedron.
+  double least_jacobian(std::span<const double> x, int* hex = nullptr) const;
+
+  /// Fixes the state of the tangent; x and lambda must stay where they are until the next call.
+  /// `gamma` augments: penalty_e = γ μ_e / V0_e with the current μ_e = 2 (W1 + W2), floored at a tenth of the initial one.
+  void linearize(std::span<const double> x, std::span<const double> lambda, double gamma, StrainSource source);
+
+  /// force += (K + γ b W bᵀ) dx + b dlambda; volume_change = bᵀ dx. An empty dlambda counts as zero, an empty volume_change is
+  /// not written.
+  void apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
+             std::span<double> volume_change) const;
+  /// volume_change = bᵀ dx.
+  void volume_change(std::span<const double> dx, std::span<double> volume_change) const;
+  /// force += b dlambda.
+  void apply_pressure(std::span<const double> dlambda, std::span<double> force) const;
+
+  /// Current shear modulus per hexahedron (MPa), floored, as of linearize().
+  std::span<const double> shear_moduli() const { return mu_; }
+  /// γ μ_e / V0_e per hexahedron.
+  std::span<const double> penalties() const { return penalty_; }
+
+  /// Element matrices of the linearised state, augmentation included where `augmented`.
+  void visit(const ContributionVisitor& visitor, bool augmented) const;
+  /// b_e = ∂V_e/∂u of every hexahedron: 8 local nodes, 24 numbers.
+  void visit_constraints(const std::function<void(int hex, std::span<const int> nodes, std::span<const double> b)>&) const;
+
+  std::vector<CellStress> stresses(std::span<const double> x, std::span<const double> lambda) const;
+  /// ∫ W dV0 of this rank.
+  double energy(std::span<const double> x) const;
+
+  std::size_t bytes() const;
+  std::size_t cache_bytes() const;
+
+ private:
+  // body(material, pack number, first hexahedron)
+  template <class Body>
+  void for_each_pack(Body body) const {
+    for (const SolidRegion& r : regions_)
+      std::visit(
+          [&](const auto& material) {
+            for (int p = 0; p < r.packs; ++p) body(material, r.first_pack + p, r.first + p * lanes);
+          },
+          r.material);
+  }
+  void update_moduli();
+  void fill_cache();
+
+  std::vector<double> X_;
+  std::vector<SolidRegion> regions_;
+  std::vector<PackNodes<8>> packs_;
+  std::vector<double> V0_, mu_, penalty_;
+  std::vector<float> cache_;
+  std::span<const double> x_, lambda_;
+  double gamma_ = 0;
+  StrainSource source_ = StrainSource::recompute;
+};
+
+}  // namespace bulbus

@@ -1,0 +1,136 @@
+// Element matrices, constraint vectors and stresses: what is asked for once per linearisation or record.
+#include <cmath>
+
+#include "core/element/solid.hpp"
+#include "core/element/solid_kernel.hpp"
+
+namespace bulbus {
+namespace {
+
+using ShapeGradients = std::array<Vec3<Pack>, 8>;
+
+// ∇ₓN_n = cof(a) ∂N_n/∂ξ / det a
+ShapeGradients spatial_gradients(int i, int j, int k, const Mat3<Pack>& cof, const Pack& factor) {
+  const auto reference = reference_shape_gradient(i, j, k);
+  ShapeGradients g;
+  for (int n = 0; n < 8; ++n)
+    for (int c = 0; c < 3; ++c)
+      g[n][c] = factor * (cof(c, 0) * reference[n][0] + cof(c, 1) * reference[n][1] + cof(c, 2) * reference[n][2]);
+  return g;
+}
+
+// b_e, in the order of the pack's nodes: ∫ J ∇ₓN dV0
+std::array<Pack, 24> constraint(const ReferenceGradient<Pack>& x) {
+  std::array<Pack, 24> b{};
+  for_each_gauss_point([&](int i, int j, int k) {
+    const auto g = spatial_gradients(i, j, k, cofactor(x.at(i, j, k)), 1.);
+    for (int n = 0; n < 8; ++n)
+      for (int c = 0; c < 3; ++c) b[3 * n + c] += g[n][c];
+  });
+  return b;
+}
+
+// One Gauss point's share of the matrix: column (n, c) is the action on l = e_c ⊗ ∇ₓN_n.
+template <class Material>
+void add_point(const Material& material, const PointStrain<Pack>& s, const ShapeGradients& g, const Pack& det,
+               const Pack& lambda, std::vector<Pack>& K) {
+  const Pack pressure = lambda * det;
+  for (int n = 0; n < 8; ++n)
+    for (int c = 0; c < 3; ++c) {
+      Mat3<Pack> l{};
+      l.m[c] = g[n];
+      Mat3<Pack> t = material.tangent(s.b, l);
+      for (int r = 0; r < 3; ++r) {
+        for (int q = 0; q < 3; ++q) t(r, q) = s.dV0 * t(r, q) - pressure * l(q, r);
+        t(r, r) += pressure * g[n][c];
+      }
+      Pack* column = K.data() + 3 * n + c;
+      for (int a = 0; a < 8; ++a)
+        for (int r = 0; r < 3; ++r)
+          column[24 * (3 * a + r)] += t(r, 0) * g[a][0] + t(r, 1) * g[a][1] + t(r, 2) * g[a][2];
+    }
+}
+
+std::array<int, 8> nodes_of_lane(const PackNodes<8>& pack, int lane) {
+  std::array<int, 8> nodes;
+  for (int a = 0; a < 8; ++a) nodes[a] = pack.node[a][lane];
+  return nodes;
+}
+
+}  // namespace
+
+void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
+  std::vector<Pack> K(24 * 24);
+  std::array<double, 24 * 24> lane;
+  for_each_pack([&](const auto& material, int p, int first) {
+    const auto& pack = packs_[p];
+    const auto gx = reference_gradient(gather(pack, x_)), gX = reference_gradient(gather<8>(pack, X_));
+    const Pack lambda = load_some(lambda_, first, pack.used);
+    std::fill(K.begin(), K.end(), Pack(0.));
+    for_each_gauss_point([&](int i, int j, int k) {
+      const Mat3<Pack> a = gx.at(i, j, k), cof = cofactor(a);
+      const Pack det = determinant(a, cof);
+      add_point(material, point_strain(a, det, gX.at(i, j, k)), spatial_gradients(i, j, k, cof, 1. / det), det, lambda, K);
+    });
+    if (augmented) {
+      const auto b = constraint(gx);
+      const Pack penalty = load_some(penalty_, first, pack.used);
+      for (int r = 0; r < 24; ++r)
+        for (int c = 0; c < 24; ++c) K[24 * r + c] += penalty * b[r] * b[c];
+    }
+    for (int l = 0; l < pack.used; ++l) {
+      for (int i = 0; i < 24 * 24; ++i) lane[i] = K[i][l];
+      visitor(nodes_of_lane(pack, l), lane);
+    }
+  });
+}
+
+void Solid::visit_constraints(
+    const std::function<void(int, std::span<const int>, std::span<const double>)>& visitor) const {
+  std::array<double, 24> lane;
+  for_each_pack([&](const auto&, int p, int first) {
+    const auto b = constraint(reference_gradient(gather(packs_[p], x_)));
+    for (int l = 0; l < packs_[p].used; ++l) {
+      for (int i = 0; i < 24; ++i) lane[i] = b[i][l];
+      visitor(first + l, nodes_of_lane(packs_[p], l), lane);
+    }
+  });
+}
+
+std::vector<CellStress> Solid::stresses(std::span<const double> x, std::span<const double> lambda) const {
+  std::vector<CellStress> all(V0_.size(), CellStress{{{0, 0, 0, 0, 0, 0}}, 0});
+  for_each_pack([&](const auto& material, int p, int first) {
+    const auto& pack = packs_[p];
+    const auto gx = reference_gradient(gather(pack, x)), gX = reference_gradient(gather<8>(pack, X_));
+    for_each_gauss_point([&](int i, int j, int k) {
+      const Mat3<Pack> a = gx.at(i, j, k);
+      const Pack det = determinant(a);
+      const PointStrain<Pack> s = point_strain(a, det, gX.at(i, j, k));
+      const Sym3<Pack> tau = material.deviatoric(s.b);  // σ = τ / J + λ I
+      const Pack per_J = s.dV0 / det, norm2 = contract(tau, tau);
+      for (int l = 0; l < pack.used; ++l) {
+        CellStress& cell = all[first + l];
+        for (int c = 0; c < 6; ++c) cell.cauchy.v[c] += 0.125 * (tau.v[c][l] * per_J[l] + (c < 3 ? lambda[first + l] : 0));
+        cell.mises += 0.125 * std::sqrt(1.5 * norm2[l]) * per_J[l];
+      }
+    });
+  });
+  return all;
+}
+
+double Solid::energy(std::span<const double> x) const {
+  double sum = 0;
+  for_each_pack([&](const auto& material, int p, int) {
+    const auto& pack = packs_[p];
+    const auto gx = reference_gradient(gather(pack, x)), gX = reference_gradient(gather<8>(pack, X_));
+    for_each_gauss_point([&](int i, int j, int k) {
+      const Mat3<Pack> a = gx.at(i, j, k);
+      const PointStrain<Pack> s = point_strain(a, determinant(a), gX.at(i, j, k));
+      const Pack w = material.energy(s.b) * s.dV0;
+      for (int l = 0; l < pack.used; ++l) sum += w[l];
+    });
+  });
+  return sum;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,41 @@
+#include "core/io/log.hpp"
+
+#include <spdlog/logger.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace bulbus {
+namespace {
+
+std::vector<spdlog::sink_ptr> open_sinks(const std::string& path) {
+  std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stdout_sink_st>()};
+  if (!path.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, true));
+  return sinks;
+}
+
+}  // namespace
+
+Log::Log(const std::string& path, const Comm& comm) {
+  std::vector<spdlog::sink_ptr> sinks;
+  bool failed = false;
+  try {
+    if (comm.rank() == 0) sinks = open_sinks(path);
+  } catch (const spdlog::spdlog_ex&) {
+    failed = true;
+  }
+  if (comm.any(failed))
+    throw std::runtime_error(path + ": cannot be written (no such folder, or no permission?)");
+  logger_ = std::make_shared<spdlog::logger>("bulbus", sinks.begin(), sinks.end());
+  logger_->set_pattern("%v");
+  logger_->flush_on(spdlog::level::info);
+}
+
+// The text goes in as an argument: braces in it are not a format.
+void Log::info(const std::string& line) const { logger_->info("{}", line); }
+void Log::warn(const std::string& line) const { logger_->warn("warning: {}", line); }
+void Log::error(const std::string& line) const { logger_->error("error: {}", line); }
+
+}  // namespace bulbus

@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "core/base/parallel.hpp"
+
+namespace spdlog {
+class logger;
+}
+
+namespace bulbus {
+
+/// The running report: the same lines on the screen and in run.log, from rank 0; the other ranks are silent.
+class Log {
+ public:
+  /// Collective. Starts the file anew; an empty path means the screen only. Throws std::runtime_error on
+  /// every rank if the file cannot be opened.
+  Log(const std::string& path, const Comm& comm);
+
+  void info(const std::string& line) const;
+  /// The line behind "warning: ".
+  void warn(const std::string& line) const;
+  /// The line behind "error: ".
+  void error(const std::string& line) const;
+
+ private:
+  std::shared_ptr<spdlog::logger> logger_;
+};
+
+}  // namespace bulbus

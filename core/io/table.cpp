@@ -1,0 +1,42 @@
+#include "core/io/table.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace bulbus {
+namespace {
+
+// RFC 4180: a cell with a comma, a quote or a line's end is quoted, its quotes doubled.
+std::string text_of(const std::string& cell) {
+  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
+  std::string out = "\"";
+  for (char c : cell) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+std::string text_of(double cell) { return fmt::format("{:.12g}", cell); }
+std::string text_of(long long cell) { return fmt::format("{}", cell); }
+
+}  // namespace
+
+CsvTable::CsvTable(std::string path, const std::vector<std::string>& columns)
+    : path_(std::move(path)), width_(columns.size()), out_(path_, std::ios::binary) {
+  write_line({columns.begin(), columns.end()});
+}
+
+void CsvTable::append(const std::vector<Cell>& row) {
+  if (row.size() != width_)
+    throw std::invalid_argument(fmt::format("{}: {} cells for {} columns", path_, row.size(), width_));
+  write_line(row);
+}
+
+void CsvTable::write_line(const std::vector<Cell>& row) {
+  std::string line;
+  for (std::size_t i = 0; i < row.size(); ++i)
+    line += (i ? "," : "") + std::visit([](const auto& cell) { return text_of(cell); }, row[i]);
+  out_ << line << '\n' << std::flush;
+  if (!out_)
+    throw std::runtime_error(path_ + ": cannot be written (no such folder, no permission, or a full disk?)");
+}
+
+}  // namespace bulbus

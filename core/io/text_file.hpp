@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+namespace bulbus {
+
+/// Writes a whole file under a temporary name and renames it: a reader sees the old file or the new one,
+/// never a part. Throws std::runtime_error. Not collective.
+void write_whole(const std::string& path, const std::string& text);
+
+/// The second half of the same, for files that a library writes. Throws std::runtime_error.
+void rename_to(const std::string& temporary, const std::string& path);
+
+}  // namespace bulbus

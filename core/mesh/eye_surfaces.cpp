@@ -1,0 +1,40 @@
+#include <algorithm>
+
+#include "core/mesh/eye_parts.hpp"
+
+namespace bulbus {
+namespace {
+
+template <class Predicate>
+bool all_nodes(const Quad& q, Predicate&& holds) {
+  return std::all_of(q.begin(), q.end(), holds);
+}
+
+}  // namespace
+
+void name_eye_surfaces(Mesh& mesh, const EyeShape& shape, const std::vector<bool>& outer) {
+  const double end = -(shape.sclera_radius + shape.nerve_length);
+  std::vector<int> owner;
+  const std::vector<Quad> faces = boundary_faces(mesh, &owner);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Quad& q = faces[f];
+    const int region = mesh.region[owner[f]];
+    const auto add = [&](const char* name) { mesh.surfaces[name].push_back(q); };
+    if (all_nodes(q, [&](int k) { return mesh.points[k][0] == 0; })) {
+      add("symmetry");
+    } else if (region == optic_nerve) {
+      const bool last = all_nodes(q, [&](int k) { return mesh.points[k][2] == end; });
+      add(last ? "nerve_end" : "nerve_side");
+      if (!last) add("outside");
+    } else if (all_nodes(q, [&](int k) { return outer[k]; })) {
+      add("outside");
+      add(region == cornea ? "outer_cornea" : "outer_sclera");
+    } else {
+      add("wet");
+      if (region == retina) add("inner_retina");
+      if (region == lens) add("lens_surface");
+    }
+  }
+}
+
+}  // namespace bulbus

@@ -1,0 +1,59 @@
+#include "core/mesh/faces.hpp"
+
+#include <algorithm>
+
+namespace bulbus {
+namespace {
+
+int lowest(const Quad& q) { return std::min(std::min(q[0], q[1]), std::min(q[2], q[3])); }
+
+Quad sorted(Quad q) {
+  std::sort(q.begin(), q.end());
+  return q;
+}
+
+int node_count(const std::vector<Hex>& hexes) {
+  int n = 0;
+  for (const Hex& h : hexes) n = std::max(n, 1 + *std::max_element(h.begin(), h.end()));
+  return n;
+}
+
+}  // namespace
+
+const std::array<std::array<int, 4>, 6> hex_faces{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+Quad face_nodes(const std::vector<Hex>& hexes, int face) {
+  const Hex& h = hexes[face / 6];
+  const auto& f = hex_faces[face % 6];
+  return {h[f[0]], h[f[1]], h[f[2]], h[f[3]]};
+}
+
+FaceTable::FaceTable(const std::vector<Hex>& hexes) : hexes_(&hexes), start_(node_count(hexes) + 1, 0) {
+  const int faces = 6 * static_cast<int>(hexes.size());
+  std::vector<int> low(faces);
+  for (int f = 0; f < faces; ++f) ++start_[(low[f] = lowest(face_nodes(hexes, f))) + 1];
+  for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+  entries_.resize(faces);
+  for (int f = 0; f < faces; ++f) entries_[next[low[f]]++] = f;
+}
+
+int FaceTable::first(const Quad& nodes) const {
+  const int low = lowest(nodes);
+  if (low < 0 || low + 1 >= static_cast<int>(start_.size())) return -1;
+  const Quad key = sorted(nodes);
+  for (std::size_t e = start_[low]; e < start_[low + 1]; ++e)
+    if (sorted(face_nodes(*hexes_, entries_[e])) == key) return entries_[e];
+  return -1;
+}
+
+int FaceTable::count(const Quad& nodes) const {
+  const int low = lowest(nodes);
+  if (low < 0 || low + 1 >= static_cast<int>(start_.size())) return 0;
+  const Quad key = sorted(nodes);
+  return static_cast<int>(std::count_if(entries_.begin() + start_[low], entries_.begin() + start_[low + 1],
+                                        [&](int f) { return sorted(face_nodes(*hexes_, f)) == key; }));
+}
+
+}  // namespace bulbus

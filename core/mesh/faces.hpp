@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "core/mesh/mesh.hpp"
+
+namespace bulbus {
+
+/// Nodes of face `face` = 6·hexahedron + local face, normal out of that hexahedron.
+Quad face_nodes(const std::vector<Hex>& hexes, int face);
+
+/// All faces of a list of hexahedra, found by their nodes in any order. Faces are numbered 6·hexahedron +
+/// local face.
+class FaceTable {
+ public:
+  explicit FaceTable(const std::vector<Hex>& hexes);
+  /// The lowest-numbered face with these four nodes, or -1.
+  int first(const Quad& nodes) const;
+  /// How many hexahedra have a face with these nodes.
+  int count(const Quad& nodes) const;
+
+ private:
+  const std::vector<Hex>* hexes_;
+  std::vector<std::size_t> start_;  ///< per node, the first entry of the faces whose lowest node it is
+  std::vector<int> entries_;
+};
+
+}  // namespace bulbus

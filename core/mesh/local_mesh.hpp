@@ -1,0 +1,44 @@
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/mesh/halo.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace bulbus {
+
+/// One rank's part of a mesh. Local nodes: the owned ones first, then ghosts. Node numbers of the whole are renumbered so
+/// that each rank owns a run; hexahedra are sorted by region.
+struct LocalMesh {
+  struct Run {
+    int first = 0, count = 0;
+  };
+
+  Comm comm;
+  int owned = 0;                   ///< owned nodes
+  std::vector<double> X;           ///< 3 per local node, mm
+  std::vector<long long> number;   ///< global number of a local node
+  std::vector<int> input_node;     ///< its index in the Mesh
+  long long first_node = 0, all_nodes = 0;
+  std::vector<Hex> hexes;          ///< local nodes
+  std::vector<int> input_hex;      ///< index in the Mesh
+  std::vector<Run> regions;        ///< hexahedra of each region of the Mesh
+  long long first_hex = 0, all_hexes = 0;
+  std::vector<std::string> region_names;
+  std::map<std::string, std::vector<Quad>> surfaces;  ///< faces of this rank's hexahedra
+  std::map<std::string, std::vector<Bar>> bars;       ///< each bar on one rank
+  std::map<std::string, std::vector<int>> input_bar;  ///< index of each in the Mesh's group
+  Halo halo;
+
+  int nodes() const { return static_cast<int>(input_node.size()); }
+  /// Local numbers of those of the given Mesh nodes that this rank holds (owned or ghost).
+  std::vector<int> local(std::span<const int> mesh_nodes) const;
+  std::size_t bytes() const;
+};
+
+/// Takes this rank's part; `rank_of_hex` as from partition(). Collective.
+LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm);
+
+}  // namespace bulbus

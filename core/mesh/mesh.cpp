@@ -1,0 +1,77 @@
+#include "core/mesh/mesh.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/mesh/faces.hpp"
+
+namespace bulbus {
+namespace {
+
+std::vector<int> sorted_unique(std::vector<int> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+std::vector<int> nodes_of_surface(const std::vector<Quad>& quads) {
+  std::vector<int> nodes;
+  nodes.reserve(4 * quads.size());
+  for (const Quad& q : quads) nodes.insert(nodes.end(), q.begin(), q.end());
+  return sorted_unique(std::move(nodes));
+}
+
+std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
+  std::vector<int> nodes;
+  for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
+    if (mesh.region[e] == region) nodes.insert(nodes.end(), mesh.hexes[e].begin(), mesh.hexes[e].end());
+  return sorted_unique(std::move(nodes));
+}
+
+std::vector<std::string> all_names(const Mesh& mesh) {
+  std::vector<std::string> names = mesh.region_names;
+  for (const auto& [name, nodes] : mesh.node_sets) names.push_back(name);
+  for (const auto& [name, quads] : mesh.surfaces) names.push_back(name);
+  return names;
+}
+
+std::string known_names(std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::string text;
+  for (const std::string& n : names) text += (text.empty() ? "" : ", ") + n;
+  return text;
+}
+
+}  // namespace
+
+std::vector<Quad> boundary_faces(const Mesh& mesh, std::vector<int>* owner) {
+  const FaceTable table(mesh.hexes);
+  std::vector<Quad> faces;
+  if (owner) owner->clear();
+  for (int f = 0; f < 6 * static_cast<int>(mesh.hexes.size()); ++f) {
+    const Quad q = face_nodes(mesh.hexes, f);
+    if (table.count(q) != 1) continue;
+    faces.push_back(q);
+    if (owner) owner->push_back(f / 6);
+  }
+  return faces;
+}
+
+int region_index(const Mesh& mesh, const std::string& name) {
+  const auto at = std::find(mesh.region_names.begin(), mesh.region_names.end(), name);
+  return at == mesh.region_names.end() ? -1 : static_cast<int>(at - mesh.region_names.begin());
+}
+
+std::vector<int> nodes_of(const Mesh& mesh, const std::string& name) {
+  if (const auto at = mesh.node_sets.find(name); at != mesh.node_sets.end()) return sorted_unique(at->second);
+  if (const auto at = mesh.surfaces.find(name); at != mesh.surfaces.end())
+    return nodes_of_surface(at->second);
+  if (const int region = region_index(mesh, name); region >= 0) return nodes_of_region(mesh, region);
+  const std::vector<std::string> names = all_names(mesh);
+  const std::string near = nearest(name, names);
+  throw input_error("the mesh has no node set, surface or region '" + name + "'",
+                    near.empty() ? "it has: " + known_names(names) : "did you mean '" + near + "'?");
+}
+
+}  // namespace bulbus

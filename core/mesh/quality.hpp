@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.hpp"
+
+namespace bulbus {
+
+/// Least over the eight corners of det(e1, e2, e3) / (|e1| |e2| |e3|), e the three edges at the corner: 1 for
+/// a cuboid, 0 or less for a cell that is no hexahedron any more.
+double scaled_jacobian(const Mesh& mesh, int hex);
+
+/// Quality of the cells of one region.
+struct RegionQuality {
+  std::string region;
+  int count = 0;
+  double volume = 0;        ///< mm³
+  double least = 1;         ///< scaled Jacobian
+  double five_percent = 1;  ///< the value that 5 % of the cells are below
+  double mean = 1;
+};
+
+/// One entry per region, in the order of region_names.
+std::vector<RegionQuality> quality(const Mesh& mesh);
+
+/// Throws InputError naming the first cell whose scaled Jacobian is not positive, its region and its centre.
+void refuse_inverted(const Mesh& mesh);
+
+}  // namespace bulbus

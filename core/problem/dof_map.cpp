@@ -1,0 +1,192 @@
+#include "core/problem/dof_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+Vec3<double> at(std::span<const double> v, int node) { return {v[3 * node], v[3 * node + 1], v[3 * node + 2]}; }
+
+}  // namespace
+
+DofMap::DofMap(const LocalMesh& mesh, std::vector<RigidBody> bodies)
+    : mesh_(mesh), bodies_(std::move(bodies)), body_of_(mesh.nodes(), -1), slot_(mesh.nodes(), -1) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (int n : bodies_[b].nodes()) body_of_[n] = static_cast<int>(b);
+}
+
+void DofMap::hold(const std::string& name, std::vector<Hold> holds) { holds_[name] = std::move(holds); }
+
+bool DofMap::release(const std::string& name) { return holds_.erase(name) > 0; }
+
+void DofMap::freeze() {
+  for (auto& [name, holds] : holds_)
+    for (Hold& h : holds) h.value = [end = h.value(1)](double) { return end; };
+}
+
+// Gram-Schmidt: a direction that the others span already must ask for what they give.
+void DofMap::add(Node& node, const Hold& hold) const {
+  Vec3<double> n = hold.direction;
+  std::array<double, 3> along{};
+  for (int k = 0; k < node.count; ++k) {
+    along[k] = dot(n, node.normal[k]);
+    for (int c = 0; c < 3; ++c) n[c] -= along[k] * node.normal[k][c];
+  }
+  const double length = norm(n);
+  auto rest = [value = hold.value, along, before = node.value, count = node.count](double s) {
+    double v = value(s);
+    for (int k = 0; k < count; ++k) v -= along[k] * before[k](s);
+    return v;
+  };
+  if (length < 1e-8) {
+    for (double s : {0.5, 1.0})
+      if (const double gap = rest(s); std::abs(gap) > 1e-9 * (1 + std::abs(hold.value(s))))
+        throw input_error(fmt::format("over-constrained: node {} at ({:.4g}, {:.4g}, {:.4g}) is given two displacements in "
+                                      "one direction that differ by {:.3g} mm",
+                                      mesh_.input_node[node.node] + 1, mesh_.X[3 * node.node], mesh_.X[3 * node.node + 1],
+                                      mesh_.X[3 * node.node + 2], gap),
+                          "Take the node out of one of the sets, or give both the same displacement.");
+    return;
+  }
+  for (double& c : n) c /= length;
+  node.normal[node.count] = n;
+  node.value[node.count++] = [rest, length](double s) { return rest(s) / length; };
+}
+
+void DofMap::build() {
+  nodes_.clear();
+  std::fill(slot_.begin(), slot_.end(), -1);
+  for (const auto& [name, holds] : holds_)
+    for (const Hold& h : holds) {
+      if (body_of_[h.node] >= 0) continue;
+      if (slot_[h.node] < 0) {
+        slot_[h.node] = static_cast<int>(nodes_.size());
+        nodes_.push_back({h.node});
+      }
+      add(nodes_[slot_[h.node]], h);
+    }
+}
+
+Mat3<double> DofMap::projector(int node) const {
+  Mat3<double> P{};
+  if (body_of_[node] >= 0) return P;
+  for (int i = 0; i < 3; ++i) P(i, i) = 1;
+  if (slot_[node] < 0) return P;
+  const Node& h = nodes_[slot_[node]];
+  if (h.count == 3) return Mat3<double>{};
+  for (int k = 0; k < h.count; ++k)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) P(i, j) -= h.normal[k][i] * h.normal[k][j];
+  return P;
+}
+
+bool DofMap::holds_direction(int node, const Vec3<double>& d) const {
+  const Mat3<double> P = projector(node);
+  double left = 0;
+  for (int i = 0; i < 3; ++i) left += std::abs(P(i, 0) * d[0] + P(i, 1) * d[1] + P(i, 2) * d[2]);
+  return left < 1e-8;
+}
+
+void DofMap::project(std::span<double> v) const {
+  for (const Node& h : nodes_)
+    for (int k = 0; k < h.count; ++k) {
+      const double along = dot(h.normal[k], at(v, h.node));
+      for (int c = 0; c < 3; ++c) v[3 * h.node + c] -= along * h.normal[k][c];
+    }
+  for (const RigidBody& b : bodies_)
+    for (int n : b.nodes()) v[3 * n] = v[3 * n + 1] = v[3 * n + 2] = 0;
+}
+
+void DofMap::add_held(std::span<const double> x, std::span<const double> dx, double factor, std::span<double> y) const {
+  for (const Node& h : nodes_)
+    if (h.node < mesh_.owned)
+      for (int i = 3 * h.node; i < 3 * h.node + 3; ++i) y[i] += factor * (x[i] - dx[i]);
+  for (const RigidBody& b : bodies_)
+    for (int n : b.nodes())
+      if (n < mesh_.owned)
+        for (int i = 3 * n; i < 3 * n + 3; ++i) y[i] += factor * x[i];
+}
+
+std::vector<double> DofMap::bodies_part(std::span<const double> primal) const {
+  std::vector<double> q(6 * bodies_.size());
+  if (q.empty()) return q;
+  if (mesh_.comm.rank() == 0) std::copy(primal.end() - q.size(), primal.end(), q.begin());
+  mesh_.comm.broadcast(q);
+  return q;
+}
+
+void DofMap::expand(const State& state, std::span<const double> primal, std::span<double> dx) const {
+  std::copy_n(primal.begin(), 3 * mesh_.owned, dx.begin());
+  mesh_.halo.update(dx);
+  project(dx);
+  const auto q = bodies_part(primal);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    RigidBody::Six six;
+    std::copy_n(q.begin() + 6 * b, 6, six.begin());
+    bodies_[b].expand(state.bodies[b], state.x, six, dx);
+  }
+}
+
+void DofMap::reduce(const State& state, std::span<const double> force, std::span<double> primal) const {
+  if (!bodies_.empty()) {
+    std::vector<double> q;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const auto six = bodies_[b].reduce(state.bodies[b], state.x, force, mesh_.owned);
+      q.insert(q.end(), six.begin(), six.end());
+    }
+    mesh_.comm.sum(q);
+    if (mesh_.comm.rank() == 0) std::copy(q.begin(), q.end(), primal.end() - q.size());
+  }
+  std::copy_n(force.begin(), 3 * mesh_.owned, primal.begin());
+  for (const Node& h : nodes_) {
+    if (h.node >= mesh_.owned) continue;
+    for (int k = 0; k < h.count; ++k) {
+      const double along = dot(h.normal[k], at(primal, h.node));
+      for (int c = 0; c < 3; ++c) primal[3 * h.node + c] -= along * h.normal[k][c];
+    }
+  }
+  for (const RigidBody& b : bodies_)
+    for (int n : b.nodes())
+      if (n < mesh_.owned) primal[3 * n] = primal[3 * n + 1] = primal[3 * n + 2] = 0;
+}
+
+double DofMap::defect(const State& state, double s, std::span<double> du) const {
+  std::fill(du.begin(), du.end(), 0.0);
+  double largest = 0;
+  for (const Node& h : nodes_) {
+    const Vec3<double> u = minus(at(state.x, h.node), at(mesh_.X, h.node));
+    for (int k = 0; k < h.count; ++k) {
+      const double missing = h.value[k](s) - dot(h.normal[k], u);
+      largest = std::max(largest, std::abs(missing));
+      for (int c = 0; c < 3; ++c) du[3 * h.node + c] += missing * h.normal[k][c];
+    }
+  }
+  return mesh_.comm.max(largest);
+}
+
+void DofMap::move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const {
+  for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += step * dx[i];
+  const auto q = bodies_part(primal);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    RigidBody::Six six;
+    for (int i = 0; i < 6; ++i) six[i] = step * q[6 * b + i];
+    state.bodies[b] = bodies_[b].moved(state.bodies[b], six);
+    bodies_[b].place(state.bodies[b], mesh_.X, state.x);
+  }
+}
+
+long long DofMap::free_unknowns() const {
+  long long held = 0;
+  for (const Node& h : nodes_)
+    if (h.node < mesh_.owned) held += h.count;
+  for (const RigidBody& b : bodies_) held += 3 * std::ranges::count_if(b.nodes(), [&](int n) { return n < mesh_.owned; });
+  long long rigid = 0;
+  for (const RigidBody& b : bodies_) rigid += std::ranges::count(b.free(), true);
+  return mesh_.comm.sum(3LL * mesh_.owned - held) + rigid;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,80 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/mesh/local_mesh.hpp"
+#include "core/problem/rigid_body.hpp"
+#include "core/problem/state.hpp"
+
+namespace bulbus {
+
+/// One held direction of a node: n·u = value(s), with s the part of the step done.
+struct Hold {
+  int node;
+  Vec3<double> direction;
+  std::function<double(double s)> value;
+};
+
+/// u = T q + ū, in the one place where it is applied. Nodes keep three components each: held directions are projected out,
+/// du = P q with P = I − Σ n nᵀ, and appear as identity rows; nodes of rigid bodies follow six unknowns of their body.
+///
+/// A primal vector on one rank: 3 numbers per owned node, then, on rank 0, 6 per rigid body.
+class DofMap {
+ public:
+  DofMap(const LocalMesh& mesh, std::vector<RigidBody> bodies);
+
+  /// Replaces the holds called `name`; the holds of a node are orthonormalised in the order of their names.
+  void hold(const std::string& name, std::vector<Hold> holds);
+  bool release(const std::string& name);
+  /// From now on every hold stays where it is at s = 1.
+  void freeze();
+  /// To be called after a change of holds. Throws InputError where two holds of one node contradict each other.
+  void build();
+
+  const LocalMesh& mesh() const { return mesh_; }
+  std::span<const RigidBody> bodies() const { return bodies_; }
+  int primal_size() const { return 3 * mesh_.owned + tail_size(); }
+  int tail_size() const { return mesh_.comm.rank() == 0 ? 6 * static_cast<int>(bodies_.size()) : 0; }
+
+  /// Free directions only: v ← P v on all local nodes; nodes of bodies become zero.
+  void project(std::span<double> v) const;
+  /// y += factor · (I − P) x on owned nodes, bodies' nodes included; `dx` is expand(x).
+  void add_held(std::span<const double> x, std::span<const double> dx, double factor, std::span<double> y) const;
+  /// Local nodal increment of a primal vector (ghosts included). Collective.
+  void expand(const State& state, std::span<const double> primal, std::span<double> dx) const;
+  /// The transpose, for nodal forces already folded to their owners; held rows become zero. Collective.
+  void reduce(const State& state, std::span<const double> force, std::span<double> primal) const;
+  /// ū increments that remain: Σ n (value(s) − n·u) for every local node. Returns the largest.
+  double defect(const State& state, double s, std::span<double> du) const;
+  /// x += step · dx for nodes and poses; rigid nodes are placed again. Collective.
+  void move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const;
+
+  /// 3×3 matrix of P for a local node (identity where nothing is held; zero for a rigid node).
+  Mat3<double> projector(int node) const;
+  bool held(int node) const { return slot_[node] >= 0 || body_of_[node] >= 0; }
+  int body_of(int node) const { return body_of_[node]; }
+  /// Is this direction of the node held?
+  bool holds_direction(int node, const Vec3<double>& d) const;
+  /// Number of free displacement unknowns of all ranks, rigid ones included. Collective.
+  long long free_unknowns() const;
+  std::vector<double> bodies_part(std::span<const double> primal) const;  ///< 6 per body on every rank. Collective.
+
+ private:
+  struct Node {
+    int node, count = 0;
+    std::array<Vec3<double>, 3> normal;                          // orthonormal
+    std::array<std::function<double(double)>, 3> value;          // of each normal
+  };
+  void add(Node& node, const Hold& hold) const;
+
+  const LocalMesh& mesh_;
+  std::vector<RigidBody> bodies_;
+  std::vector<int> body_of_, slot_;
+  std::map<std::string, std::vector<Hold>> holds_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace bulbus

@@ -1,0 +1,63 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "core/base/parallel.hpp"
+#include "core/element/pressure_surface.hpp"
+
+namespace bulbus {
+
+/// Enclosed liquid with the law P = P_i + K (V_i − V)/V_i, or with a given pressure. Volumes are the model's (half of the eye's
+/// with one symmetry plane).
+class Liquid {
+ public:
+  Liquid(std::string name, PressureSurface surface, const Point& x0, double K, const Comm& comm)
+      : name_(std::move(name)), surface_(std::move(surface)), x0_(x0), K_(K), comm_(comm) {}
+
+  const std::string& name() const { return name_; }
+  const PressureSurface& surface() const { return surface_; }
+  /// Collective.
+  double volume(std::span<const double> x) const { return comm_.sum(surface_.volume(x, x0_)); }
+
+  bool coupled() const { return coupled_; }
+  /// The pressure is an unknown from here on: V_i := V, P_i := P, so that the law holds as it is.
+  void couple(double V, double P) { coupled_ = true, V_i_ = V_start_ = V, P_i_ = P; }
+  /// The pressure is given by a function of the part of the step done.
+  void give(std::function<double(double s)> pressure) { coupled_ = false, given_ = std::move(pressure); }
+  double given(double s) const { return given_ ? given_(s) : 0; }
+
+  /// Volume (at P_i) that is added in this step; negative: drained.
+  void add(double volume) { added_ = volume; }
+  void set_progress(double s) { V_i_ = V_start_ + added_ * s; }
+  void freeze();
+
+  /// D = V − V_i + (P − P_i) V_i / K; zero where the pressure is given.
+  double defect(double V, double P) const { return coupled_ ? V - V_i_ + (P - P_i_) * compliance() : 0; }
+  /// V_i / K, mm³/MPa
+  double compliance() const { return (coupled_ ? V_i_ : V_scale_) / K_; }
+  /// A volume that makes defects relative.
+  double scale() const { return coupled_ ? V_i_ : V_scale_; }
+  void set_scale(double V) { V_scale_ = V; }
+
+ private:
+  std::string name_;
+  PressureSurface surface_;
+  Point x0_;
+  double K_;
+  Comm comm_;
+  bool coupled_ = false;
+  double V_i_ = 0, V_start_ = 0, P_i_ = 0, added_ = 0, V_scale_ = 1;
+  std::function<double(double)> given_;
+};
+
+inline void Liquid::freeze() {
+  if (coupled_) {
+    V_start_ += added_;
+    V_i_ = V_start_;
+    added_ = 0;
+  } else {
+    given_ = [end = given(1)](double) { return end; };
+  }
+}
+
+}  // namespace bulbus

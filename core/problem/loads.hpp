@@ -1,0 +1,87 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "core/element/bars.hpp"
+#include "core/element/pressure_surface.hpp"
+#include "core/problem/term.hpp"
+
+namespace bulbus {
+
+/// A load that follows the step: value(s) is its size, s the part of the step done.
+class Load : public Term {
+ public:
+  explicit Load(std::function<double(double)> value) : value_(std::move(value)) {}
+  void set_progress(double s) override { now_ = value_(s); }
+  void freeze() override {
+    value_ = [end = value_(1)](double) { return end; };
+  }
+  double end() const { return value_(1); }
+
+ protected:
+  double now_ = 0;
+
+ private:
+  std::function<double(double)> value_;
+};
+
+/// Pressure against the body that follows its faces. The tangent is symmetric only where the surface's rim is held.
+class FollowerPressure final : public Load {
+ public:
+  FollowerPressure(PressureSurface surface, std::function<double(double)> value, bool symmetric)
+      : Load(std::move(value)), surface_(std::move(surface)), symmetric_(symmetric) {}
+  void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override;
+  void linearize(const State& state) override { x_ = state.x; }
+  void add_action(std::span<const double> dx, std::span<double> force) const override;
+  void visit(const ContributionVisitor& visitor) const override;
+  bool symmetric() const override { return symmetric_; }
+
+ private:
+  PressureSurface surface_;
+  std::span<const double> x_;
+  bool symmetric_;
+};
+
+/// Nodal forces base + size · pattern: dead pressures and nodal forces.
+class DeadLoad final : public Load {
+ public:
+  /// `base` (may be empty) and `pattern`: 3 numbers per local node, N; each rank gives its own share.
+  DeadLoad(std::vector<double> base, std::vector<double> pattern, std::function<double(double)> value)
+      : Load(std::move(value)), base_(std::move(base)), pattern_(std::move(pattern)) {}
+  /// The forces at the end of the step.
+  std::vector<double> at_end() const;
+  void add_residual(const State&, std::span<double> force, std::span<double> magnitude) const override;
+  void linearize(const State&) override {}
+  void add_action(std::span<const double>, std::span<double>) const override {}
+  void visit(const ContributionVisitor&) const override {}
+
+ private:
+  std::vector<double> base_, pattern_;
+};
+
+/// Bars of one group.
+class BarsTerm final : public Term {
+ public:
+  explicit BarsTerm(Bars bars) : bars_(std::move(bars)) {}
+  const Bars& bars() const { return bars_; }
+  void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override {
+    bars_.add_residual(state.x, force, magnitude);
+  }
+  void linearize(const State& state) override { x_ = state.x; }
+  void add_action(std::span<const double> dx, std::span<double> force) const override {
+    bars_.add_stiffness(x_, dx, force);
+  }
+  void visit(const ContributionVisitor& visitor) const override { bars_.visit(x_, visitor); }
+
+ private:
+  Bars bars_;
+  std::span<const double> x_;
+};
+
+/// magnitude[node] += |force of the node| for a nodal vector.
+void add_magnitude(std::span<const double> force, std::span<double> magnitude);
+
+/// ∫ N dA of the faces along a fixed direction (zero: against the reference normal out of the body), 3 per local node.
+std::vector<double> dead_pressure_pattern(std::span<const double> X, std::span<const Quad> faces, const Point& direction);
+
+}  // namespace bulbus

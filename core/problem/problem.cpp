@@ -1,0 +1,122 @@
+#include "core/problem/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/mesh/partition.hpp"
+#include "core/problem/closed_surface.hpp"
+#include "core/problem/validate.hpp"
+
+namespace bulbus {
+
+Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm)
+    : model_(model), mesh_(distribute(mesh, partition(mesh, comm.size()), comm)) {
+  validate(mesh, model);
+  for (std::size_t i = 0; i < model.symmetry.size(); ++i) multiplicity_ *= 2;
+  for (const std::string& set : sets_in_use(mesh, model)) sets_[set] = mesh_.local(bulbus::nodes_of(mesh, set));
+  build_bodies_and_solid(mesh);
+  build_liquids(mesh);
+  build_bars();
+  hold_fixed();
+}
+
+std::vector<int> Problem::nodes_of(const std::string& set) const { return sets_.at(set); }
+
+State Problem::initial_state() const {
+  return {mesh_.X, std::vector<double>(mesh_.hexes.size()), std::vector<double>(liquids_.size()),
+          std::vector<Pose>(dofs_->bodies().size())};
+}
+
+std::vector<std::shared_ptr<Term>> Problem::terms() const {
+  std::vector<std::shared_ptr<Term>> all;
+  for (const auto& [name, term] : bars_) all.push_back(term);
+  for (const auto& [name, term] : loads_) all.push_back(term);
+  return all;
+}
+
+bool Problem::symmetric() const {
+  return std::ranges::all_of(terms(), [](const auto& t) { return t->symmetric(); });
+}
+
+void Problem::set_progress(double s, State& state) {
+  s_ = s;
+  for (const auto& [name, load] : loads_) load->set_progress(s);
+  for (std::size_t i = 0; i < liquids_.size(); ++i) {
+    liquids_[i].set_progress(s);
+    if (!liquids_[i].coupled()) state.P[i] = liquids_[i].given(s);
+  }
+}
+
+void Problem::end_step() {
+  dofs_->freeze();
+  for (const auto& [name, load] : loads_) load->freeze();
+  for (Liquid& l : liquids_) l.freeze();
+}
+
+Residual Problem::residual(const State& state) const {
+  Residual r{std::vector<double>(state.x.size()), std::vector<double>(state.lambda.size()), {},
+             std::vector<double>(mesh_.nodes())};
+  solid_->residual(state.x, state.lambda, r.force, r.volume, r.magnitude);
+  for (const auto& term : terms()) term->add_residual(state, r.force, r.magnitude);
+  for (std::size_t i = 0; i < liquids_.size(); ++i) {
+    const Liquid& l = liquids_[i];
+    if (state.P[i] != 0) {
+      std::vector<double> own(r.force.size());
+      l.surface().add_gradient(state.x, -state.P[i], own);
+      for (std::size_t k = 0; k < own.size(); ++k) r.force[k] += own[k];
+      add_magnitude(own, r.magnitude);
+    }
+    r.liquid.push_back(l.defect(l.coupled() ? l.volume(state.x) : 0, state.P[i]));
+  }
+  mesh_.halo.fold(r.force);
+  mesh_.halo.fold(r.magnitude, 1);
+  return r;
+}
+
+Balance Problem::balance(const Residual& r) const {
+  Balance b;
+  std::vector<double> free(r.force);
+  dofs_->project(free);
+  // ‖A‖² and ‖magnitude‖² of every region's free nodes; the floor keeps an unloaded region from dividing by round-off
+  std::vector<double> sums(2 * region_nodes_.size());
+  for (std::size_t g = 0; g < region_nodes_.size(); ++g)
+    for (int n : region_nodes_[g]) {
+      for (int c = 0; c < 3; ++c) sums[2 * g] += free[3 * n + c] * free[3 * n + c];
+      sums[2 * g + 1] += r.magnitude[n] * r.magnitude[n];
+    }
+  comm().sum(sums);
+  for (std::size_t g = 0; g < region_nodes_.size(); ++g) {
+    const double relative = std::sqrt(sums[2 * g]) / std::max(std::sqrt(sums[2 * g + 1]), region_floor_[g]);
+    if (!(relative <= b.force)) b.force = relative, b.region = solid_->regions()[g].name;
+  }
+  for (std::size_t k = 0; k < dofs_->bodies().size(); ++k) {
+    const RigidBody& body = dofs_->bodies()[k];
+    // Balanced as the free nodes are: the resultant against the sum of the nodal magnitudes.
+    std::vector<double> resultant(4);
+    for (int n : body.nodes())
+      if (n < mesh_.owned) {
+        for (int c = 0; c < 3; ++c) resultant[c] += body.free()[c] ? r.force[3 * n + c] : 0;
+        resultant[3] += r.magnitude[n];
+      }
+    comm().sum(resultant);
+    const double relative = std::hypot(resultant[0], resultant[1], resultant[2]) / std::max(resultant[3], region_floor_.empty() ? 1e-300 : region_floor_[0]);
+    if (!(relative <= b.force)) b.force = relative, b.region = body.name();
+  }
+  const auto V0 = solid_->reference_volumes();
+  for (std::size_t e = 0; e < r.volume.size(); ++e) {
+    const double v = std::abs(r.volume[e] / V0[e]);
+    if (!(v <= b.volume)) b.volume = v;
+  }
+  b.volume = comm().max(b.volume);
+  for (std::size_t i = 0; i < liquids_.size(); ++i)
+    b.liquid = std::max(b.liquid, std::abs(r.liquid[i] / liquids_[i].scale()));
+  return b;
+}
+
+void Problem::linearize(const State& state, double gamma, StrainSource source) {
+  solid_->linearize(state.x, state.lambda, gamma, source);
+  for (const auto& term : terms()) term->linearize(state);
+}
+
+}  // namespace bulbus

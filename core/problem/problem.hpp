@@ -1,0 +1,94 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "core/element/solid.hpp"
+#include "core/problem/dof_map.hpp"
+#include "core/problem/liquid.hpp"
+#include "core/problem/loads.hpp"
+#include "core/problem/model.hpp"
+
+namespace bulbus {
+
+/// The residual of the coupled system (formulation A, B, D), before holds are projected out.
+struct Residual {
+  std::vector<double> force;      ///< A: 3 per local node, folded to the owners (N)
+  std::vector<double> volume;     ///< B: V_e − V0_e per local hexahedron (mm³)
+  std::vector<double> liquid;     ///< D per liquid, the same on every rank (mm³)
+  std::vector<double> magnitude;  ///< per local node, folded: Σ |contributions| (N)
+};
+
+/// How far a state is from equilibrium, relative and free of units.
+struct Balance {
+  double force = 0;    ///< largest ‖A‖ / ‖internal forces‖ of a region, and which
+  std::string region;
+  double volume = 0;   ///< largest |V_e/V0_e − 1|
+  double liquid = 0;   ///< largest |D| / V
+};
+
+/// A sum of terms over one map from free unknowns to nodes: the physics of one model on one mesh, and nothing of how it is
+/// solved. Made on all ranks together.
+class Problem {
+ public:
+  /// Validates, partitions and builds. Throws InputError. Collective.
+  Problem(const Mesh& mesh, const Model& model, const Comm& comm);
+
+  const LocalMesh& mesh() const { return mesh_; }
+  const Model& model() const { return model_; }
+  const Comm& comm() const { return mesh_.comm; }
+  Solid& solid() { return *solid_; }
+  const Solid& solid() const { return *solid_; }
+  const DofMap& dofs() const { return *dofs_; }
+  std::vector<Liquid>& liquids() { return liquids_; }
+  const std::vector<Liquid>& liquids() const { return liquids_; }
+  /// Every term but the solid and the liquids.
+  std::vector<std::shared_ptr<Term>> terms() const;
+  const std::map<std::string, std::shared_ptr<BarsTerm>>& bars() const { return bars_; }
+  /// Symmetry images: figures of the whole are this many times the model's (1, 2, 4, 8).
+  int multiplicity() const { return multiplicity_; }
+  bool symmetric() const;
+  /// Local nodes of a set, surface or region.
+  std::vector<int> nodes_of(const std::string& set) const;
+
+  State initial_state() const;
+  /// Sets up loads, holds and liquids of a step from the state it starts in. Collective.
+  void begin_step(int step, const State& start);
+  /// Loads, given pressures and added liquid follow the part s of the step done.
+  void set_progress(double s, State& state);
+  void end_step();
+  double progress() const { return s_; }
+
+  /// Collective.
+  Residual residual(const State& state) const;
+  Balance balance(const Residual& r) const;
+  /// Fixes the state of the tangent of every term; `state` must stay where it is.
+  void linearize(const State& state, double gamma, StrainSource source);
+
+ private:
+  void build_bodies_and_solid(const Mesh& mesh);
+  void build_liquids(const Mesh& mesh);
+  void build_bars();
+  void hold_fixed();
+  void require_free_elements() const;
+  void add_displacement(const DisplaceSpec& spec, int step, int index, const State& start);
+  void add_load(const LoadSpec& spec, int step, int index);
+  void begin_liquids(const StepSpec& spec, int step, const State& start);
+  void release(const StepSpec& spec, int step);
+  Liquid& liquid(const std::string& name, const std::string& key);
+  int liquid_index(const std::string& name, const std::string& key) const;
+
+  Model model_;
+  LocalMesh mesh_;
+  std::map<std::string, std::vector<int>> sets_;  // local nodes
+  std::unique_ptr<Solid> solid_;
+  std::unique_ptr<DofMap> dofs_;
+  std::vector<Liquid> liquids_;
+  std::map<std::string, std::shared_ptr<BarsTerm>> bars_;
+  std::map<std::string, std::shared_ptr<Load>> loads_;
+  std::vector<std::vector<int>> region_nodes_;  // owned free nodes of each solid region
+  std::vector<double> region_floor_;            // smallest force that counts, N
+  int multiplicity_ = 1, step_ = -1;
+  double s_ = 0;
+};
+
+}  // namespace bulbus

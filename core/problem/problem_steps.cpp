@@ -1,0 +1,196 @@
+// How a step changes loads, holds and liquids.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/problem/closed_surface.hpp"
+#include "core/problem/formula.hpp"
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+namespace {
+
+Vec3<double> at(std::span<const double> v, int n) { return {v[3 * n], v[3 * n + 1], v[3 * n + 2]}; }
+
+Vec3<double> unit(Vec3<double> v) {
+  const double length = norm(v);
+  for (double& c : v) c /= length;
+  return v;
+}
+
+std::string step_key(int step, const std::string& rest) { return "steps." + std::to_string(step) + "." + rest; }
+
+// Displacement of one node along n over the step: numbers are approached linearly, formulas taken as they stand.
+std::function<double(double)> course(std::shared_ptr<Formula> f, Vec3<double> X, double start, bool from_start, int step) {
+  if (f->constant()) {
+    const double end = (*f)(X, 1, step + 1) + (from_start ? start : 0);
+    return [=](double s) { return start + (end - start) * s; };
+  }
+  return [=](double s) { return (*f)(X, s, step + s) + (from_start ? start : 0); };
+}
+
+// Size of a load or pressure over the step.
+std::function<double(double)> ramp(std::shared_ptr<Formula> f, double start, int step) {
+  const Vec3<double> origin{0, 0, 0};
+  if (f->constant()) return [=, end = (*f)(origin, 1, step + 1)](double s) { return start + (end - start) * s; };
+  return [=](double s) { return (*f)(origin, s, step + s); };
+}
+
+}  // namespace
+
+void Problem::begin_step(int step, const State& start) {
+  const StepSpec& spec = model_.steps.at(step);
+  step_ = step;
+  release(spec, step);
+  for (std::size_t i = 0; i < spec.displace.size(); ++i) add_displacement(spec.displace[i], step, static_cast<int>(i), start);
+  dofs_->build();
+  require_free_elements();
+  for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
+  begin_liquids(spec, step, start);
+  s_ = 0;
+}
+
+void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, const State& start) {
+  const std::string where = step_key(step, "displace." + std::to_string(index));
+  const auto nodes = nodes_of(spec.set);
+  const bool from_start = spec.from == "start";
+  const auto along = [&](const std::string& what, const std::string& text, auto direction) {
+    auto formula = std::make_shared<Formula>(text, where + "." + what);
+    std::vector<Hold> holds;
+    for (int n : nodes) {
+      const Vec3<double> d = direction(n), X = at(mesh_.X, n);
+      holds.push_back({n, d, course(formula, X, dot(d, minus(at(start.x, n), X)), from_start, step)});
+    }
+    dofs_->hold("2 " + spec.set + "/" + what, std::move(holds));
+  };
+  for (const auto& [name, text] : {std::pair{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}})
+    if (*text)
+      along(name, **text, [c = axis_of(name)](int) {
+        Vec3<double> d{0, 0, 0};
+        d[c] = 1;
+        return d;
+      });
+  if (spec.radial)
+    along("radial", *spec.radial, [&](int n) {
+      const Vec3<double> axis = unit(spec.axis);
+      Vec3<double> r = minus(at(start.x, n), spec.center);
+      const double t = dot(r, axis);
+      for (int c = 0; c < 3; ++c) r[c] -= t * axis[c];
+      if (!(norm(r) > 0)) throw scene_error(where + ".radial", "a node of '" + spec.set + "' lies on the axis: it has no radial direction", "Take it out of the set.");
+      return unit(r);
+    });
+  if (spec.by) along("along", *spec.by, [&](int) { return unit(spec.along); });
+  if (!spec.affine && !spec.rotate && !spec.translate) return;
+  // whole motions: u(s) for all three directions; affine from the reference, rigid from the start of the step
+  const auto motion = [spec](const Vec3<double>& X, const Vec3<double>& x, double s) {
+    Vec3<double> u;
+    if (spec.affine) {
+      const auto& F = *spec.affine;
+      for (int c = 0; c < 3; ++c) {
+        const double end = F[3 * c] * X[0] + F[3 * c + 1] * X[1] + F[3 * c + 2] * X[2] - X[c];
+        u[c] = x[c] - X[c] + s * (end - (x[c] - X[c]));
+      }
+      return u;
+    }
+    Vec3<double> place = x;
+    if (spec.rotate) {
+      const auto& r = *spec.rotate;
+      const Vec3<double> a = unit(r.axis), arm = minus(x, r.center);
+      const Mat3<double> R = rotation({s * r.angle * a[0], s * r.angle * a[1], s * r.angle * a[2]});
+      for (int c = 0; c < 3; ++c) place[c] = r.center[c] + R(c, 0) * arm[0] + R(c, 1) * arm[1] + R(c, 2) * arm[2];
+    }
+    for (int c = 0; c < 3; ++c) u[c] = place[c] + (spec.translate ? s * (*spec.translate)[c] : 0) - X[c];
+    return u;
+  };
+  for (int c = 0; c < 3; ++c) {
+    Vec3<double> d{0, 0, 0};
+    d[c] = 1;
+    std::vector<Hold> holds;
+    for (int n : nodes)
+      holds.push_back({n, d, [=, X = at(mesh_.X, n), x = at(start.x, n)](double s) { return motion(X, x, s)[c]; }});
+    dofs_->hold("2 " + spec.set + "/" + std::string(1, static_cast<char>('x' + c)), std::move(holds));
+  }
+}
+
+// An element whose nodes are all held cannot keep its volume by itself: its pressure would be undetermined.
+void Problem::require_free_elements() const {
+  for (const SolidRegion& r : solid_->regions())
+    for (int h = r.first; h < r.first + r.count; ++h) {
+      const Hex& hex = mesh_.hexes[h];
+      if (!std::ranges::all_of(hex, [&](int n) { return dofs_->body_of(n) < 0 && dofs_->held(n) && trace(dofs_->projector(n)) < 0.5; }))
+        continue;
+      throw scene_error("steps." + std::to_string(step_),
+                        "over-constrained: all eight nodes of hexahedron " + std::to_string(mesh_.input_hex[h] + 1) + " (region '" + r.name +
+                            "') are held in all directions, so its pressure is undetermined",
+                        "Leave at least one of its nodes free, or declare the region rigid.");
+    }
+}
+
+void Problem::add_load(const LoadSpec& spec, int step, int index) {
+  const std::string where = step_key(step, "loads." + std::to_string(index));
+  if (spec.pressure) {
+    const std::string name = "surface " + spec.surface;
+    const double before = loads_.contains(name) ? loads_[name]->end() : 0;
+    auto value = ramp(std::make_shared<Formula>(*spec.pressure, where + ".pressure"), before, step);
+    const auto& faces = mesh_.surfaces.at(spec.surface);
+    if (spec.dead)
+      loads_[name] = std::make_shared<DeadLoad>(std::vector<double>{}, dead_pressure_pattern(mesh_.X, faces, spec.direction), value);
+    else
+      loads_[name] = std::make_shared<FollowerPressure>(PressureSurface(faces), value, false);
+  }
+  if (spec.force) {
+    std::vector<double> pattern(mesh_.X.size());
+    for (int n : nodes_of(spec.set))
+      if (n < mesh_.owned)
+        for (int c = 0; c < 3; ++c) pattern[3 * n + c] = (*spec.force)[c];
+    auto& load = loads_["force " + spec.set];
+    std::vector<double> before;
+    if (const auto* old = dynamic_cast<const DeadLoad*>(load.get())) {
+      before = old->at_end();
+      for (std::size_t i = 0; i < pattern.size(); ++i) pattern[i] -= before[i];
+    }
+    load = std::make_shared<DeadLoad>(std::move(before), std::move(pattern), [](double s) { return s; });
+  }
+}
+
+int Problem::liquid_index(const std::string& name, const std::string& key) const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < liquids_.size(); ++i) {
+    if (liquids_[i].name() == name) return static_cast<int>(i);
+    names.push_back(liquids_[i].name());
+  }
+  const std::string guess = nearest(name, names);
+  throw scene_error(key, "there is no liquid '" + name + "'", guess.empty() ? "Name one under `liquids`." : "Did you mean '" + guess + "'?");
+}
+
+void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) {
+  for (const auto& [name, pressure] : spec.pressures) {
+    const std::string key = step_key(step, "pressures." + name);
+    const int i = liquid_index(name, key);
+    liquids_[i].give(ramp(std::make_shared<Formula>(pressure, key), start.P[i], step));
+  }
+  for (const std::string& name : spec.couple) {
+    const int i = liquid_index(name, step_key(step, "couple"));
+    if (!liquids_[i].coupled()) liquids_[i].couple(liquids_[i].volume(start.x), start.P[i]);
+  }
+  for (const auto& [name, volume] : spec.add) {
+    const std::string key = step_key(step, "add." + name);
+    const int i = liquid_index(name, key);
+    if (!liquids_[i].coupled())
+      throw scene_error(key, "liquid '" + name + "' is not enclosed in this step: its pressure is given, so adding volume means nothing",
+                        "List it under `couple`.");
+    liquids_[i].add(volume / multiplicity_);
+  }
+}
+
+void Problem::release(const StepSpec& spec, int step) {
+  for (const std::string& name : spec.release) {
+    bool found = loads_.erase("surface " + name) + loads_.erase("force " + name) > 0;
+    for (const char* what : {"x", "y", "z", "radial", "along"}) found |= dofs_->release("2 " + name + "/" + what);
+    if (!found)
+      throw scene_error(step_key(step, "release"), "nothing is prescribed on '" + name + "', so nothing can be released",
+                        "Name a set of an earlier `displace` or `loads`.");
+  }
+}
+
+}  // namespace bulbus

@@ -1,0 +1,23 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/base/tensor.hpp"
+
+namespace bulbus {
+
+/// Placement of a rigid body: x = center + shift + rotation (X − center).
+struct Pose {
+  Mat3<double> rotation{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+  Vec3<double> shift{0, 0, 0};
+};
+
+/// All that changes during a run, on one rank.
+struct State {
+  std::vector<double> x;       ///< places of the local nodes, ghosts included, mm
+  std::vector<double> lambda;  ///< Cauchy mean stress of the local hexahedra, MPa
+  std::vector<double> P;       ///< pressure of every liquid, the same on every rank, MPa
+  std::vector<Pose> bodies;    ///< the same on every rank
+};
+
+}  // namespace bulbus

@@ -1,0 +1,176 @@
+// Rigid motions that nothing prevents: the null space of all holds and bars on the rigid motions of the mesh's parts.
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/error.hpp"
+#include "core/problem/closed_surface.hpp"
+#include "core/problem/validate.hpp"
+
+namespace bulbus {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+// Parts are the connected components of the hexahedra; bars alone do not join.
+struct Parts {
+  std::vector<int> of_node;  // -1 for nodes of bars only
+  std::vector<std::string> name;
+  std::vector<Vec3<double>> center;
+  std::vector<double> size;
+};
+
+int root(std::vector<int>& parent, int n) {
+  while (parent[n] != n) n = parent[n] = parent[parent[n]];
+  return n;
+}
+
+Parts find_parts(const Mesh& mesh) {
+  std::vector<int> parent(mesh.points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const Hex& h : mesh.hexes)
+    for (int n : h) parent[root(parent, n)] = root(parent, h[0]);
+  Parts parts;
+  parts.of_node.assign(mesh.points.size(), -1);
+  std::map<int, int> number;
+  for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
+    const int r = root(parent, mesh.hexes[h][0]);
+    const auto [entry, fresh] = number.emplace(r, static_cast<int>(number.size()));
+    const std::string& region = mesh.region_names[mesh.region[h]];
+    if (fresh) parts.name.push_back(region);
+    else if (std::string& name = parts.name[entry->second]; ("+" + name + "+").find("+" + region + "+") == std::string::npos) name += "+" + region;
+    for (int n : mesh.hexes[h]) parts.of_node[n] = entry->second;
+  }
+  const std::size_t count = parts.name.size();
+  parts.center.assign(count, {0, 0, 0});
+  parts.size.assign(count, 0);
+  std::vector<double> nodes(count);
+  for (std::size_t n = 0; n < mesh.points.size(); ++n)
+    if (const int p = parts.of_node[n]; p >= 0) {
+      for (int c = 0; c < 3; ++c) parts.center[p][c] += mesh.points[n][c];
+      ++nodes[p];
+    }
+  for (std::size_t p = 0; p < count; ++p)
+    for (double& c : parts.center[p]) c /= nodes[p];
+  for (std::size_t n = 0; n < mesh.points.size(); ++n)
+    if (const int p = parts.of_node[n]; p >= 0) parts.size[p] = std::max(parts.size[p], norm(minus(mesh.points[n], parts.center[p])));
+  return parts;
+}
+
+// Adds the row of weight · (d · displacement of the node) in terms of the part's shift and (scaled) spin.
+void add_row(const Mesh& mesh, const Parts& parts, int node, const Vec3<double>& d, double weight, Vector& row) {
+  const int p = parts.of_node[node];
+  if (p < 0) return;
+  Vec3<double> r = minus(mesh.points[node], parts.center[p]);
+  for (double& c : r) c /= parts.size[p];
+  const Vec3<double> moment = cross(r, d);
+  for (int c = 0; c < 3; ++c) row[6 * p + c] += weight * d[c], row[6 * p + 3 + c] += weight * moment[c];
+}
+
+class Constraints {
+ public:
+  Constraints(const Mesh& mesh, const Parts& parts)
+      : mesh_(mesh), parts_(parts), gram_(Matrix::Zero(6 * parts.name.size(), 6 * parts.name.size())) {}
+
+  void hold(int node, const Vec3<double>& d) {
+    Vector row = Vector::Zero(gram_.rows());
+    add_row(mesh_, parts_, node, d, 1, row);
+    add(row);
+  }
+  void add(const Bar& bar) {
+    Vec3<double> d{0, 0, 0};
+    for (const auto& [end, sign] : {std::pair{&bar.a, -1.0}, std::pair{&bar.b, 1.0}})
+      for (int i = 0; i < 4; ++i)
+        for (int c = 0; c < 3; ++c) d[c] += sign * end->weights[i] * mesh_.points[end->nodes[i]][c];
+    const double length = norm(d);
+    for (double& c : d) c /= length;
+    Vector row = Vector::Zero(gram_.rows());
+    for (const auto& [end, sign] : {std::pair{&bar.a, -1.0}, std::pair{&bar.b, 1.0}})
+      for (int i = 0; i < 4; ++i)
+        if (end->weights[i] != 0) add_row(mesh_, parts_, end->nodes[i], d, sign * end->weights[i], row);
+    add(row);
+  }
+  const Matrix& gram() const { return gram_; }
+
+ private:
+  // rank-one update of the touched 6×6 (or 12×12) entries only
+  void add(const Vector& row) {
+    std::vector<int> used;
+    for (int i = 0; i < row.size(); ++i)
+      if (row[i] != 0) used.push_back(i);
+    for (int i : used)
+      for (int j : used) gram_(i, j) += row[i] * row[j];
+  }
+  const Mesh& mesh_;
+  const Parts& parts_;
+  Matrix gram_;
+};
+
+void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
+  const auto unit = [](int c) {
+    Vec3<double> d{0, 0, 0};
+    d[c] = 1;
+    return d;
+  };
+  const double tolerance = mesh_tolerance(mesh);
+  for (const std::string& s : model.symmetry)
+    for (std::size_t n = 0; n < mesh.points.size(); ++n)
+      if (std::abs(mesh.points[n][axis_of(s)]) <= tolerance) constraints.hold(static_cast<int>(n), unit(axis_of(s)));
+  for (const FixSpec& f : model.fix)
+    for (int n : nodes_of(mesh, f.set))
+      for (const std::string& d : f.directions) constraints.hold(n, unit(axis_of(d)));
+  for (const DisplaceSpec& d : model.steps.front().displace) {
+    const bool all = d.affine || d.rotate || d.translate;
+    const bool along[3] = {all || d.x, all || d.y, all || d.z};
+    const double axis2 = dot(d.axis, d.axis);
+    for (int n : nodes_of(mesh, d.set)) {
+      for (int c = 0; c < 3; ++c)
+        if (along[c]) constraints.hold(n, unit(c));
+      if (d.by) constraints.hold(n, d.along);
+      if (d.radial) {
+        Vec3<double> r = minus(mesh.points[n], d.center);
+        const double t = dot(r, d.axis) / axis2;
+        for (int c = 0; c < 3; ++c) r[c] -= t * d.axis[c];
+        if (const double length = norm(r); length > 0) {
+          for (double& c : r) c /= length;
+          constraints.hold(n, r);
+        }
+      }
+    }
+  }
+}
+
+// "shift along (0, 0, 1)" or "rotation about (0, 0, 1)", whichever is the larger part of the motion.
+std::string describe(const Vector& motion) {
+  const Eigen::Vector3d shift = motion.head<3>(), spin = motion.tail<3>();
+  const bool turns = spin.norm() > shift.norm();
+  const Eigen::Vector3d d = (turns ? spin : shift).normalized();
+  return fmt::format("{} ({:.2f}, {:.2f}, {:.2f})", turns ? "rotation about" : "shift along", d[0] + 0.0, d[1] + 0.0, d[2] + 0.0);
+}
+
+}  // namespace
+
+void require_supported(const Mesh& mesh, const Model& model) {
+  const Parts parts = find_parts(mesh);
+  Constraints constraints(mesh, parts);
+  add_holds(mesh, model, constraints);
+  for (const auto& [name, group] : mesh.bars)
+    for (const Bar& bar : group) constraints.add(bar);
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(constraints.gram());
+  const double largest = std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
+  if (eigen.eigenvalues()[0] > 1e-9 * largest && largest > 1e-12) return;
+  const Vector mode = eigen.eigenvectors().col(0);
+  int worst = 0;
+  for (int p = 1; p < static_cast<int>(parts.name.size()); ++p)
+    if (mode.segment<6>(6 * p).norm() > mode.segment<6>(6 * worst).norm()) worst = p;
+  throw scene_error("fix",
+                    fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
+                                parts.name.size() == 1 ? "the model" : "a part of the model", parts.name[worst],
+                                describe(mode.segment<6>(6 * worst))),
+                    "Hold it with `fix`, `symmetry`, `displace` in the first step, or bars.");
+}
+
+}  // namespace bulbus

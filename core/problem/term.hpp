@@ -1,0 +1,33 @@
+#pragma once
+#include <span>
+
+#include "core/element/contribution.hpp"
+#include "core/problem/state.hpp"
+
+namespace bulbus {
+
+/// One addend of the equilibrium that acts on nodal displacements alone. Nodal vectors have 3 numbers per local node and are
+/// added to; forces are internal minus external (zero in sum at equilibrium).
+class Term {
+ public:
+  virtual ~Term() = default;
+
+  /// force += residual; magnitude (per local node, may be empty) += |contribution|, the yardstick of the balance.
+  virtual void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const = 0;
+  /// Fixes the state of the tangent until the next call.
+  virtual void linearize(const State& state) = 0;
+  /// force += tangent · dx
+  virtual void add_action(std::span<const double> dx, std::span<double> force) const = 0;
+  virtual void visit(const ContributionVisitor& visitor) const = 0;
+  /// Is the tangent symmetric on the free unknowns?
+  virtual bool symmetric() const { return true; }
+
+  /// Loads follow the part s of the step done; freeze() keeps the end of the step for the next ones.
+  virtual void set_progress(double) {}
+  virtual void freeze() {}
+  /// What the term remembers follows the increments: kept when one has converged, dropped when it is cut.
+  virtual void commit(const State&) {}
+  virtual void roll_back() {}
+};
+
+}  // namespace bulbus

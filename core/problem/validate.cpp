@@ -1,0 +1,150 @@
+#include "core/problem/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/problem/closed_surface.hpp"
+
+namespace bulbus {
+namespace {
+
+template <class Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+std::string known(const std::string& word, const std::vector<std::string>& names) {
+  const std::string guess = nearest(word, names);
+  if (!guess.empty()) return "Did you mean '" + guess + "'?";
+  std::string list;
+  for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
+  return names.empty() ? "The mesh has none." : "Known: " + list + ".";
+}
+
+void check_regions(const Mesh& mesh, const Model& model) {
+  for (const auto& [name, spec] : model.regions)
+    if (region_index(mesh, name) < 0)
+      throw scene_error("regions." + name, "material for a region '" + name + "' that the mesh does not have", known(name, mesh.region_names));
+  for (const std::string& name : mesh.region_names)
+    if (!model.regions.contains(name))
+      throw scene_error("regions", "region '" + name + "' of the mesh has no material", "Add `" + name + ": {c10: ...}` under `regions`.");
+  for (const auto& [name, spec] : model.regions) {
+    if (spec.rigid) continue;
+    const double mu = initial_shear_modulus(make_material(terms_of(spec)));
+    if (!(mu > 0))
+      throw scene_error("regions." + name, fmt::format("region '{}' has the initial shear modulus 2 (c10 + c01) = {:g} MPa", name, mu),
+                        "It must be positive: give c10 (and c01), or `rigid: true`.");
+  }
+}
+
+void check_set(const Mesh& mesh, const std::string& set, const std::string& key) {
+  try {
+    if (!nodes_of(mesh, set).empty()) return;
+  } catch (const InputError& e) {
+    throw InputError(e.what(), key);
+  }
+  throw scene_error(key, "set '" + set + "' is empty", "Put at least one node into it, or leave the entry out.");
+}
+
+void check_surface(const Mesh& mesh, const std::string& surface, const std::string& key) {
+  const auto found = mesh.surfaces.find(surface);
+  if (found == mesh.surfaces.end())
+    throw scene_error(key, "the mesh has no surface '" + surface + "'", known(surface, names_of(mesh.surfaces)));
+  if (found->second.empty()) throw scene_error(key, "surface '" + surface + "' is empty", "Put at least one face into it.");
+}
+
+void check_step(const Mesh& mesh, const StepSpec& step, const std::string& key) {
+  for (std::size_t i = 0; i < step.displace.size(); ++i) {
+    const DisplaceSpec& d = step.displace[i];
+    const std::string at = key + ".displace." + std::to_string(i);
+    check_set(mesh, d.set, at + ".set");
+    if (d.affine && d.affine->size() != 9)
+      throw scene_error(at + ".affine", fmt::format("`affine` has {} numbers", d.affine->size()), "Give nine: the rows of F.");
+    if (d.affine && (d.rotate || d.translate))
+      throw scene_error(at + ".affine", "`affine` and a rigid motion are given together", "Keep one of them.");
+    if (d.by && norm(d.along) == 0) throw scene_error(at + ".by", "`by` has no direction", "Give `along: [.., .., ..]`.");
+    if (!d.x && !d.y && !d.z && !d.radial && !d.by && !d.affine && !d.rotate && !d.translate)
+      throw scene_error(at, "nothing is prescribed on '" + d.set + "'", "Give x, y, z, radial, by, affine, rotate or translate.");
+    if ((d.rotate && norm(d.rotate->axis) == 0) || (d.radial && norm(d.axis) == 0))
+      throw scene_error(at, "the axis has no direction", "Give `axis` a length.");
+  }
+  for (std::size_t i = 0; i < step.loads.size(); ++i) {
+    const LoadSpec& l = step.loads[i];
+    const std::string at = key + ".loads." + std::to_string(i);
+    if (l.pressure) check_surface(mesh, l.surface, at + ".surface");
+    if (l.force) check_set(mesh, l.set, at + ".set");
+    if (!l.pressure && !l.force) throw scene_error(at, "a load without size", "Give `surface` and `pressure`, or `set` and `force`.");
+  }
+}
+
+void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const std::string& key) {
+  const bool needs_liquid = p.kind == "pressure" || p.kind == "volume";
+  const bool needs_set = p.kind == "displacement" || p.kind == "position" || p.kind == "distance" || p.kind == "reaction" || p.kind == "moment";
+  if (needs_liquid && !model.liquids.contains(p.liquid))
+    throw scene_error(key + ".liquid", "there is no liquid '" + p.liquid + "'", known(p.liquid, names_of(model.liquids)));
+  if (needs_set) check_set(mesh, p.set, key + ".set");
+  if (p.kind == "distance") check_set(mesh, p.to, key + ".to");
+  if (!p.region.empty() && (p.kind == "mises" || p.kind == "volume_ratio") && region_index(mesh, p.region) < 0)
+    throw scene_error(key + ".region", "the mesh has no region '" + p.region + "'", known(p.region, mesh.region_names));
+  if (!p.region.empty() && p.kind == "bar_force" && !model.bars.contains(p.region))
+    throw scene_error(key + ".region", "there are no bars '" + p.region + "'", known(p.region, names_of(model.bars)));
+}
+
+void check_symmetry(const Mesh& mesh, const Model& model) {
+  const double tolerance = mesh_tolerance(mesh);
+  for (const std::string& s : model.symmetry) {
+    const int c = axis_of(s);
+    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(), [c](const Point& a, const Point& b) { return a[c] < b[c]; });
+    if ((*low)[c] < -tolerance && (*high)[c] > tolerance)
+      throw scene_error("symmetry", fmt::format("the mesh lies on both sides of the symmetry plane {0} = 0 (from {1:g} to {2:g} mm)", s, (*low)[c], (*high)[c]),
+                        "A symmetric model is drawn on one side; take the plane out of `symmetry`.");
+  }
+}
+
+}  // namespace
+
+std::vector<Polynomial::Term> terms_of(const RegionSpec& s) {
+  std::vector<Polynomial::Term> terms;
+  for (const Polynomial::Term& t : {Polynomial::Term{1, 0, s.c10}, {0, 1, s.c01}, {2, 0, s.c20}, {1, 1, s.c11}, {0, 2, s.c02}, {3, 0, s.c30}})
+    if (t.c != 0) terms.push_back(t);
+  for (const auto& t : s.terms) terms.push_back({t.r, t.s, t.c});
+  return terms;
+}
+
+std::set<std::string> sets_in_use(const Mesh& mesh, const Model& model) {
+  std::set<std::string> names(mesh.region_names.begin(), mesh.region_names.end());
+  for (const FixSpec& f : model.fix) names.insert(f.set);
+  for (const StepSpec& s : model.steps) {
+    for (const DisplaceSpec& d : s.displace) names.insert(d.set);
+    for (const LoadSpec& l : s.loads)
+      if (l.force) names.insert(l.set);
+  }
+  for (const ProbeSpec& p : model.probes)
+    for (const std::string& set : {p.set, p.to})
+      if (!set.empty()) names.insert(set);
+  return names;
+}
+
+void validate(const Mesh& mesh, const Model& model) {
+  check_regions(mesh, model);
+  for (const auto& [name, group] : mesh.bars)
+    if (!group.empty() && !model.bars.contains(name))
+      throw scene_error("bars", "bars '" + name + "' of the mesh have no stiffness", "Add `" + name + ": {E: ..., area: ...}` under `bars`.");
+  for (const auto& [name, spec] : model.bars)
+    if (!mesh.bars.contains(name))
+      throw scene_error("bars." + name, "the mesh has no bars '" + name + "'", known(name, names_of(mesh.bars)));
+  for (const auto& [name, spec] : model.liquids) check_surface(mesh, spec.surface, "liquids." + name + ".surface");
+  check_symmetry(mesh, model);
+  for (std::size_t i = 0; i < model.fix.size(); ++i) check_set(mesh, model.fix[i].set, "fix." + std::to_string(i) + ".set");
+  if (model.steps.empty()) throw scene_error("steps", "there are no steps", "Give at least one.");
+  for (std::size_t i = 0; i < model.steps.size(); ++i) check_step(mesh, model.steps[i], "steps." + std::to_string(i));
+  for (std::size_t i = 0; i < model.probes.size(); ++i) check_probe(mesh, model, model.probes[i], "probes." + std::to_string(i));
+  require_supported(mesh, model);
+}
+
+}  // namespace bulbus

@@ -1,0 +1,26 @@
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/material/material.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/problem/model.hpp"
+
+namespace bulbus {
+
+/// Refuses a model that does not fit its mesh: regions without material and materials without region, moduli that are not
+/// positive, unknown or empty sets, surfaces, bars and liquids, motions left free. Throws InputError naming the key.
+void validate(const Mesh& mesh, const Model& model);
+
+/// Names of all node sets, surfaces and regions that the model refers to as sets of nodes, and of all regions.
+std::set<std::string> sets_in_use(const Mesh& mesh, const Model& model);
+
+/// All terms c_rs of a region.
+std::vector<Polynomial::Term> terms_of(const RegionSpec& spec);
+
+/// Refuses rigid motions that nothing prevents, of the whole or of a part, in the first step: fixed and prescribed directions,
+/// symmetry planes and bars count. Throws InputError naming part and motion.
+void require_supported(const Mesh& mesh, const Model& model);
+
+}  // namespace bulbus

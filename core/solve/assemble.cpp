@@ -1,0 +1,163 @@
+#include "core/solve/assemble.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/solve/reduced.hpp"
+
+namespace bulbus {
+namespace {
+
+// Global number of every kind of unknown.
+class Numbering {
+ public:
+  explicit Numbering(const CoupledSystem& system)
+      : mesh_(system.problem().mesh()), layout_(system.layout()) {
+    const Comm& comm = mesh_.comm;
+    const long long first = comm.offset(static_cast<long long>(layout_.size()));
+    const std::vector<long long> mine{first, mesh_.first_node, first + layout_.nodal, first + layout_.primal() + layout_.hexes};
+    const auto all = comm.gather(std::span<const long long>(mine));
+    for (std::size_t r = 0; r < all.size(); r += 4) {
+      row_.push_back(all[r]);
+      node_.push_back(all[r + 1]);
+    }
+    bodies_ = all[2];
+    liquids_ = all[3];
+    hexes_ = first + layout_.primal();
+  }
+  int dof(int reduced) const {
+    const int nodal = 3 * mesh_.nodes();
+    if (reduced >= nodal) return static_cast<int>(bodies_ + reduced - nodal);
+    const long long node = mesh_.number[reduced / 3];
+    const auto rank = std::upper_bound(node_.begin(), node_.end(), node) - node_.begin() - 1;
+    return static_cast<int>(row_[rank] + 3 * (node - node_[rank]) + reduced % 3);
+  }
+  int primal(int local) const {  // of an owned primal entry
+    return static_cast<int>(row_[mesh_.comm.rank()] + local);
+  }
+  int hex(int local) const { return static_cast<int>(hexes_ + local); }
+  int liquid(int i) const { return static_cast<int>(liquids_ + i); }
+
+ private:
+  const LocalMesh& mesh_;
+  const Layout& layout_;
+  std::vector<long long> row_, node_;
+  long long bodies_ = 0, liquids_ = 0, hexes_ = 0;
+};
+
+class Collector {
+ public:
+  explicit Collector(Triplets& t) : t_(t) {}
+  void add(int r, int c, double v) {
+    if (v == 0 && r != c) return;
+    t_.row.push_back(r);
+    t_.col.push_back(c);
+    t_.value.push_back(v);
+  }
+
+ private:
+  Triplets& t_;
+};
+
+template <class Number>
+void add_contributions(const CoupledSystem& system, bool augmented, Number number, Collector& out) {
+  std::vector<int> rows;
+  visit_reduced(system.problem(), system.state(), augmented, [&](std::span<const int> d, std::span<const double> K) {
+    rows.clear();
+    for (int i : d) rows.push_back(number(i));
+    for (std::size_t i = 0; i < d.size(); ++i)
+      for (std::size_t j = 0; j < d.size(); ++j)
+        if (rows[i] >= 0 && rows[j] >= 0) out.add(rows[i], rows[j], K[i * d.size() + j]);
+  });
+}
+
+// Identity rows of held directions and of bodies' nodes.
+template <class Number>
+void add_held(const CoupledSystem& system, Number number, Collector& out) {
+  const DofMap& dofs = system.problem().dofs();
+  for (int n = 0; n < system.problem().mesh().owned; ++n) {
+    if (!dofs.held(n)) continue;
+    const Mat3<double> P = dofs.projector(n);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        out.add(number(3 * n + i), number(3 * n + j), system.held_scale() * ((i == j) - P(i, j)));
+  }
+}
+
+}  // namespace
+
+long long global_size(const CoupledSystem& system) {
+  const long long n = system.problem().comm().sum(static_cast<long long>(system.size()));
+  if (n > 2147483647LL)
+    throw input_error("more than 2^31 unknowns cannot be assembled", "Use the iterative solver, or a coarser mesh.");
+  return n;
+}
+
+Triplets assemble(const CoupledSystem& system, bool augmented) {
+  global_size(system);
+  const Numbering number(system);
+  const Layout& layout = system.layout();
+  Triplets t;
+  Collector out(t);
+  const auto dof = [&](int i) { return number.dof(i); };
+  add_contributions(system, augmented, dof, out);
+  add_held(system, dof, out);
+  if (layout.bodies > 0) {
+    // geometry and held unknowns of bodies: what body_blocks() has beyond the contributions
+    for (const auto& e : system.body_extra()) out.add(number.primal(layout.nodal + e.row), number.primal(layout.nodal + e.column), e.value);
+  }
+  std::vector<int> dofs;
+  std::vector<double> values;
+  system.problem().solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
+    reduce_vector(system.problem(), system.state(), nodes, b, dofs, values);
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+      out.add(number.dof(dofs[i]), number.hex(hex), values[i]);
+      out.add(number.hex(hex), number.dof(dofs[i]), values[i]);
+    }
+    out.add(number.hex(hex), number.hex(hex), 0);
+  });
+  const auto& g = system.liquid_columns();
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    const double c = system.compliance(static_cast<int>(i)), omega = augmented ? system.liquid_augmentation()[i] : 0;
+    const int P = number.liquid(static_cast<int>(i));
+    if (layout.liquids > 0) out.add(P, P, -c);
+    for (std::size_t k = 0; k < g[i].size(); ++k)
+      if (g[i][k] != 0) {
+        out.add(number.primal(static_cast<int>(k)), P, -(1 - omega * c) * g[i][k]);
+        out.add(P, number.primal(static_cast<int>(k)), -g[i][k]);
+      }
+    if (omega == 0) continue;
+    // ω g gᵀ needs the whole of g on every rank
+    std::vector<long long> where;
+    std::vector<double> value;
+    for (std::size_t k = 0; k < g[i].size(); ++k)
+      if (g[i][k] != 0) where.push_back(number.primal(static_cast<int>(k))), value.push_back(g[i][k]);
+    const auto all = system.problem().comm().gather(std::span<const long long>(where));
+    const auto all_values = system.problem().comm().gather(std::span<const double>(value));
+    for (std::size_t a = 0; a < where.size(); ++a)
+      for (std::size_t b = 0; b < all.size(); ++b)
+        out.add(static_cast<int>(where[a]), static_cast<int>(all[b]), omega * value[a] * all_values[b]);
+  }
+  return t;
+}
+
+Triplets assemble_displacement(const CoupledSystem& system) {
+  const LocalMesh& mesh = system.problem().mesh();
+  Triplets t;
+  Collector out(t);
+  const int nodal = 3 * mesh.nodes();
+  const auto number = [&](int i) { return i < nodal ? static_cast<int>(3 * mesh.number[i / 3] + i % 3) : -1; };
+  add_contributions(system, true, number, out);
+  add_held(system, number, out);
+  return t;
+}
+
+std::vector<UnknownKind> unknown_kinds(const Layout& layout) {
+  std::vector<UnknownKind> kinds(layout.nodal, UnknownKind::displacement);
+  kinds.insert(kinds.end(), layout.bodies, UnknownKind::rigid);
+  kinds.insert(kinds.end(), layout.hexes, UnknownKind::element_pressure);
+  kinds.insert(kinds.end(), layout.liquids, UnknownKind::liquid_pressure);
+  return kinds;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,20 @@
+#pragma once
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/dump.hpp"
+
+namespace bulbus {
+
+/// The coupled matrix as triplets in the global order of the ranks' unknown vectors: this rank's contributions, both triangles.
+/// `augmented`: with the γ and ω terms, that is, exactly what CoupledSystem::apply does.
+Triplets assemble(const CoupledSystem& system, bool augmented);
+
+/// The displacement block alone (nodal unknowns, γ included), in the order of the ranks' owned nodes.
+Triplets assemble_displacement(const CoupledSystem& system);
+
+/// Unknowns of all ranks. Collective.
+long long global_size(const CoupledSystem& system);
+
+/// Kind of each of this rank's unknowns.
+std::vector<UnknownKind> unknown_kinds(const Layout& layout);
+
+}  // namespace bulbus

@@ -1,0 +1,264 @@
+#include "core/solve/coupled_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/memory.hpp"
+#include "core/solve/reduced.hpp"
+
+namespace bulbus {
+namespace {
+
+double dot_product(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
+  for (std::size_t i = 0; i < a.size(); ++i) y[i] += factor * a[i];
+}
+
+}  // namespace
+
+CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings) : problem_(problem), settings_(settings) {
+  const LocalMesh& mesh = problem.mesh();
+  layout_ = {3 * mesh.owned, problem.dofs().tail_size(), static_cast<int>(mesh.hexes.size()),
+             mesh.comm.rank() == 0 ? static_cast<int>(problem.liquids().size()) : 0};
+}
+
+void CoupledSystem::linearize(const State& state, const Residual& r) {
+  state_ = &state;
+  const bool cache = settings_.op == "cache";
+  problem_.linearize(state, settings_.gamma, cache ? StrainSource::cache : StrainSource::recompute);
+  body_geometry_.clear();
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    Mat3<double> G = problem_.dofs().bodies()[b].geometric(state.bodies[b], state.x, r.force, problem_.mesh().owned);
+    problem_.comm().sum(std::span(&G(0, 0), 9));
+    body_geometry_.push_back(G);
+  }
+  take_liquid_columns();
+  if (settings_.op == "assembled")
+    assembled_ = std::make_unique<BlockCsr>(problem_.mesh().nodes(), [&](const ContributionVisitor& v) {
+      problem_.solid().visit(v, true);
+      for (const auto& term : problem_.terms()) term->visit(v);
+      for (std::size_t i = 0; i < state.P.size(); ++i)
+        if (state.P[i] != 0) problem_.liquids()[i].surface().visit(state.x, -state.P[i], v);
+    });
+  take_blocks();
+  take_scaling();
+}
+
+void CoupledSystem::take_liquid_columns() {
+  const auto& liquids = problem_.liquids();
+  g_.assign(liquids.size(), {});
+  omega_.assign(liquids.size(), 0);
+  for (std::size_t i = 0; i < liquids.size(); ++i) {
+    if (!liquids[i].coupled()) continue;
+    std::vector<double> local(state_->x.size());
+    liquids[i].surface().add_gradient(state_->x, 1, local);
+    problem_.mesh().halo.fold(local);
+    g_[i].resize(layout_.primal());
+    problem_.dofs().reduce(*state_, local, g_[i]);
+  }
+}
+
+// Forces on local nodes, folded, and volume changes of a nodal increment.
+struct CoupledSystem::Action {
+  std::span<double> force;
+  std::vector<double> volume;
+};
+
+CoupledSystem::Action CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda,
+                                                  bool volume) const {
+  force_.assign(dx.size(), 0);
+  Action a{force_, std::vector<double>(volume ? layout_.hexes : 0)};
+  if (assembled_) {
+    assembled_->apply(dx, force_);
+    if (!dlambda.empty()) problem_.solid().apply_pressure(dlambda, force_);
+    if (volume) problem_.solid().volume_change(dx, a.volume);
+  } else {
+    problem_.solid().apply(dx, dlambda, force_, a.volume);
+    for (const auto& term : problem_.terms()) term->add_action(dx, force_);
+    for (std::size_t i = 0; i < state_->P.size(); ++i)
+      if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force_);
+  }
+  problem_.mesh().halo.fold(force_);
+  return a;
+}
+
+// Spin rows of every body on rank 0; unknowns that symmetry holds are identity rows.
+void CoupledSystem::add_body_geometry(std::span<const double> x, std::span<double> y) const {
+  if (layout_.bodies == 0) return;
+  for (std::size_t b = 0; b < body_geometry_.size(); ++b) {
+    const std::size_t at = layout_.nodal + 6 * b;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) y[at + 3 + i] += body_geometry_[b](i, j) * x[at + 3 + j];
+    for (int i = 0; i < 6; ++i)
+      if (!problem_.dofs().bodies()[b].free()[i]) y[at + i] = held_scale_ * x[at + i];
+  }
+}
+
+std::vector<CoupledSystem::Entry> CoupledSystem::body_extra() const {
+  std::vector<Entry> extra;
+  for (int b = 0; b < static_cast<int>(body_geometry_.size()); ++b) {
+    const auto& free = problem_.dofs().bodies()[b].free();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) extra.push_back({6 * b + 3 + i, 6 * b + 3 + j, body_geometry_[b](i, j)});
+    for (int i = 0; i < 6; ++i)
+      if (!free[i]) extra.push_back({6 * b + i, 6 * b + i, held_scale_});
+  }
+  return extra;
+}
+
+void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y) const {
+  const DofMap& dofs = problem_.dofs();
+  dx_.resize(state_->x.size());
+  dofs.expand(*state_, x, dx_);
+  const Action a = nodal_action(dx_, {}, false);
+  dofs.reduce(*state_, a.force, y);
+  dofs.add_held(x, dx_, held_scale_, y);
+  add_body_geometry(x, y);
+}
+
+void CoupledSystem::apply(std::span<const double> x, std::span<double> y) const {
+  const DofMap& dofs = problem_.dofs();
+  const auto xu = layout_.primal(x), xl = layout_.lambda(x);
+  const auto yu = layout_.primal(y), yl = layout_.lambda(y);
+  dx_.resize(state_->x.size());
+  dofs.expand(*state_, xu, dx_);
+  const Action a = nodal_action(dx_, xl, true);
+  std::ranges::copy(a.volume, yl.begin());
+  dofs.reduce(*state_, a.force, yu);
+  dofs.add_held(xu, dx_, held_scale_, yu);
+  add_body_geometry(xu, yu);
+  const std::size_t liquids = g_.size();
+  if (liquids == 0) return;
+  std::vector<double> dP(liquids), flux(liquids);
+  if (layout_.liquids > 0) std::ranges::copy(layout_.pressures(x), dP.begin());
+  problem_.comm().broadcast(dP);
+  for (std::size_t i = 0; i < liquids; ++i) flux[i] = dot_product(g_[i], xu.first(g_[i].size()));
+  problem_.comm().sum(flux);
+  for (std::size_t i = 0; i < liquids; ++i) {
+    const double c = compliance(static_cast<int>(i));
+    add_scaled(g_[i], omega_[i] * flux[i] - (1 - omega_[i] * c) * dP[i], yu);
+    if (layout_.liquids > 0) layout_.pressures(y)[i] = -flux[i] - c * dP[i];
+  }
+}
+
+std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<const double> held) const {
+  const DofMap& dofs = problem_.dofs();
+  std::vector<double> b(layout_.size());
+  const auto bu = layout_.primal(b), bl = layout_.lambda(b);
+  const auto penalty = problem_.solid().penalties();
+  std::vector<double> local(r.force), liquid(r.liquid), bound(r.volume.size());
+  // A ū; the tangent's augmentation acts on ū too, and is undone by the element rows it comes from
+  const Action a = nodal_action(held, {}, true);
+  for (std::size_t i = 0; i < local.size(); ++i) local[i] += a.force[i];
+  for (std::size_t e = 0; e < bound.size(); ++e) {
+    bl[e] = -(r.volume[e] + a.volume[e]);
+    bound[e] = penalty[e] * r.volume[e];  // A_γ ū holds γ W bᵀ ū already
+  }
+  std::vector<double> augmentation(local.size());
+  problem_.solid().apply_pressure(bound, augmentation);
+  problem_.mesh().halo.fold(augmentation);
+  for (std::size_t i = 0; i < local.size(); ++i) local[i] = -(local[i] + augmentation[i]);
+  dofs.reduce(*state_, local, bu);
+  if (g_.empty()) return b;
+  std::vector<double> flux(g_.size());
+  for (std::size_t i = 0; i < g_.size(); ++i)
+    if (problem_.liquids()[i].coupled()) {
+      std::vector<double> g(held.size());
+      problem_.liquids()[i].surface().add_gradient(state_->x, 1, g);
+      flux[i] = dot_product(g, held);  // this rank's faces; ū is known on ghosts
+    }
+  problem_.comm().sum(flux);
+  for (std::size_t i = 0; i < g_.size(); ++i) {
+    const double D = liquid[i] + flux[i];
+    add_scaled(g_[i], -omega_[i] * D, bu);
+    if (layout_.liquids > 0) layout_.pressures(b)[i] = D;
+  }
+  return b;
+}
+
+void CoupledSystem::add_pressure_force(std::span<const double> lambda, double factor, std::span<double> primal) const {
+  force_.assign(state_->x.size(), 0);
+  problem_.solid().apply_pressure(lambda, force_);
+  problem_.mesh().halo.fold(force_);
+  projected_.resize(layout_.primal());
+  problem_.dofs().reduce(*state_, force_, projected_);
+  add_scaled(projected_, factor, primal);
+}
+
+std::vector<double> CoupledSystem::inverse_pressure_schur() const {
+  const auto V0 = problem_.solid().reference_volumes(), mu = problem_.solid().shear_moduli();
+  std::vector<double> s(V0.size());
+  for (std::size_t e = 0; e < s.size(); ++e) s[e] = (1 + settings_.gamma) * mu[e] / V0[e];
+  return s;
+}
+
+void CoupledSystem::take_blocks() {
+  const LocalMesh& mesh = problem_.mesh();
+  const DofMap& dofs = problem_.dofs();
+  blocks_.assign(9 * static_cast<std::size_t>(mesh.nodes()), 0);
+  body_blocks_.assign(state_->bodies.size(), {});
+  visit_reduced(problem_, *state_, true, [&](std::span<const int> d, std::span<const double> K) {
+    const std::size_t n = d.size();
+    for (std::size_t i = 0; i < n;) {
+      const bool nodal = d[i] < 3 * mesh.nodes();
+      const int width = nodal ? 3 : 6;
+      double* block = nodal ? &blocks_[3 * static_cast<std::size_t>(d[i])] : body_blocks_[(d[i] - 3 * mesh.nodes()) / 6].data();
+      for (int r = 0; r < width; ++r)
+        for (int c = 0; c < width; ++c) block[width * r + c] += K[(i + r) * n + i + c];
+      i += width;
+    }
+  });
+  mesh.halo.fold(blocks_, 9);
+  blocks_.resize(9 * static_cast<std::size_t>(mesh.owned));
+  double sum = 0, count = 0;
+  for (int n = 0; n < mesh.owned; ++n)
+    if (!dofs.held(n)) sum += blocks_[9 * n] + blocks_[9 * n + 4] + blocks_[9 * n + 8], count += 3;
+  sum = problem_.comm().sum(sum), count = problem_.comm().sum(count);
+  held_scale_ = count > 0 && sum > 0 ? sum / count : 1;
+  for (int n = 0; n < mesh.owned; ++n)
+    if (dofs.held(n)) {
+      const Mat3<double> P = dofs.projector(n);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) blocks_[9 * n + 3 * i + j] += held_scale_ * ((i == j) - P(i, j));
+    }
+  for (std::size_t b = 0; b < body_blocks_.size(); ++b) {
+    auto& K = body_blocks_[b];
+    problem_.comm().sum(K);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) K[6 * (3 + i) + 3 + j] += body_geometry_[b](i, j);
+    for (int i = 0; i < 6; ++i)
+      if (!dofs.bodies()[b].free()[i]) K[7 * i] = held_scale_;
+  }
+}
+
+void CoupledSystem::take_scaling() {
+  scaling_.assign(layout_.size(), 1);
+  for (int n = 0; n < problem_.mesh().owned; ++n) {
+    const double* B = &blocks_[9 * n];
+    const double mean = (std::abs(B[0]) + std::abs(B[4]) + std::abs(B[8])) / 3;
+    for (int c = 0; c < 3; ++c) scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[4 * c]), 1e-3 * mean));
+  }
+  for (int i = 0; i < layout_.bodies; ++i)
+    scaling_[layout_.nodal + i] = 1 / std::sqrt(std::max(std::abs(body_blocks_[i / 6][7 * (i % 6)]), 1e-300));
+  const auto schur = inverse_pressure_schur();
+  for (int e = 0; e < layout_.hexes; ++e) scaling_[layout_.primal() + e] = std::sqrt(schur[e]);
+  std::vector<double> own(g_.size());
+  for (std::size_t i = 0; i < g_.size(); ++i)
+    for (std::size_t k = 0; k < g_[i].size(); ++k) own[i] += std::pow(g_[i][k] * scaling_[k], 2);
+  problem_.comm().sum(own);
+  for (int i = 0; i < layout_.liquids; ++i)
+    scaling_[layout_.primal() + layout_.hexes + i] = 1 / std::sqrt(compliance(i) + own[i]);
+}
+
+std::size_t CoupledSystem::bytes() const {
+  std::size_t total = bytes_of(blocks_) + bytes_of(scaling_) + bytes_of(dx_) + bytes_of(force_) + bytes_of(projected_);
+  for (const auto& g : g_) total += bytes_of(g);
+  return total + (assembled_ ? assembled_->bytes() : 0);
+}
+
+}  // namespace bulbus

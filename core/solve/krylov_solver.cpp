@@ -1,0 +1,90 @@
+#include <cmath>
+
+#include "core/solve/linear_solver.hpp"
+
+namespace bulbus {
+namespace {
+
+// s A s
+class Scaled final : public LinearOperator {
+ public:
+  explicit Scaled(const CoupledSystem& system) : system_(system), work_(system.size()) {}
+  int size() const override { return system_.size(); }
+  void apply(std::span<const double> x, std::span<double> y) const override {
+    const auto& s = system_.scaling();
+    for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = s[i] * x[i];
+    system_.apply(work_, y);
+    for (std::size_t i = 0; i < work_.size(); ++i) y[i] *= s[i];
+  }
+
+ private:
+  const CoupledSystem& system_;
+  mutable std::vector<double> work_;
+};
+
+// s⁻¹ M s⁻¹
+class ScaledPreconditioner final : public Preconditioner {
+ public:
+  ScaledPreconditioner(const CoupledSystem& system, const Preconditioner& inner)
+      : system_(system), inner_(inner), work_(system.size()) {}
+  int size() const override { return system_.size(); }
+  bool fixed() const override { return inner_.fixed(); }
+  void apply(std::span<const double> x, std::span<double> y) const override {
+    const auto& s = system_.scaling();
+    for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = x[i] / s[i];
+    inner_.apply(work_, y);
+    for (std::size_t i = 0; i < work_.size(); ++i) y[i] /= s[i];
+  }
+
+ private:
+  const CoupledSystem& system_;
+  const Preconditioner& inner_;
+  mutable std::vector<double> work_;
+};
+
+class KrylovSolver final : public LinearSolver {
+ public:
+  KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters)
+      : settings_(settings), factory_(std::move(factory)), meters_(meters) {}
+
+  LinearReport prepare(CoupledSystem& system) override {
+    const auto scope = meters_.clock.measure("preconditioner set-up");
+    preconditioner_.reset();
+    preconditioner_ = factory_(system);
+    meters_.memory.set("preconditioner", preconditioner_->bytes());
+    return {.ok = true};
+  }
+
+  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+                     double tolerance) override {
+    const auto scope = meters_.clock.measure("linear solve");
+    const auto& s = system.scaling();
+    std::vector<double> scaled(b.begin(), b.end());
+    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] *= s[i];
+    std::fill(x.begin(), x.end(), 0.0);
+    const Scaled A(system);
+    const ScaledPreconditioner M(system, *preconditioner_);
+    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, true};
+    const KrylovReport k = fgmres(A, &M, scaled, x, options, system.problem().comm());
+    meters_.memory.set("Krylov basis", k.basis_bytes);
+    for (std::size_t i = 0; i < scaled.size(); ++i) x[i] *= s[i];
+    LinearReport r{k.converged, k.reason, k.iterations, k.initial > 0 ? k.final / k.initial : 0, -1, k.history};
+    if (!r.ok) r.reason = "flexible GMRES: " + r.reason;
+    return r;
+  }
+
+ private:
+  LinearSettings settings_;
+  PreconditionerFactory factory_;
+  Meters& meters_;
+  std::unique_ptr<Preconditioner> preconditioner_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory,
+                                                 Meters& meters) {
+  return std::make_unique<KrylovSolver>(settings, std::move(factory), meters);
+}
+
+}  // namespace bulbus

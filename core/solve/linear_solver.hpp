@@ -1,0 +1,48 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/base/clock.hpp"
+#include "core/base/memory.hpp"
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/fgmres.hpp"
+
+namespace bulbus {
+
+/// What became of one linear solve.
+struct LinearReport {
+  bool ok = false;
+  std::string reason;
+  int iterations = 0;            ///< Krylov iterations; 0 of the direct solver
+  double reduction = 0;          ///< ‖s r‖ / ‖s b‖ reached
+  int negative_pivots = -1;      ///< of the direct solver's factors
+  std::vector<double> history;   ///< scaled residual norms, where recorded
+};
+
+/// Where a run keeps count of its seconds and bytes.
+struct Meters {
+  Clock clock;
+  MemoryTally memory;
+};
+
+/// Solves the coupled system of one linearisation: first prepare, then any number of right-hand sides. Collective.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  /// After CoupledSystem::linearize. May set the system's liquid augmentation, so right-hand sides come after it.
+  virtual LinearReport prepare(CoupledSystem& system) = 0;
+  /// Solution of system · x = b to the relative tolerance in the scaled norm.
+  virtual LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+                             double tolerance) = 0;
+};
+
+using PreconditionerFactory = std::function<std::unique_ptr<Preconditioner>(CoupledSystem&)>;
+
+/// Flexible GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
+std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters);
+
+/// MUMPS on the bordered system without augmentation.
+std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Meters& meters);
+
+}  // namespace bulbus

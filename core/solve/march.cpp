@@ -1,0 +1,72 @@
+#include "core/solve/march.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace bulbus {
+namespace {
+
+// The part of a step that comes next: whole increments as long as nothing fails.
+class Increments {
+ public:
+  Increments(int count, const SteppingSettings& settings) : settings_(settings), largest_(1.0 / count), size_(largest_) {}
+  double next(double from) const {
+    const double to = from + size_;
+    return to > 1 - 0.01 * size_ ? 1 : to;
+  }
+  bool cut() {
+    size_ /= 2;
+    return size_ >= settings_.smallest;
+  }
+  void succeeded(int iterations) {
+    if (iterations <= settings_.easy) size_ = std::min(largest_, size_ * settings_.growth);
+  }
+
+ private:
+  SteppingSettings settings_;
+  double largest_, size_;
+};
+
+}  // namespace
+
+MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
+                  Meters& meters, MarchObserver& observer) {
+  MarchReport report;
+  const auto& steps = problem.model().steps;
+  for (int k = 0; k < static_cast<int>(steps.size()); ++k) {
+    observer.step_begins(k, steps[k]);
+    problem.begin_step(k, state);
+    Increments increments(steps[k].increments, settings.stepping);
+    for (double done = 0; done < 1;) {
+      const double to = increments.next(done), start = Clock::now();
+      observer.increment_begins(k, done, to);
+      State trial = state;
+      NewtonReport newton = bulbus::newton(problem, system, solver, trial, to, settings.newton, meters,
+                                           [&](const NewtonIteration& i) { observer.newton_iteration(i); });
+      report.newton_iterations += static_cast<int>(newton.iterations.size());
+      report.krylov_iterations += newton.krylov_iterations();
+      if (newton.outcome != Outcome::converged) {
+        for (const auto& term : problem.terms()) term->roll_back();
+        ++report.cuts;
+        observer.increment_cut(newton, done, to);
+        if (increments.cut()) continue;
+        report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {} (smallest increment reached)", steps[k].name, done,
+                                    newton.reason);
+        problem.set_progress(done, state);
+        return report;
+      }
+      state = std::move(trial);
+      for (const auto& term : problem.terms()) term->commit(state);
+      done = to;
+      increments.succeeded(static_cast<int>(newton.iterations.size()));
+      const Increment increment{k, ++report.increments, steps[k].name, done, k + done, Clock::now() - start, std::move(newton)};
+      observer.increment_done(increment, state);
+    }
+    problem.end_step();
+  }
+  report.converged = true;
+  return report;
+}
+
+}  // namespace bulbus

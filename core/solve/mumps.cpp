@@ -1,0 +1,244 @@
+#include "core/solve/mumps.hpp"
+
+#include <dmumps_c.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "core/base/clock.hpp"
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+enum Job { start = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 };
+
+/// A large count: a negative one is in millions.
+double count(MUMPS_INT value) { return value < 0 ? -1e6 * value : value; }
+
+std::string ordering_name(int infog7) {
+  switch (infog7) {
+    case 0:
+      return "AMD";
+    case 1:
+      return "given";
+    case 2:
+      return "AMF";
+    case 3:
+      return "Scotch";
+    case 4:
+      return "PORD";
+    case 5:
+      return "METIS";
+    case 6:
+      return "QAMD";
+  }
+  return "ordering " + std::to_string(infog7);
+}
+
+std::string explain(int code, int detail) {
+  switch (code) {
+    case -6:
+      return "the matrix is singular in structure, of rank " + std::to_string(detail);
+    case -7:
+    case -13:
+      return "not enough memory";
+    case -8:
+    case -9:
+      return "pivoting needs more workspace than was allowed";
+    case -10:
+      return "the matrix is singular";
+    case -40:
+      return "the matrix is not positive definite";
+    case -51:
+    case -52:
+      return "the graph is too large for the ordering";
+  }
+  return "MUMPS error " + std::to_string(code) + " (" + std::to_string(detail) + ")";
+}
+
+void check(const Triplets& t, long long n, const Comm& comm) {
+  if (n > std::numeric_limits<int>::max())
+    throw input_error("more than 2^31 unknowns for MUMPS: " + std::to_string(n),
+                      "take the iterative solver, or a coarser mesh");
+  auto outside = [&](int i) { return i < 0 || i >= n; };
+  bool fits = t.row.size() == t.col.size() && t.row.size() == t.value.size() &&
+              std::none_of(t.row.begin(), t.row.end(), outside) &&
+              std::none_of(t.col.begin(), t.col.end(), outside);
+  if (comm.any(!fits)) throw std::invalid_argument("Mumps: an entry is outside of the matrix");
+}
+
+/// MUMPS counts from 1 and adds both triangles of a symmetric matrix.
+void convert(Triplets& t, bool symmetric) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < t.row.size(); ++k) {
+    if (symmetric && t.row[k] > t.col[k]) continue;
+    t.row[kept] = t.row[k] + 1;
+    t.col[kept] = t.col[k] + 1;
+    t.value[kept++] = t.value[k];
+  }
+  t.row.resize(kept), t.col.resize(kept), t.value.resize(kept);
+}
+
+}  // namespace
+
+struct Mumps::Instance {
+  const Comm comm;
+  const MumpsOptions options;
+  DMUMPS_STRUC_C id{};
+  Triplets matrix;
+  FactorReport report;
+  bool started = false, analysed = false, factorised = false;
+
+  Instance(const Comm& c, const MumpsOptions& o) : comm(c), options(o) {}
+  ~Instance() { stop(); }
+
+  int& control(int i) { return id.icntl[i - 1]; }
+  int infog(int i) const { return id.infog[i - 1]; }
+  double rinfog(int i) const { return id.rinfog[i - 1]; }
+
+  bool run(Job job) {
+    id.job = job;
+    dmumps_c(&id);
+    return infog(1) >= 0;
+  }
+
+  void stop() {
+    int ended = 0;
+    MPI_Finalized(&ended);
+    if (started && !ended) run(end);
+    started = analysed = factorised = false;
+  }
+
+  void restart(bool symmetric) {
+    stop();
+    id = {};
+    id.comm_fortran = MPI_Comm_c2f(comm.raw());
+    id.par = 1;
+    id.sym = symmetric ? 2 : 0;
+    run(start);
+    started = true;
+    for (int i : {1, 2, 3, 4}) control(i) = i < 4 ? -1 : 0;  // silent
+    control(7) = static_cast<int>(options.ordering);
+    control(10) = options.refinements;
+    control(13) = 1;  // no ScaLAPACK at the root: its pivots would be missing in the inertia
+    control(18) = 3;  // entries are distributed
+    control(28) = 1;  // sequential analysis
+  }
+
+  FactorReport& fail(std::string reason) {
+    report.ok = false;
+    report.reason = std::move(reason);
+    return report;
+  }
+  FactorReport& fail() {
+    report.code = infog(1);
+    return fail(explain(infog(1), infog(2)));
+  }
+
+  /// True if the last analysis holds for it.
+  bool take(Triplets t, long long n, bool symmetric) {
+    check(t, n, comm);
+    convert(t, symmetric);
+    bool same = analysed && id.n == n && (id.sym == 2) == symmetric;
+    same = comm.all(same && t.row == matrix.row && t.col == matrix.col);
+    matrix = std::move(t);
+    factorised = false;
+    if (!same) restart(symmetric);
+    id.n = static_cast<MUMPS_INT>(n);
+    id.nnz_loc = static_cast<MUMPS_INT8>(matrix.row.size());
+    id.irn_loc = matrix.row.data();
+    id.jcn_loc = matrix.col.data();
+    id.a_loc = matrix.value.data();
+    return same;
+  }
+
+  FactorReport& analyse() {
+    report = {};
+    double begin = Clock::now();
+    analysed = run(analysis);
+    report.seconds_analysis = Clock::now() - begin;
+    if (!analysed) return fail();
+    report.ok = true;
+    report.ordering = ordering_name(infog(7));
+    report.estimated_max_mb = infog(16);
+    report.estimated_mb = infog(17);
+    report.estimated_entries = count(infog(20));
+    report.estimated_flops = rinfog(1);
+    return report;
+  }
+
+  FactorReport& factorise() {
+    report.ok = false;
+    report.memory_mb = report.memory_max_mb = report.flops = report.factor_entries = 0;
+    report.negative_pivots = report.relaxations = 0;
+    auto finite = [](double v) { return std::isfinite(v); };
+    if (!comm.all(std::all_of(matrix.value.begin(), matrix.value.end(), finite)))
+      return fail("the matrix is not finite");
+    if (options.memory_limit_mb > 0 && report.estimated_mb > options.memory_limit_mb)
+      return fail("the factors need about " + std::to_string(std::llround(report.estimated_mb)) +
+                  " MB, more than the " + std::to_string(std::llround(options.memory_limit_mb)) +
+                  " MB allowed");
+    double begin = Clock::now();
+    factorised = run(factorisation);
+    while ((infog(1) == -8 || infog(1) == -9) && report.relaxations < options.relaxations) {
+      control(14) = 2 * std::max(control(14), 20);  // percent beyond the estimate
+      ++report.relaxations;
+      factorised = run(factorisation);
+    }
+    report.seconds_factorisation = Clock::now() - begin;
+    if (!factorised) return fail();
+    report.ok = true;
+    report.reason.clear();
+    report.code = infog(1);
+    report.memory_max_mb = infog(21);
+    report.memory_mb = infog(22);
+    report.factor_entries = count(infog(29));
+    report.flops = rinfog(3);
+    report.negative_pivots = id.sym == 2 ? infog(12) : 0;
+    return report;
+  }
+};
+
+Mumps::Mumps(const Comm& comm, MumpsOptions options) : m_(std::make_unique<Instance>(comm, options)) {}
+Mumps::~Mumps() = default;
+
+FactorReport Mumps::analyse(Triplets matrix, long long n, bool symmetric) {
+  m_->take(std::move(matrix), n, symmetric);
+  return m_->analyse();
+}
+
+FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric) {
+  bool known = m_->take(std::move(matrix), n, symmetric);
+  if (!known && !m_->analyse().ok) return m_->report;
+  if (known) m_->report.seconds_analysis = 0;
+  return m_->factorise();
+}
+
+bool Mumps::solve(std::span<const double> b, std::span<double> x) {
+  Instance& m = *m_;
+  if (!m.factorised) return false;
+  if (m.comm.sum(static_cast<long long>(b.size())) != m.id.n || m.comm.any(b.size() != x.size()))
+    throw std::invalid_argument("Mumps: the vectors do not have the matrix's size");
+  int size = static_cast<int>(b.size()), ranks = m.comm.size();
+  std::vector<int> sizes(ranks), starts(ranks, 0);
+  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, m.comm.raw());
+  std::partial_sum(sizes.begin(), sizes.end() - 1, starts.begin() + 1);
+  std::vector<double> whole(m.comm.rank() == 0 ? m.id.n : 0);
+  MPI_Gatherv(b.data(), size, MPI_DOUBLE, whole.data(), sizes.data(), starts.data(), MPI_DOUBLE, 0,
+              m.comm.raw());
+  m.id.rhs = whole.data();
+  m.id.nrhs = 1;
+  m.id.lrhs = m.id.n;
+  bool ok = m.run(solution);
+  m.id.rhs = nullptr;
+  if (ok)
+    MPI_Scatterv(whole.data(), sizes.data(), starts.data(), MPI_DOUBLE, x.data(), size, MPI_DOUBLE, 0,
+                 m.comm.raw());
+  return ok;
+}
+
+}  // namespace bulbus

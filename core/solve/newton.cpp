@@ -1,0 +1,146 @@
+#include "core/solve/newton.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bulbus {
+namespace {
+
+constexpr double shortest_step = 1.0 / 64;
+constexpr double least_volume = 0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
+
+double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
+  double sum = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) sum += std::pow(system.scaling()[i] * v[i], 2);
+  return std::sqrt(system.problem().comm().sum(sum));
+}
+
+bool finite(const Balance& b) { return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid); }
+
+// By how much the worst of the three criteria is missed (≤ 1: all hold).
+double excess(const Balance& b, const NewtonSettings& s) {
+  return std::max({b.force / s.force, b.volume / s.volume, b.liquid / s.liquid});
+}
+
+// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing.
+class ForcingTerm {
+ public:
+  explicit ForcingTerm(double cap) : cap_(cap), eta_(cap) {}
+  double next(double norm, double excess) {
+    if (before_ > 0) {
+      const double ratio = norm / before_, guard = eta_ * eta_;
+      eta_ = ratio * ratio;
+      if (guard > 0.1) eta_ = std::max(eta_, guard);
+    }
+    before_ = norm;
+    eta_ = std::min(cap_, std::max(eta_, std::min(0.1 / excess, cap_)));
+    return std::max(eta_, 1e-13);
+  }
+
+ private:
+  double cap_, eta_, before_ = 0;
+};
+
+struct Step {
+  std::vector<double> dx;  // local nodes
+  std::span<const double> primal, dlambda;
+  std::vector<double> dP;
+};
+
+void take(const Problem& problem, const Step& step, double length, State& state) {
+  problem.dofs().move(state, step.dx, step.primal, length);
+  for (std::size_t e = 0; e < state.lambda.size(); ++e) state.lambda[e] += length * step.dlambda[e];
+  for (std::size_t i = 0; i < state.P.size(); ++i) state.P[i] += length * step.dP[i];
+}
+
+// The longest of 1, ½, ¼, ... that inverts nothing; 0 if none does. `state` is moved.
+double guarded(const Problem& problem, const Step& step, State& state) {
+  const double before = std::min(1.0, problem.comm().min(problem.solid().least_jacobian(state.x)));
+  for (double length = 1; length >= shortest_step; length /= 2) {
+    State trial = state;
+    take(problem, step, length, trial);
+    if (problem.comm().min(problem.solid().least_jacobian(trial.x)) > least_volume * before) {
+      state = std::move(trial);
+      return length;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string describe(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::converged: return "converged";
+    case Outcome::inverted_element: return "an element would invert";
+    case Outcome::linear_solver_failed: return "the linear solver failed";
+    case Outcome::too_many_iterations: return "too many Newton iterations";
+    case Outcome::not_finite: return "the residual is not finite";
+  }
+  return "";
+}
+
+int NewtonReport::krylov_iterations() const {
+  int sum = 0;
+  for (const auto& i : iterations) sum += i.linear.iterations;
+  return sum;
+}
+
+NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, double progress,
+                    const NewtonSettings& settings, Meters& meters, const NewtonObserver& observer) {
+  NewtonReport report;
+  ForcingTerm forcing(settings.eta_max);
+  problem.set_progress(progress, state);
+  const auto fail = [&](Outcome outcome, std::string reason = {}) {
+    report.outcome = outcome;
+    report.reason = reason.empty() ? describe(outcome) : std::move(reason);
+    return report;
+  };
+  std::vector<double> held(state.x.size()), solution(system.size());
+  double size = 0;
+  for (double v : problem.mesh().X) size = std::max(size, std::abs(v));
+  const double held_tolerance = 1e-12 * problem.comm().max(size);
+  for (int number = 0;; ++number) {
+    NewtonIteration now{.number = number};
+    Residual r;
+    {
+      const auto scope = meters.clock.measure("residual");
+      r = problem.residual(state);
+      now.balance = report.balance = problem.balance(r);
+    }
+    now.held = problem.dofs().defect(state, progress, held);
+    if (!finite(now.balance)) return fail(Outcome::not_finite);
+    const double missing = excess(now.balance, settings);
+    if (missing <= 1 && now.held <= held_tolerance) {
+      if (observer) observer(now);
+      return report;
+    }
+    if (number == settings.max_iterations) return fail(Outcome::too_many_iterations);
+    {
+      const auto scope = meters.clock.measure("linearisation");
+      system.linearize(state, r);
+    }
+    now.linear = solver.prepare(system);
+    if (!now.linear.ok) return fail(Outcome::linear_solver_failed, now.linear.reason);
+    report.negative_pivots = now.linear.negative_pivots;
+    const auto b = system.right_hand_side(r, held);
+    now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
+    now.linear = solver.solve(system, b, solution, now.tolerance);
+    if (!now.linear.ok) return fail(Outcome::linear_solver_failed, now.linear.reason);
+    const Layout& layout = system.layout();
+    Step step{std::vector<double>(state.x.size()), layout.primal(std::span<const double>(solution)),
+              layout.lambda(std::span<const double>(solution)), std::vector<double>(state.P.size())};
+    problem.dofs().expand(state, step.primal, step.dx);
+    for (std::size_t i = 0; i < held.size(); ++i) step.dx[i] += held[i];
+    if (layout.liquids > 0) std::ranges::copy(layout.pressures(solution), step.dP.begin());
+    problem.comm().broadcast(step.dP);
+    now.step = guarded(problem, step, state);
+    report.iterations.push_back(now);
+    if (observer) observer(now);
+    if (now.step == 0) return fail(Outcome::inverted_element);
+  }
+}
+
+}  // namespace bulbus

@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/solve/linear_solver.hpp"
+
+namespace bulbus {
+
+enum class Outcome { converged, inverted_element, linear_solver_failed, too_many_iterations, not_finite };
+
+/// In words, for logs and summaries.
+std::string describe(Outcome outcome);
+
+/// One Newton iteration as it is reported: the balance before it and the linear solve it made.
+struct NewtonIteration {
+  int number = 0;
+  Balance balance;
+  double held = 0;      ///< largest prescribed increment still to be made, mm
+  double tolerance = 0; ///< of the linear solve
+  LinearReport linear;
+  double step = 0;      ///< part of the Newton step that was taken
+};
+
+struct NewtonReport {
+  Outcome outcome = Outcome::converged;
+  std::string reason;
+  Balance balance;  ///< of the state that was reached
+  std::vector<NewtonIteration> iterations;
+  int krylov_iterations() const;
+  int negative_pivots = -1;  ///< of the last factorisation
+};
+
+using NewtonObserver = std::function<void(const NewtonIteration&)>;
+
+/// Brings `state` to equilibrium at the progress that the problem was set to. On failure the state is not to be used.
+/// Full steps, shortened only where an element would invert; linear tolerances by Eisenstat and Walker (choice 2) with a cap.
+/// Collective.
+NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, double progress,
+                    const NewtonSettings& settings, Meters& meters, const NewtonObserver& observer = {});
+
+}  // namespace bulbus

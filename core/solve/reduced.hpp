@@ -1,0 +1,22 @@
+#pragma once
+#include <functional>
+#include <span>
+
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+
+/// Tᵀ K T of one small contribution: its reduced dofs and the dense matrix between them, by rows. A reduced dof is 3·node + c
+/// of a local node, or 3·nodes + 6·body + i of a rigid body.
+using ReducedVisitor = std::function<void(std::span<const int> dofs, std::span<const double> matrix)>;
+
+/// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute, in reduced dofs:
+/// held directions projected out, nodes of bodies mapped to their six. Identity parts of held directions are not among it.
+/// `augmented`: with γ b W bᵀ of the elements.
+void visit_reduced(const Problem& problem, const State& state, bool augmented, const ReducedVisitor& visitor);
+
+/// T of a single column block: for local nodes with their nodal values, the reduced dofs and values (Tᵀ v).
+void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes, std::span<const double> v,
+                   std::vector<int>& dofs, std::vector<double>& values);
+
+}  // namespace bulbus

@@ -1,0 +1,94 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "app/command_line.hpp"
+#include "app/version.hpp"
+#include "core/mesh/gmsh.hpp"
+#include "scenes.hpp"
+
+namespace {
+
+using namespace bulbus;
+using namespace bulbus::test;
+namespace fs = std::filesystem;
+
+struct Answer {
+  int status;
+  std::string out, err;
+};
+
+Answer bulbus_says(const std::vector<std::string>& arguments) {
+  std::ostringstream out, err;
+  const int status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
+  return {status, out.str(), err.str()};
+}
+
+/// A fresh folder that holds scene.yaml.
+fs::path folder_with(const std::string& scene) {
+  const fs::path folder = fs::temp_directory_path() / "bulbus_command";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::ofstream(folder / "scene.yaml") << scene;
+  return folder;
+}
+
+TEST(CommandLine, HelpsAndTellsItsVersion) {
+  const Answer help = bulbus_says({"--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* command : {"run", "check", "mesh", "help"})
+    EXPECT_NE(help.out.find(std::string("\n  ") + command), std::string::npos);
+  EXPECT_NE(bulbus_says({"run", "--help"}).out.find("--set"), std::string::npos);
+  EXPECT_EQ(bulbus_says({"--version"}).out, std::string("bulbus ") + version + "\n");
+  EXPECT_NE(bulbus_says({"help", "scene"}).out.find("max_iterations"), std::string::npos);
+  EXPECT_EQ(bulbus_says({"help", "schema"}).out[0], '{');
+}
+
+TEST(CommandLine, TellsTheVersionOfTheProject) {
+  std::ifstream in(fs::path(BULBUS_DATA).parent_path() / "CMakeLists.txt");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(text.find(std::string("project(bulbus VERSION ") + version), std::string::npos);
+}
+
+TEST(CommandLine, WrongUsageIsStatusTwo) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{},
+                                                {"rn", "a.yaml"},
+                                                {"run"},
+                                                {"run", "a.yaml", "--fast"},
+                                                {"help", "me"},
+                                                {"mesh", "a.yaml"}}) {
+    const Answer answer = bulbus_says(wrong);
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_FALSE(answer.err.empty());
+    EXPECT_TRUE(answer.out.empty());
+  }
+}
+
+TEST(CommandLine, WrongInputIsStatusTwoAndOnlyAMessage) {
+  const fs::path folder = folder_with(least_scene("titel: a\n"));
+  const std::string scene = folder / "scene.yaml";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", scene, "-o", folder / "out"},
+        {"check", scene},
+        {"mesh", scene, "-o", folder / "m.msh"}}) {
+    const Answer answer = bulbus_says(arguments);
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err, scene + ":4: unknown key 'titel'\n  did you mean 'title'?\n");
+    EXPECT_TRUE(answer.out.empty());
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST(CommandLine, WritesTheMeshOfAScene) {
+  const fs::path folder = folder_with(least_scene());
+  const Answer answer = bulbus_says(
+      {"mesh", "--set", "mesh.block.nx=2", "mesh.block.ny=3", folder / "scene.yaml", "-o", folder / "m.msh"});
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(read_gmsh(folder / "m.msh").hexes.size(), 6u);
+  MeshSource source;
+  source.file = folder / "m.msh";
+  EXPECT_EQ(make_mesh(source).points.size(), 24u);
+  EXPECT_EQ(bulbus_says({"mesh", folder / "scene.yaml", "-o", folder / "no" / "m.msh"}).status, 2);
+}
+
+}  // namespace

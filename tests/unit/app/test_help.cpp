@@ -1,0 +1,78 @@
+#include <nlohmann/json.hpp>
+
+#include "app/help.hpp"
+#include "app/kinds.hpp"
+#include "scenes.hpp"
+
+namespace {
+
+using namespace bulbus;
+using namespace bulbus::test;
+
+/// Calls `see` for every key below an object, into lists, maps and options.
+template <class T, class See>
+void walk(T& value, See&& see) {
+  if constexpr (kinds::Described<T>) {
+    value.describe([&](const char* key, auto& member, const About& about) {
+      see(key, about);
+      walk(member, see);
+    });
+  } else if constexpr (kinds::Map<T>) {
+    typename T::mapped_type inner{};
+    walk(inner, see);
+  } else if constexpr (kinds::List<T> || kinds::Optional<T>) {
+    typename T::value_type inner{};
+    walk(inner, see);
+  }
+}
+
+TEST(Help, MentionsEveryKeyWithItsLine) {
+  const std::string help = scene_help();
+  Scene scene;
+  int keys = 0;
+  walk(scene, [&](const std::string& key, const About& about) {
+    ++keys;
+    const auto line = help.find(" " + key + " "), start = help.find("\n" + key + " ");
+    EXPECT_TRUE(line != std::string::npos || start != std::string::npos) << key;
+    EXPECT_NE(help.find(about.help), std::string::npos) << about.help;
+    EXPECT_FALSE(about.help.empty()) << key;
+  });
+  EXPECT_GT(keys, 100);
+}
+
+std::string line_of(const std::string& help, const std::string& start) {
+  const auto at = help.find("\n" + start);
+  return at == std::string::npos ? "" : help.substr(at + 1, help.find('\n', at + 1) - at - 1);
+}
+
+TEST(Help, TellsTypeUnitDefaultAndBounds) {
+  const std::string help = scene_help();
+  EXPECT_NE(line_of(help, "    gamma ").find("number, default 10, between 0 and 10000"), std::string::npos);
+  EXPECT_NE(line_of(help, "  area ").find("number in mm2, default 0.001, above 0"), std::string::npos);
+  EXPECT_NE(line_of(help, "    method ").find("(iterative or direct)"), std::string::npos);
+  EXPECT_NE(line_of(help, "steps ").find("list of map, needed"), std::string::npos);
+}
+
+TEST(Help, ShowsTheDefaultsOfTheStructAroundNotOfTheMember) {
+  EXPECT_NE(line_of(scene_help(), "      sclera ").find("map"), std::string::npos);
+  EXPECT_NE(scene_help().find("default [0, 20, 60, 90, 105, 125, 151]"), std::string::npos);
+}
+
+TEST(Schema, SaysTheSame) {
+  const nlohmann::json schema = scene_schema(), &keys = schema["properties"];
+  EXPECT_EQ(schema["additionalProperties"], false);
+  EXPECT_EQ(schema["required"], (nlohmann::json{"mesh", "regions", "steps"}));
+  const auto& gamma = keys["solver"]["properties"]["linear"]["properties"]["gamma"];
+  EXPECT_EQ(gamma["type"], "number");
+  EXPECT_EQ(gamma["minimum"], 0);
+  EXPECT_EQ(gamma["maximum"], 10000);
+  EXPECT_EQ(gamma["default"], 10);
+  const auto& bar = keys["bars"]["additionalProperties"]["properties"];
+  EXPECT_EQ(bar["E"]["type"], (nlohmann::json{"number", "string"}));  // "3 kPa"
+  EXPECT_EQ(bar["E"]["exclusiveMinimum"], 0);
+  EXPECT_EQ(keys["fix"]["items"]["properties"]["directions"]["default"], (nlohmann::json{"x", "y", "z"}));
+  EXPECT_EQ(keys["symmetry"]["items"]["enum"], (nlohmann::json{"x", "y", "z"}));
+  EXPECT_EQ(keys["mesh"]["maxProperties"], 1);
+}
+
+}  // namespace

@@ -1,0 +1,52 @@
+#include "scenes.hpp"
+
+namespace {
+
+using namespace bulbus;
+using namespace bulbus::test;
+
+Scene with(const std::vector<std::string>& overrides) {
+  return parse_scene(full_scene, "scene.yaml", overrides);
+}
+
+TEST(Override, EntersMapsByKeyAndListsByIndexOrName) {
+  EXPECT_EQ(with({"title=b"}).title, "b");
+  EXPECT_EQ(with({"mesh.block.nx=9"}).mesh.block->nx, 9);
+  EXPECT_EQ(with({"steps.0.increments=7"}).model.steps[0].increments, 7);
+  EXPECT_EQ(with({"steps.indent.increments=7"}).model.steps[1].increments, 7);
+  EXPECT_EQ(with({"probes.p.unit=kPa"}).model.probes[0].unit, "kPa");
+  EXPECT_EQ(*with({"steps.indent.displace.side.radial=1 um"}).model.steps[1].displace[1].radial, "0.001");
+}
+
+TEST(Override, AddsKeysAndMapsThatTheSceneDoesNotName) {
+  EXPECT_EQ(with({"solver.newton.max_iterations=9"}).solver.newton.max_iterations, 9);
+  EXPECT_DOUBLE_EQ(with({"regions.new.c10=2 kPa"}).model.regions.at("new").c10, 2e-3);
+}
+
+TEST(Override, TakesYamlUnitsEqualsSignsAndNothing) {
+  EXPECT_EQ(with({"symmetry=[x, z]"}).model.symmetry.size(), 2u);
+  EXPECT_EQ(with({"title=a=b"}).title, "a=b");
+  EXPECT_EQ(with({"solver.linear.dump="}).solver.linear.dump, "");
+  EXPECT_EQ(std::stod(with({"steps.0.pressures.inside=20 mmHg"}).model.steps[0].pressures.at("inside")),
+            20 * mmHg);
+}
+
+TEST(Override, TheLastOneHolds) { EXPECT_EQ(with({"title=b", "title=c"}).title, "c"); }
+
+void expect_refused(const std::string& assignment, const std::string& start, const std::string& part) {
+  expect_error(full_scene, "--set " + assignment + ": " + start, part, {assignment});
+}
+
+TEST(OverrideErrors, NameTheAssignment) {
+  expect_refused("title", "not of the form path.to.key=value", "--set steps.0.increments=4");
+  expect_refused("=3", "not of the form", "");
+  expect_refused("solver..gamma=3", "an empty name in the path", "");
+  expect_refused("solver.linaer.gamma=3", "unknown key 'linaer' in solver", "did you mean 'linear'?");
+  expect_refused("title.x=3", "title: a single value is wanted here, not a map", "");
+  expect_refused("steps.7.increments=3", "no entry '7' in a list of 3", "entries count from 0");
+  expect_refused("steps.indnt.increments=3", "no entry 'indnt' in a list of 3", "did you mean 'indent'?");
+  expect_refused("output.every=0", "output.every: '0' is out of bounds", "between 1");
+  expect_refused("output.every={a", "not valid YAML", "");
+}
+
+}  // namespace

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "core/base/error.hpp"
+#include "core/mesh/gmsh.hpp"
+
+namespace bulbus {
+namespace {
+
+const std::string nodes =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 "
+    "1\n7 1 1 1\n"
+    "8 0 1 1\n9 5 5 5\n$EndNodes\n";  // 15 lines
+const std::string cube = "1 5 2 7 1 1 2 3 4 5 6 7 8\n";
+
+std::string elements(const std::string& lines) {
+  return "$Elements\n" + std::to_string(std::count(lines.begin(), lines.end(), '\n')) + "\n" + lines +
+         "$EndElements\n";
+}
+
+Mesh read(const std::string& text) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("bulbus_input_" + std::to_string(getpid()) + ".msh"))
+          .string();
+  std::ofstream(path) << text;
+  const std::unique_ptr<const std::string, void (*)(const std::string*)> remover(
+      &path, [](const std::string* p) { std::filesystem::remove(*p); });
+  return read_gmsh(path);
+}
+
+void expect_refusal(const std::string& text, const std::vector<std::string>& parts) {
+  try {
+    read(text);
+    FAIL() << "not refused";
+  } catch (const InputError& e) {
+    for (const std::string& part : parts)
+      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what() << "\nlacks " << part;
+  }
+}
+
+TEST(GmshInput, NamesAreMadeUpWhereTheyLack) {
+  const Mesh mesh = read(nodes + elements(cube + "2 3 2 4 1 1 2 3 4\n3 15 2 3 1 8\n4 1 2 2 1 1 7\n"));
+  EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"region_7"}));
+  EXPECT_EQ(mesh.points.size(), 8u);
+  EXPECT_EQ(mesh.surfaces.at("surface_4").at(0), (Quad{0, 3, 2, 1}));  // turned outwards
+  EXPECT_EQ(mesh.node_sets.at("points_3"), (std::vector<int>{7}));
+  EXPECT_EQ(mesh.bars.at("bars_2").size(), 1u);
+}
+
+TEST(GmshInput, GroupsOfOneNameAreCollected) {
+  const std::string names = "$PhysicalNames\n2\n0 1 \"points\"\n0 2 \"points\"\n$EndPhysicalNames\n";
+  const Mesh mesh = read(nodes + names + elements(cube + "2 15 2 1 1 1\n3 15 2 2 2 4\n"));
+  EXPECT_EQ(mesh.node_sets.at("points"), (std::vector<int>{0, 3}));
+}
+
+TEST(GmshInput, BarsMayEndOnAFace) {
+  std::string text = nodes;
+  text.replace(text.find("9 5 5 5"), 7, "9 .5 .25 1");
+  const Mesh mesh = read(text + elements(cube + "2 1 2 2 1 9 1\n"));
+  const EmbeddedPoint& end = mesh.bars.at("bars_2").at(0).a;
+  double sum = 0;
+  for (double w : end.weights) sum += w;
+  EXPECT_NEAR(sum, 1, 1e-14);
+  EXPECT_EQ(mesh.points.size(), 8u);
+}
+
+TEST(GmshInput, RefusesOtherElementsWithTheirLine) {
+  expect_refusal(nodes + elements(cube + "2 4 2 7 1 1 2 3 4\n"),
+                 {".msh:19: element 2 is a tetrahedron", "Recombine 3D"});
+  expect_refusal(nodes + elements(cube + "2 2 2 7 1 1 2 3\n"), {".msh:19: element 2 is a triangle"});
+  expect_refusal(nodes + elements(cube + "2 12 2 7 1 1 2 3\n"),
+                 {"type 12, of higher order", "Mesh.ElementOrder = 1"});
+}
+
+TEST(GmshInput, RefusesElementsThatDoNotFit) {
+  expect_refusal(nodes + elements("1 5 2 0 1 1 2 3 4 5 6 7 8\n"),
+                 {".msh:18: element 1", "no physical group", "Physical Volume"});
+  expect_refusal(nodes + elements(cube + "2 3 2 4 1 1 2 3 9\n"),
+                 {".msh:19: element 2 of surface 'surface_4' is no face"});
+  expect_refusal(nodes + elements(cube + "2 3 2 4 1 1 2 3 5\n"),
+                 {".msh:19: element 2 of surface 'surface_4' is no face"});
+  expect_refusal(nodes + elements(cube + "2 15 2 4 1 9\n"), {".msh:19: element 2 of the points 'points_4'"});
+  expect_refusal(nodes + elements(cube + "2 1 2 4 1 1 9\n"), {".msh:19: element 2 is a bar with an end"});
+  expect_refusal(nodes + elements("1 5 2 7 1 1 2 3 4 5 6 7 88\n"), {".msh:18: element 1 has node 88"});
+}
+
+TEST(GmshInput, RefusesFilesThatAreNoMesh) {
+  EXPECT_THROW(read_gmsh("/no/such/mesh.msh"), InputError);
+  expect_refusal("", {"$MeshFormat is missing"});
+  expect_refusal("solid cube\n", {"$MeshFormat is missing"});
+  expect_refusal("$MeshFormat\n4 0 8\n$EndMeshFormat\n", {".msh:2: MSH version 4 is not read", "4.1"});
+  expect_refusal(nodes, {"no hexahedra"});
+  expect_refusal(nodes + "$Elements\n3\n" + cube, {"the file ends too early"});
+  expect_refusal(nodes + elements("1 5 2 7 x 1 2 3 4 5 6 7 8\n"), {".msh:18: 'x' is no whole number"});
+}
+
+}  // namespace
+}  // namespace bulbus
