@@ -35,6 +35,11 @@ Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<Soli
   for_each_pack([&](const auto&, int p, int first) {
     store_some(volume_of(reference_gradient(gather<8>(packs_[p], X_))), V0_, first, packs_[p].used);
   });
+  for (int h = 0; h < this->hexes(); ++h)
+    if (std::ranges::none_of(regions_, [h](const SolidRegion& r) { return h >= r.first && h < r.first + r.count; })) rigid_.push_back(h);
+  const auto packs = make_packs<8>(static_cast<int>(rigid_.size()), [&](int i) { return lexicographic(hexes[rigid_[i]]); });
+  for (std::size_t i = 0; i < rigid_.size(); ++i)
+    V0_[rigid_[i]] = volume_of(reference_gradient(gather<8>(packs[i / lanes], X_)))[static_cast<int>(i % lanes)];
 }
 
 void Solid::residual(std::span<const double> x, std::span<const double> lambda, std::span<double> force,
@@ -101,6 +106,7 @@ void Solid::update_moduli() {
           },
           r.material);
   }
+  for (int e : rigid_) mu_[e] = 1;  // any: their pressures stay as they are
   for (std::size_t e = 0; e < mu_.size(); ++e) penalty_[e] = gamma_ * mu_[e] / V0_[e];
 }
 

@@ -32,12 +32,15 @@ struct CellStress {
 ///     R_u = Σ ∫ (τ + λJ I) : ∇ₓN dV0,   R_λ = V_e − V0_e
 class Solid {
  public:
-  /// `X`: reference places. The hexahedra of a region are consecutive.
+  /// `X`: reference places. The hexahedra of a region are consecutive; those of no region are rigid: they have a volume, but
+  /// neither forces nor a volume equation.
   Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<SolidRegion> regions);
 
   int hexes() const { return static_cast<int>(V0_.size()); }
   const std::vector<SolidRegion>& regions() const { return regions_; }
   std::span<const double> reference_volumes() const { return V0_; }
+  /// Hexahedra of no region.
+  std::span<const int> rigid_hexes() const { return rigid_; }
 
   /// force += internal forces; volume_defect = V_e − V0_e.
   /// With `magnitude`: += |nodal force of each element|, the yardstick of the force balance.
@@ -95,6 +98,7 @@ class Solid {
   std::vector<SolidRegion> regions_;
   std::vector<PackNodes<8>> packs_;
   std::vector<double> V0_, mu_, penalty_;
+  std::vector<int> rigid_;
   std::vector<float> cache_;
   std::span<const double> x_, lambda_;
   double gamma_ = 0;

@@ -71,7 +71,22 @@ Residual Problem::residual(const State& state) const {
   }
   mesh_.halo.fold(r.force);
   mesh_.halo.fold(r.magnitude, 1);
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) r.bodies.push_back(resultant(k, state, r));
   return r;
+}
+
+Residual::Resultant Problem::resultant(std::size_t k, const State& state, const Residual& r) const {
+  const RigidBody& body = dofs_->bodies()[k];
+  const auto six = body.reduce(state.bodies[k], state.x, r.force, mesh_.owned);
+  std::vector<double> sum(six.begin(), six.end());
+  sum.resize(10);
+  for (int n : body.nodes()) {
+    if (n >= mesh_.owned) continue;
+    const double arm = norm(body.arm(state.bodies[k], state.x, n));
+    sum[6] += r.magnitude[n], sum[7] += arm * r.magnitude[n], sum[8] += arm, sum[9] += 1;
+  }
+  comm().sum(sum);
+  return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}, sum[6], sum[7], sum[8] / sum[9]};
 }
 
 Balance Problem::balance(const Residual& r) const {
@@ -91,17 +106,12 @@ Balance Problem::balance(const Residual& r) const {
     if (!(relative <= b.force)) b.force = relative, b.region = solid_->regions()[g].name;
   }
   for (std::size_t k = 0; k < dofs_->bodies().size(); ++k) {
-    const RigidBody& body = dofs_->bodies()[k];
-    // Balanced as the free nodes are: the resultant against the sum of the nodal magnitudes.
-    std::vector<double> resultant(4);
-    for (int n : body.nodes())
-      if (n < mesh_.owned) {
-        for (int c = 0; c < 3; ++c) resultant[c] += body.free()[c] ? r.force[3 * n + c] : 0;
-        resultant[3] += r.magnitude[n];
-      }
-    comm().sum(resultant);
-    const double relative = std::hypot(resultant[0], resultant[1], resultant[2]) / std::max(resultant[3], region_floor_.empty() ? 1e-300 : region_floor_[0]);
-    if (!(relative <= b.force)) b.force = relative, b.region = body.name();
+    // as the free nodes are: the resultants against the sum of the nodal magnitudes
+    const Residual::Resultant& body = r.bodies[k];
+    const double floor = region_floor_.empty() ? 1e-300 : region_floor_[0];
+    for (double relative : {norm(body.force) / std::max(body.magnitude, floor),
+                            norm(body.moment) / std::max(body.moment_magnitude, floor * body.arm)})
+      if (!(relative <= b.force)) b.force = relative, b.region = dofs_->bodies()[k].name();
   }
   const auto V0 = solid_->reference_volumes();
   for (std::size_t e = 0; e < r.volume.size(); ++e) {

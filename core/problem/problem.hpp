@@ -16,11 +16,18 @@ struct Residual {
   std::vector<double> volume;     ///< B: V_e − V0_e per local hexahedron (mm³)
   std::vector<double> liquid;     ///< D per liquid, the same on every rank (mm³)
   std::vector<double> magnitude;  ///< per local node, folded: Σ |contributions| (N)
+  /// On a rigid body, the same on every rank: force and moment along its free motions, their yardsticks Σ |contributions| and
+  /// Σ |arm| |contributions|, and the mean arm.
+  struct Resultant {
+    Vec3<double> force, moment;
+    double magnitude, moment_magnitude, arm;
+  };
+  std::vector<Resultant> bodies;
 };
 
 /// How far a state is from equilibrium, relative and free of units.
 struct Balance {
-  double force = 0;    ///< largest ‖A‖ / ‖internal forces‖ of a region, and which
+  double force = 0;    ///< largest ‖A‖ / ‖internal forces‖ of a region, force or moment of a rigid body, and which
   std::string region;
   double volume = 0;   ///< largest |V_e/V0_e − 1|
   double liquid = 0;   ///< largest |D| / V
@@ -74,7 +81,7 @@ class Problem {
   void add_load(const LoadSpec& spec, int step, int index);
   void begin_liquids(const StepSpec& spec, int step, const State& start);
   void release(const StepSpec& spec, int step);
-  Liquid& liquid(const std::string& name, const std::string& key);
+  Residual::Resultant resultant(std::size_t body, const State& state, const Residual& r) const;
   int liquid_index(const std::string& name, const std::string& key) const;
 
   Model model_;

@@ -10,14 +10,6 @@
 namespace bulbus {
 namespace {
 
-std::vector<int> nodes_of_run(const LocalMesh& mesh, const LocalMesh::Run& run) {
-  std::vector<int> nodes;
-  for (int h = run.first; h < run.first + run.count; ++h) nodes.insert(nodes.end(), mesh.hexes[h].begin(), mesh.hexes[h].end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
 // Mean place of a region's nodes in the Mesh, on the symmetry planes where there are any: the same on every rank.
 Vec3<double> center_of(const Mesh& mesh, const std::string& region, std::span<const std::string> symmetry) {
   Vec3<double> center{0, 0, 0};
@@ -38,11 +30,13 @@ std::array<bool, 6> free_motions(std::span<const std::string> symmetry) {
   return free;
 }
 
-bool touches_planes(const Mesh& mesh, const std::string& region, std::span<const std::string> symmetry) {
+// The symmetry planes that cut a region: one beside it mirrors it, but holds nothing.
+std::vector<std::string> planes_through(const Mesh& mesh, const std::string& region, std::span<const std::string> symmetry) {
   const double tolerance = mesh_tolerance(mesh);
-  return std::ranges::any_of(nodes_of(mesh, region), [&](int n) {
-    return std::ranges::any_of(symmetry, [&](const std::string& s) { return std::abs(mesh.points[n][axis_of(s)]) <= tolerance; });
-  });
+  std::vector<std::string> planes;
+  for (const std::string& s : symmetry)
+    if (std::ranges::any_of(nodes_of(mesh, region), [&](int n) { return std::abs(mesh.points[n][axis_of(s)]) <= tolerance; })) planes.push_back(s);
+  return planes;
 }
 
 }  // namespace
@@ -60,11 +54,8 @@ void Problem::build_bodies_and_solid(const Mesh& mesh) {
       regions.push_back({name, make_material(terms_of(spec)), run.first, run.count});
       continue;
     }
-    const std::vector<std::string> planes =
-        touches_planes(mesh, name, model_.symmetry) ? model_.symmetry : std::vector<std::string>{};
-    auto nodes = nodes_of_run(mesh_, mesh_.regions[r]);
-    // ghosts of a body's nodes may be held by neighbours without one of its hexahedra
-    nodes = mesh_.local(bulbus::nodes_of(mesh, name));
+    const auto planes = planes_through(mesh, name, model_.symmetry);
+    auto nodes = mesh_.local(bulbus::nodes_of(mesh, name));  // ghosts too of which this rank has no hexahedron
     for (int n : nodes) rigid_node[n] = true;
     bodies.emplace_back(name, std::move(nodes), center_of(mesh, name, planes), free_motions(planes));
   }

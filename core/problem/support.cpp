@@ -147,8 +147,11 @@ void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
 std::string describe(const Vector& motion) {
   const Eigen::Vector3d shift = motion.head<3>(), spin = motion.tail<3>();
   const bool turns = spin.norm() > shift.norm();
-  const Eigen::Vector3d d = (turns ? spin : shift).normalized();
-  return fmt::format("{} ({:.2f}, {:.2f}, {:.2f})", turns ? "rotation about" : "shift along", d[0] + 0.0, d[1] + 0.0, d[2] + 0.0);
+  Eigen::Vector3d d = (turns ? spin : shift).normalized();
+  Eigen::Index largest;
+  d.cwiseAbs().maxCoeff(&largest);
+  d = (100 / (d[largest] < 0 ? -1.0 : 1.0) * d).array().round() / 100 + 0.0;  // no "-0.00"
+  return fmt::format("{} ({:.2f}, {:.2f}, {:.2f})", turns ? "rotation about" : "shift along", d[0], d[1], d[2]);
 }
 
 }  // namespace

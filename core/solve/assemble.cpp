@@ -116,6 +116,7 @@ Triplets assemble(const CoupledSystem& system, bool augmented) {
     }
     out.add(number.hex(hex), number.hex(hex), 0);
   });
+  for (int e : system.problem().solid().rigid_hexes()) out.add(number.hex(e), number.hex(e), -system.rigid_compliance(e));
   const auto& g = system.liquid_columns();
   for (std::size_t i = 0; i < g.size(); ++i) {
     const double c = system.compliance(static_cast<int>(i)), omega = augmented ? system.liquid_augmentation()[i] : 0;

@@ -129,6 +129,7 @@ void CoupledSystem::apply(std::span<const double> x, std::span<double> y) const 
   dofs.expand(*state_, xu, dx_);
   const Action a = nodal_action(dx_, xl, true);
   std::ranges::copy(a.volume, yl.begin());
+  for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
   dofs.reduce(*state_, a.force, yu);
   dofs.add_held(xu, dx_, held_scale_, yu);
   add_body_geometry(xu, yu);
@@ -188,6 +189,11 @@ void CoupledSystem::add_pressure_force(std::span<const double> lambda, double fa
   projected_.resize(layout_.primal());
   problem_.dofs().reduce(*state_, force_, projected_);
   add_scaled(projected_, factor, primal);
+}
+
+double CoupledSystem::rigid_compliance(int hex) const {
+  const Solid& solid = problem_.solid();
+  return solid.reference_volumes()[hex] / ((1 + settings_.gamma) * solid.shear_moduli()[hex]);
 }
 
 std::vector<double> CoupledSystem::inverse_pressure_schur() const {

@@ -30,7 +30,7 @@ struct Layout {
 ///
 /// on free directions; held ones are identity rows times held_scale(). ω multiplies the third row into the first: the liquids
 /// are augmented as the elements are, so that the displacement block stays regular where K at fixed pressure is not.
-/// A liquid whose pressure is given keeps its row −V/K and has no g.
+/// A liquid whose pressure is given keeps its row −V/K and has no g; a hexahedron of a rigid region has a row of the same kind.
 class CoupledSystem final : public LinearOperator {
  public:
   CoupledSystem(Problem& problem, const LinearSettings& settings);
@@ -60,6 +60,8 @@ class CoupledSystem final : public LinearOperator {
 
   /// (1 + γ) μ_e / V_e: the inverse of the element-pressure Schur complement, diagonal part.
   std::vector<double> inverse_pressure_schur() const;
+  /// V_e / ((1 + γ) μ_e): minus the diagonal of a rigid hexahedron's row, whose pressure stays as it is.
+  double rigid_compliance(int hex) const;
   /// 3×3 diagonal blocks of the displacement block, held directions on held_scale(); 9 per owned node.
   const std::vector<double>& nodal_blocks() const { return blocks_; }
   /// 6×6 block of every body, the same on every rank.

@@ -20,7 +20,7 @@ class DirectSolver final : public LinearSolver {
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = meters_.clock.measure("factorisation");
     if (!mumps_) mumps_ = std::make_unique<Mumps>(system.problem().comm());
-    const FactorReport f = mumps_->factorise(assemble(system, false), global_size(system), system.problem().symmetric());
+    const FactorReport f = mumps_->factorise(assemble(system, true), global_size(system), system.problem().symmetric());
     meters_.memory.set("factor", static_cast<std::size_t>(f.memory_max_mb * 1e6));
     pivots_ = system.problem().symmetric() ? f.negative_pivots : -1;
     return {.ok = f.ok, .reason = f.ok ? "" : "MUMPS: " + f.reason, .negative_pivots = pivots_};

@@ -42,7 +42,7 @@ using PreconditionerFactory = std::function<std::unique_ptr<Preconditioner>(Coup
 /// Flexible GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
 std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters);
 
-/// MUMPS on the bordered system without augmentation.
+/// MUMPS on the bordered system, augmented by its γ (0 costs nothing and changes no solution).
 std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Meters& meters);
 
 }  // namespace bulbus

@@ -10,8 +10,8 @@ struct LinearSettings {
   std::string method = "iterative";
   std::string displacement = "hybrid";
   std::string op = "cache";
-  double gamma = 10;
-  int restart = 40, max_iterations = 400, degree = 4;
+  double gamma = 10, smoothed_part = 0.1;
+  int restart = 60, max_iterations = 400, degree = 4, aggregates = 150;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
   template <class V>
@@ -26,6 +26,8 @@ struct LinearSettings {
     v("restart", restart, About{"Krylov basis before a restart"}.between(2, 500));
     v("max_iterations", max_iterations, About{"Krylov iterations before the increment is cut"}.between(1, 100000));
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
+    v("smoothed_part", smoothed_part, About{"the Chebyshev smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
+    v("aggregates", aggregates, About{"aggregates whose rigid motions correct the hybrid; 0: none"}.between(0, 2000));
     v("dump", dump, About{"folder that receives every linear system with its right-hand side (HDF5); empty: none"});
     v("record_krylov", record_krylov, About{"write the residual of every Krylov iteration, block by block, to krylov.csv"});
     v("record_spectrum", record_spectrum, About{"write eigenvalue estimates of every preconditioned system to krylov.csv"});

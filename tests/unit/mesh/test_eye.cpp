@@ -179,13 +179,13 @@ TEST(Zonules, HoldEveryRigidMotionOfTheLens) {
   double k[3][3]{};
   for (const Bar& bar : mesh.bars.at("zonules")) {
     const Point a = position(mesh, bar.a), d = position(mesh, bar.b) - a;
-    const Point n = 1 / norm(d) * d, turn = cross({1, 0, 0}, a - middle);
+    const Point n = 1 / norm(d) * d, turn = cross(Point{1, 0, 0}, a - middle);
     const double g[3] = {n[1], n[2], dot(turn, n)};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) k[i][j] += bar.share * g[i] * g[j];
   }
   const double det =
-      dot({k[0][0], k[0][1], k[0][2]}, cross({k[1][0], k[1][1], k[1][2]}, {k[2][0], k[2][1], k[2][2]}));
+      dot({k[0][0], k[0][1], k[0][2]}, cross(Point{k[1][0], k[1][1], k[1][2]}, {k[2][0], k[2][1], k[2][2]}));
   EXPECT_GT(det, 1e-3 * k[0][0] * k[1][1] * k[2][2]);
   for (int i = 0; i < 3; ++i) EXPECT_GT(k[i][i], 1);
 }

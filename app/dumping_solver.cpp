@@ -1,0 +1,45 @@
+#include "app/dumping_solver.hpp"
+
+#include <fmt/format.h>
+
+#include "app/folder.hpp"
+#include "core/solve/assemble.hpp"
+
+namespace bulbus {
+namespace {
+
+class DumpingSolver final : public LinearSolver {
+ public:
+  DumpingSolver(std::unique_ptr<LinearSolver> solver, std::string folder, std::function<int()> increment)
+      : solver_(std::move(solver)), folder_(std::move(folder)), increment_(std::move(increment)) {}
+
+  LinearReport prepare(CoupledSystem& system) override { return solver_->prepare(system); }
+
+  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+                     double tolerance) override {
+    SystemDump dump;
+    dump.matrix = assemble(system, true);
+    dump.rhs.assign(b.begin(), b.end());
+    dump.kind = unknown_kinds(system.layout());
+    dump.scaling = system.scaling();
+    dump.attributes = {{"gamma", system.gamma()}, {"increment", increment_()}, {"tolerance", tolerance}};
+    write_system(fmt::format("{}/system_{:04d}.h5", folder_, ++count_), dump, system.problem().comm());
+    return solver_->solve(system, b, x, tolerance);
+  }
+
+ private:
+  std::unique_ptr<LinearSolver> solver_;
+  std::string folder_;
+  std::function<int()> increment_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> solver, const std::string& folder,
+                                                  std::function<int()> increment, const Comm& comm) {
+  make_folder(folder, comm);
+  return std::make_unique<DumpingSolver>(std::move(solver), folder, std::move(increment));
+}
+
+}  // namespace bulbus

@@ -1,0 +1,77 @@
+#include "app/narrator.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/sizes.hpp"
+
+namespace bulbus {
+
+std::string duration(double seconds) {
+  if (seconds < 10) return fmt::format("{:.1f} s", seconds);
+  const long long s = std::llround(seconds);
+  if (s < 60) return fmt::format("{} s", s);
+  if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
+}
+
+Narrator::Narrator(const Log& log, const Problem& problem)
+    : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)) {}
+
+void Narrator::step_begins(int step, const StepSpec& spec) {
+  log_.info("");
+  log_.info(fmt::format("step {} of {}{}: {} increment{}", step + 1, model_.steps.size(),
+                        spec.name.empty() ? "" : " '" + spec.name + "'", spec.increments, spec.increments == 1 ? "" : "s"));
+}
+
+void Narrator::increment_begins(int, double from, double to) {
+  log_.info(fmt::format("  from {:.4g} to {:.4g} of the step", from, to));
+  log_.info("     it  force     volume    liquid    eta      Krylov  reduced  length  elapsed");
+}
+
+void Narrator::newton_iteration(const NewtonIteration& i) {
+  std::string line = fmt::format("    {:>3}  {:.2e}  {:.2e}  {:.2e}", i.number, i.balance.force, i.balance.volume,
+                                 i.balance.liquid);
+  if (i.step > 0 || i.linear.ok)
+    line += fmt::format("  {:.1e}  {:>6}  {:.1e}  {:<6.3g}  {}", i.tolerance, i.linear.iterations, i.linear.reduction, i.step,
+                        duration(elapsed()));
+  if (i.linear.negative_pivots >= 0) line += fmt::format("  {} negative pivots", i.linear.negative_pivots);
+  if (!i.balance.region.empty()) line += "  (" + i.balance.region + ")";
+  log_.info(line);
+}
+
+void Narrator::increment_cut(const NewtonReport& report, double from, double to) {
+  log_.info(fmt::format("  cut: {:.4g} to {:.4g} did not converge after {} iterations: {}", from, to,
+                        report.iterations.size(), report.reason));
+}
+
+// Increments are taken to cost the same; how many a step will need is what the scene says.
+double Narrator::remaining(const Increment& increment) const {
+  double all = 0, done = 0;
+  for (std::size_t k = 0; k < model_.steps.size(); ++k) {
+    const int n = model_.steps[k].increments;
+    all += n;
+    if (static_cast<int>(k) < increment.step) done += n;
+    if (static_cast<int>(k) == increment.step) done += n * increment.progress;
+  }
+  return elapsed() * (all - done) / done;
+}
+
+void Narrator::increment_done(const Increment& i, const State&) {
+  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}; about {} to go", i.number,
+                        i.newton.iterations.size(), i.newton.krylov_iterations(), duration(i.seconds),
+                        duration(remaining(i))));
+  const long long surplus = i.newton.negative_pivots - stable_pivots_;
+  if (i.newton.negative_pivots >= 0 && surplus != 0)
+    log_.warn(fmt::format("not a stable equilibrium: {} negative pivot(s) more than one has. The body would leave it at the "
+                          "least push; prescribe the motion that is missing, or judge the figures with care.",
+                          surplus));
+}
+
+void Narrator::probes(const ProbeSet& probes, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), values[i], probes.unit(i)));
+}
+
+}  // namespace bulbus

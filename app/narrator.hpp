@@ -1,0 +1,34 @@
+#pragma once
+#include "core/io/log.hpp"
+#include "core/problem/probes.hpp"
+#include "core/solve/march.hpp"
+
+namespace bulbus {
+
+/// Tells the march in lines that stand by themselves, on a screen as in a file: steps, increments, one line per Newton
+/// iteration, cuts with their reason, and how long the rest may take.
+class Narrator final : public MarchObserver {
+ public:
+  Narrator(const Log& log, const Problem& problem);
+
+  void step_begins(int step, const StepSpec& spec) override;
+  void increment_begins(int step, double from, double to) override;
+  void newton_iteration(const NewtonIteration& i) override;
+  void increment_cut(const NewtonReport& report, double from, double to) override;
+  void increment_done(const Increment& increment, const State& state) override;
+  void probes(const ProbeSet& probes, const std::vector<double>& values);
+
+ private:
+  double elapsed() const { return Clock::now() - start_; }
+  double remaining(const Increment& increment) const;
+
+  const Log& log_;
+  const Model& model_;
+  long long stable_pivots_;
+  double start_ = Clock::now();
+};
+
+/// "12 s", "4 min 10 s", "2 h 05 min".
+std::string duration(double seconds);
+
+}  // namespace bulbus

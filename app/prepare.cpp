@@ -1,0 +1,47 @@
+#include "app/prepare.hpp"
+
+#include "core/base/error.hpp"
+#include "core/problem/probes.hpp"
+
+namespace bulbus {
+namespace {
+
+// A rank that cannot read the file must not leave the others waiting.
+Mesh mesh_of(const Scene& scene, const Comm& comm) {
+  Mesh mesh;
+  std::string fault;
+  try {
+    mesh = make_mesh(scene.mesh);
+    refuse_inverted(mesh);
+  } catch (const InputError& e) {
+    fault = e.what();
+  }
+  if (comm.any(!fault.empty()))
+    throw scene_error("mesh", fault.empty() ? "the mesh cannot be made on every rank" : fault, "");
+  return mesh;
+}
+
+// Prescribed displacements are carried along, so that each step starts where the one before leaves its sets.
+void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
+  Problem problem(mesh, model, comm);
+  const ProbeSet probes(problem);
+  State state = problem.initial_state();
+  std::vector<double> held(state.x.size());
+  for (std::size_t k = 0; k < model.steps.size(); ++k) {
+    problem.begin_step(static_cast<int>(k), state);
+    problem.dofs().defect(state, 1, held);
+    for (std::size_t i = 0; i < held.size(); ++i) state.x[i] += held[i];
+    problem.end_step();
+  }
+}
+
+}  // namespace
+
+Prepared prepare(const Scene& scene, const Comm& comm) {
+  scene.validate();
+  const Mesh mesh = mesh_of(scene, comm);
+  rehearse(mesh, scene.model, comm);
+  return {std::make_unique<Problem>(mesh, scene.model, comm), quality(mesh)};
+}
+
+}  // namespace bulbus

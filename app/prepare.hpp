@@ -1,0 +1,21 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "app/scene.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+
+/// A problem that is ready to march, and what is known of its mesh.
+struct Prepared {
+  std::unique_ptr<Problem> problem;
+  std::vector<RegionQuality> quality;
+};
+
+/// Makes the mesh, checks it and builds the problem. All steps are set up once in rehearsal, so that a slip in the last of them
+/// is found before the first is solved. Throws InputError on every rank. Collective.
+Prepared prepare(const Scene& scene, const Comm& comm);
+
+}  // namespace bulbus

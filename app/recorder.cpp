@@ -1,0 +1,86 @@
+#include "app/recorder.hpp"
+
+namespace bulbus {
+namespace {
+
+std::vector<std::string> history_columns(const ProbeSet& probes) {
+  std::vector<std::string> columns{"increment", "step", "time"};
+  for (std::size_t i = 0; i < probes.size(); ++i) columns.push_back(probes.name(i));
+  for (const char* c : {"newton_iterations", "krylov_iterations", "cuts", "seconds"}) columns.emplace_back(c);
+  return columns;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log, Meters& meters)
+    : problem_(problem), meters_(meters), narrator_(log, problem), probes_(problem), results_(scene.output, folder) {
+  if (problem.comm().rank() != 0) return;
+  history_.emplace(folder + "/history.csv", history_columns(probes_));
+  if (scene.solver.linear.record_krylov)
+    krylov_.emplace(folder + "/krylov.csv", std::vector<std::string>{"increment", "newton", "iteration", "residual"});
+}
+
+void Recorder::step_begins(int step, const StepSpec& spec) {
+  steps_.push_back({.name = spec.name});
+  narrator_.step_begins(step, spec);
+}
+
+void Recorder::increment_begins(int step, double from, double to) {
+  since_ = Clock::now();
+  narrator_.increment_begins(step, from, to);
+}
+
+void Recorder::newton_iteration(const NewtonIteration& i) {
+  narrator_.newton_iteration(i);
+  if (!krylov_) return;
+  for (std::size_t k = 0; k < i.linear.history.size(); ++k)
+    krylov_->append({static_cast<long long>(increments_ + 1), static_cast<long long>(i.number), static_cast<long long>(k),
+                     i.linear.history[k]});
+}
+
+void Recorder::count(const NewtonReport& report) {
+  StepRecord& step = steps_.back();
+  step.newton_iterations += static_cast<int>(report.iterations.size());
+  step.krylov_iterations += report.krylov_iterations();
+  step.seconds += Clock::now() - since_;
+  if (report.negative_pivots >= 0) negative_pivots_ = report.negative_pivots;
+}
+
+void Recorder::increment_cut(const NewtonReport& report, double from, double to) {
+  count(report);
+  ++steps_.back().cuts;
+  ++cuts_;
+  narrator_.increment_cut(report, from, to);
+}
+
+void Recorder::increment_done(const Increment& increment, const State& state) {
+  const auto scope = meters_.clock.measure("records");
+  count(increment.newton);
+  ++steps_.back().increments;
+  increments_ = increment.number;
+  Snapshot snapshot(problem_, state);
+  values_ = probes_.values(snapshot);
+  if (history_) append_history(increment);
+  narrator_.increment_done(increment, state);
+  narrator_.probes(probes_, values_);
+  results_.increment_done(increment.number, increment.time, snapshot);
+}
+
+void Recorder::append_history(const Increment& i) {
+  std::vector<CsvTable::Cell> row{static_cast<long long>(i.number), i.step_name, i.time};
+  row.insert(row.end(), values_.begin(), values_.end());
+  row.emplace_back(static_cast<long long>(i.newton.iterations.size()));
+  row.emplace_back(static_cast<long long>(i.newton.krylov_iterations()));
+  row.emplace_back(static_cast<long long>(cuts_));
+  row.emplace_back(i.seconds);
+  history_->append(row);
+}
+
+void Recorder::finish(const State& state) {
+  const auto scope = meters_.clock.measure("records");
+  Snapshot snapshot(problem_, state);
+  if (values_.size() != probes_.size()) values_ = probes_.values(snapshot);
+  results_.finish(snapshot);
+}
+
+}  // namespace bulbus

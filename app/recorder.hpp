@@ -1,0 +1,57 @@
+#pragma once
+#include <optional>
+
+#include "app/narrator.hpp"
+#include "app/result_files.hpp"
+#include "app/scene.hpp"
+#include "core/io/table.hpp"
+
+namespace bulbus {
+
+/// What a step took, failed attempts included.
+struct StepRecord {
+  std::string name;
+  int increments = 0, newton_iterations = 0, krylov_iterations = 0, cuts = 0;
+  double seconds = 0;
+};
+
+/// Writes the records of a march as it goes: log, history.csv, krylov.csv, result files. Disk faults are
+/// std::runtime_error. All members that take a state are collective.
+class Recorder final : public MarchObserver {
+ public:
+  Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log, Meters& meters);
+
+  void step_begins(int step, const StepSpec& spec) override;
+  void increment_begins(int step, double from, double to) override;
+  void newton_iteration(const NewtonIteration& iteration) override;
+  void increment_cut(const NewtonReport& report, double from, double to) override;
+  void increment_done(const Increment& increment, const State& state) override;
+  /// After the march, with the state it ended in.
+  void finish(const State& state);
+
+  const ProbeSet& probes() const { return probes_; }
+  /// Of the last state recorded.
+  const std::vector<double>& values() const { return values_; }
+  const std::vector<StepRecord>& steps() const { return steps_; }
+  /// Converged so far.
+  int increments() const { return increments_; }
+  /// Of the last factorisation; -1 if there was none of a symmetric matrix.
+  int negative_pivots() const { return negative_pivots_; }
+
+ private:
+  void count(const NewtonReport& report);
+  void append_history(const Increment& increment);
+
+  const Problem& problem_;
+  Meters& meters_;
+  Narrator narrator_;
+  ProbeSet probes_;
+  ResultFiles results_;
+  std::optional<CsvTable> history_, krylov_;  // on rank 0
+  std::vector<double> values_;
+  std::vector<StepRecord> steps_;
+  int increments_ = 0, cuts_ = 0, negative_pivots_ = -1;
+  double since_ = Clock::now();
+};
+
+}  // namespace bulbus

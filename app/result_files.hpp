@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+
+#include "app/scene.hpp"
+#include "core/io/series.hpp"
+#include "core/problem/probe_snapshot.hpp"
+
+namespace bulbus {
+
+/// result_0001.vtkhdf and so on with their series: each n-th converged increment, and the last.
+class ResultFiles {
+ public:
+  ResultFiles(const OutputSettings& settings, const std::string& folder);
+
+  /// Saves if it is this increment's turn. Collective. Throws std::runtime_error.
+  void increment_done(int number, double time, Snapshot& snapshot);
+  /// Saves the state of the last increment unless that is done. Collective. Throws std::runtime_error.
+  void finish(Snapshot& snapshot);
+
+ private:
+  void save(Snapshot& snapshot);
+
+  OutputSettings settings_;
+  std::string folder_;
+  Series series_;
+  int last_ = 0, saved_ = 0;
+  double time_ = 0;
+};
+
+}  // namespace bulbus

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/dumping_solver.hpp"
+#include "app/folder.hpp"
+#include "app/prepare.hpp"
+#include "app/recorder.hpp"
+#include "app/sizes.hpp"
+#include "app/summary.hpp"
+#include "core/io/json_file.hpp"
+#include "core/io/text_file.hpp"
+#include "precond/make_preconditioner.hpp"
+
+namespace bulbus {
+namespace {
+
+// The direct solver factorises the system as it is: augmentation would only fill it.
+LinearSettings settings_of_system(LinearSettings linear) {
+  if (linear.method == "direct") linear.gamma = 0;
+  return linear;
+}
+
+std::unique_ptr<LinearSolver> make_solver(const LinearSettings& linear, Meters& meters) {
+  if (linear.method == "direct") return make_direct_solver(linear, meters);
+  return make_krylov_solver(linear, make_preconditioner_factory(linear, meters), meters);
+}
+
+std::string name_of_solver(const LinearSettings& l) {
+  if (l.method == "direct") return "direct (MUMPS)";
+  return fmt::format("flexible GMRES({}), displacement block by {}, operator {}, gamma {:g}", l.restart, l.displacement, l.op,
+                     l.gamma);
+}
+
+void tell(const Log& log, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) log.info(line);
+}
+
+void write_header(const Log& log, const Scene& scene, const std::string& scene_path, const Prepared& prepared) {
+  const Comm& comm = prepared.problem->comm();
+  std::string made_of;
+  for (const auto& [name, v] : versions()) made_of += (made_of.empty() ? "" : ", ") + name + " " + v;
+  log.info(made_of);
+  log.info(fmt::format("{}{} on {} rank{}", scene_path, scene.title.empty() ? "" : ": " + scene.title, comm.size(),
+                       comm.size() == 1 ? "" : "s"));
+  tell(log, lines_of(prepared.quality));
+  tell(log, lines_of(sizes_of(*prepared.problem)));
+  tell(log, liquid_lines(*prepared.problem));
+  log.info("linear solver: " + name_of_solver(scene.solver.linear));
+}
+
+void measure_memory(const Problem& problem, const CoupledSystem& system, Meters& meters) {
+  meters.memory.set("mesh", problem.mesh().bytes());
+  meters.memory.set("solid", problem.solid().bytes());
+  meters.memory.set("operator cache", problem.solid().cache_bytes());
+  meters.memory.set("coupled system", system.bytes());
+}
+
+void write_end(const Log& log, const MarchReport& march, const std::string& folder, double seconds) {
+  log.info("");
+  if (!march.converged) log.error("not converged: " + march.reason);
+  log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
+                       march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
+  log.info("results in " + folder);
+}
+
+}  // namespace
+
+int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm) {
+  const double start = Clock::now();
+  Meters meters;
+  Prepared prepared;
+  {
+    const auto scope = meters.clock.measure("mesh and problem");
+    prepared = prepare(scene, comm);
+  }
+  Problem& problem = *prepared.problem;
+  make_results_folder(out_dir, comm);
+  if (comm.rank() == 0) write_whole(out_dir + "/resolved.yaml", resolved_yaml(scene));
+  const Log log(out_dir + "/run.log", comm);
+  write_header(log, scene, scene_path, prepared);
+
+  Recorder recorder(problem, scene, out_dir, log, meters);
+  const LinearSettings& linear = scene.solver.linear;
+  CoupledSystem system(problem, settings_of_system(linear));
+  auto solver = make_solver(linear, meters);
+  if (!linear.dump.empty())
+    solver = make_dumping_solver(std::move(solver), linear.dump, [&] { return recorder.increments() + 1; }, comm);
+  State state = problem.initial_state();
+  const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder);
+
+  recorder.finish(state);
+  measure_memory(problem, system, meters);
+  const double seconds = Clock::now() - start;
+  const auto summary = summary_of(scene.title, problem, recorder, report, meters, seconds);
+  if (comm.rank() == 0) write_json(out_dir + "/summary.json", summary);
+  write_end(log, report, out_dir, seconds);
+  return report.converged ? 0 : 1;
+}
+
+}  // namespace bulbus

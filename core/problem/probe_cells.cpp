@@ -1,0 +1,71 @@
+// Probes over the hexahedra of regions.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/problem/probe_figures.hpp"
+
+namespace bulbus::probes {
+namespace {
+
+// The deformable hexahedra of the region, or of all.
+std::vector<int> cells_of(const Problem& problem, const ProbeSpec& spec) {
+  std::vector<int> cells;
+  for (const SolidRegion& r : problem.solid().regions())
+    if (spec.region.empty() || spec.region == r.name)
+      for (int h = r.first; h < r.first + r.count; ++h) cells.push_back(h);
+  if (!problem.comm().any(!cells.empty()))
+    throw scene_error("region", "'" + (spec.region.empty() ? std::string("all") : spec.region) + "' is rigid: nothing to record",
+                      "Name a region with a material, or take the probe out.");
+  return cells;
+}
+
+struct Weighted {
+  double value, weight;
+};
+
+// Halving of the interval of values: a handful of sums over the ranks instead of all cells on one.
+double percentile(const Comm& comm, std::span<const Weighted> cells, double percent) {
+  const auto weight_up_to = [&](double limit) {
+    double sum = 0;
+    for (const Weighted& c : cells) sum += c.value <= limit ? c.weight : 0;
+    return comm.sum(sum);
+  };
+  double least = INFINITY, most = -INFINITY;
+  for (const Weighted& c : cells) least = std::min(least, c.value), most = std::max(most, c.value);
+  least = comm.min(least), most = comm.max(most);
+  const double wanted = percent / 100 * (1 - 1e-12) * weight_up_to(most);
+  if (percent >= 100 || !(least < most)) return most;
+  if (weight_up_to(least) >= wanted) return least;
+  double low = least, high = most;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (weight_up_to(middle) >= wanted ? high : low) = middle;
+  }
+  double found = least;
+  for (const Weighted& c : cells)
+    if (c.value <= high) found = std::max(found, c.value);
+  return comm.max(found);
+}
+
+}  // namespace
+
+ProbeSet::Figure mises(const Problem& problem, const ProbeSpec& spec) {
+  return [cells = cells_of(problem, spec), percent = spec.percentile](Snapshot& s) {
+    const auto V0 = s.problem.solid().reference_volumes();
+    std::vector<Weighted> values;
+    for (int h : cells) values.push_back({s.stresses()[h].mises, V0[h]});
+    return percentile(s.problem.comm(), values, percent);
+  };
+}
+
+ProbeSet::Figure volume_ratio(const Problem& problem, const ProbeSpec& spec) {
+  return [cells = cells_of(problem, spec), kind = spec.statistic](Snapshot& s) {
+    const auto V0 = s.problem.solid().reference_volumes();
+    std::vector<double> ratios;
+    for (int h : cells) ratios.push_back(1 + s.residual().volume[h] / V0[h]);
+    return statistic(s.problem.comm(), kind, ratios);
+  };
+}
+
+}  // namespace bulbus::probes

@@ -1,0 +1,91 @@
+#include "precond/aggregates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <unordered_map>
+
+namespace bulbus {
+namespace {
+
+// Strongly coupled owned neighbours of every owned node: |tr A_ij| > threshold √(tr A_ii tr A_jj).
+std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar) {
+  constexpr double threshold = 0.02;
+  const LocalMesh& mesh = system.problem().mesh();
+  const int owned = mesh.owned;
+  const auto value = [&](std::size_t k) { return std::abs(scalar[0].values[k]) + std::abs(scalar[1].values[k]) + std::abs(scalar[2].values[k]); };
+  const auto local = [&](long long number) {
+    const long long n = number - mesh.first_node;
+    return n >= 0 && n < owned ? static_cast<int>(n) : -1;
+  };
+  std::vector<double> diagonal(owned);
+  for (int i = 0; i < owned; ++i)
+    for (int k = scalar[0].start[i]; k < scalar[0].start[i + 1]; ++k)
+      if (local(scalar[0].columns[k]) == i) diagonal[i] = value(k);
+  std::vector<std::vector<int>> strong(owned);
+  for (int i = 0; i < owned; ++i)
+    for (int k = scalar[0].start[i]; k < scalar[0].start[i + 1]; ++k) {
+      const int j = local(scalar[0].columns[k]);
+      if (j >= 0 && j != i && value(k) > threshold * std::sqrt(diagonal[i] * diagonal[j])) strong[i].push_back(j);
+    }
+  return strong;
+}
+
+}  // namespace
+
+std::vector<int> aggregate(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int count) {
+  const DofMap& dofs = system.problem().dofs();
+  const auto strong = strong_neighbours(system, scalar);
+  const int owned = static_cast<int>(strong.size());
+  const int size = std::max(8, static_cast<int>(system.problem().mesh().all_nodes / count));
+  constexpr int open = -2;
+  std::vector<int> of(owned, open);
+  for (int n = 0; n < owned; ++n)
+    if (dofs.held(n) && trace(dofs.projector(n)) < 0.5) of[n] = -1;
+  int next = 0;
+  std::deque<int> seeds;  // the rim of what is done: new aggregates grow beside old ones
+  const auto grow = [&](int seed) {
+    std::deque<int> front{seed};
+    of[seed] = next;
+    int members = 1;
+    while (!front.empty() && members < size) {
+      const int n = front.front();
+      front.pop_front();
+      for (int m : strong[n])
+        if (of[m] == open && members < size) {
+          of[m] = next;
+          ++members;
+          front.push_back(m);
+        }
+    }
+    for (int n : front)
+      for (int m : strong[n])
+        if (of[m] == open) seeds.push_back(m);
+    ++next;
+  };
+  for (int n = 0; n < owned; ++n) {
+    if (of[n] == open) seeds.push_back(n);
+    while (!seeds.empty()) {
+      const int seed = seeds.front();
+      seeds.pop_front();
+      if (of[seed] == open) grow(seed);
+    }
+  }
+  // crumbs join a neighbour
+  std::vector<int> members(next);
+  for (int a : of)
+    if (a >= 0) ++members[a];
+  for (int n = 0; n < owned; ++n)
+    if (of[n] >= 0 && members[of[n]] < 4)
+      for (int m : strong[n])
+        if (of[m] >= 0 && members[of[m]] >= 4) {
+          of[n] = of[m];
+          break;
+        }
+  std::unordered_map<int, int> number;
+  for (int& a : of)
+    if (a >= 0) a = number.emplace(a, static_cast<int>(number.size())).first->second;
+  return of;
+}
+
+}  // namespace bulbus

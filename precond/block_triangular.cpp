@@ -1,0 +1,93 @@
+#include "precond/block_triangular.hpp"
+
+#include "core/base/memory.hpp"
+
+namespace bulbus {
+namespace {
+
+double local_product(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+BlockTriangular::BlockTriangular(CoupledSystem& system, std::unique_ptr<Preconditioner> displacement)
+    : system_(system), displacement_(std::move(displacement)), inverse_schur_(system.inverse_pressure_schur()), work_(system.layout().primal()) {
+  const auto& g = system.liquid_columns();
+  for (int i = 0; i < static_cast<int>(g.size()); ++i)
+    if (system.problem().liquids()[i].coupled()) {
+      coupled_.push_back(i);
+      Z_.emplace_back(g[i].size());
+      displacement_->apply(g[i], Z_.back());
+    }
+  const int n = static_cast<int>(coupled_.size());
+  std::vector<double> omega(g.size());
+  if (n == 0) return;
+  Eigen::MatrixXd H(n, n), Omega = Eigen::MatrixXd::Zero(n, n), C = Eigen::MatrixXd::Zero(n, n);
+  for (int j = 0; j < n; ++j) {
+    const auto column = liquid_products(Z_[j]);
+    for (int i = 0; i < n; ++i) H(i, j) = column[i];
+  }
+  for (int i = 0; i < n; ++i) {
+    if (H(i, i) > 0) omega[coupled_[i]] = 1 / H(i, i);
+    Omega(i, i) = omega[coupled_[i]];
+    C(i, i) = system.compliance(coupled_[i]);
+  }
+  const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
+  woodbury_ = Omega * (I + H * Omega).inverse();
+  const Eigen::MatrixXd H_omega = H - H * woodbury_ * H;
+  inverse_liquid_schur_ = (C + H_omega * (I - Omega * C)).inverse();
+  system.set_liquid_augmentation(omega);
+}
+
+// gᵀ v of every coupled liquid. Collective.
+std::vector<double> BlockTriangular::liquid_products(std::span<const double> v) const {
+  std::vector<double> products;
+  for (int i : coupled_) products.push_back(local_product(system_.liquid_columns()[i], v));
+  system_.problem().comm().sum(products);
+  return products;
+}
+
+void BlockTriangular::apply(std::span<const double> r, std::span<double> z) const {
+  const Layout& layout = system_.layout();
+  const auto zu = layout.primal(z), zl = layout.lambda(z), zP = layout.pressures(z);
+  const auto ru = layout.primal(r), rl = layout.lambda(r), rP = layout.pressures(r);
+  for (std::size_t e = 0; e < zl.size(); ++e) zl[e] = -inverse_schur_[e] * rl[e];
+  std::copy(ru.begin(), ru.end(), work_.begin());
+  system_.add_pressure_force(zl, -1, work_);
+
+  const int n = static_cast<int>(coupled_.size());
+  std::vector<double> P(system_.liquid_columns().size());
+  for (int i = 0; i < layout.liquids; ++i) zP[i] = -rP[i] / system_.compliance(i);
+  if (n > 0) {
+    if (layout.liquids > 0) {
+      Eigen::VectorXd part(n);
+      for (int i = 0; i < n; ++i) part[i] = rP[coupled_[i]];
+      const Eigen::VectorXd solved = -inverse_liquid_schur_ * part;
+      for (int i = 0; i < n; ++i) zP[coupled_[i]] = solved[i];
+      std::copy(zP.begin(), zP.end(), P.begin());
+    }
+    system_.problem().comm().broadcast(P);
+    for (int i : coupled_) {
+      const double factor = (1 - system_.liquid_augmentation()[i] * system_.compliance(i)) * P[i];
+      const auto& g = system_.liquid_columns()[i];
+      for (std::size_t k = 0; k < g.size(); ++k) work_[k] += factor * g[k];
+    }
+  }
+  displacement_->apply(work_, zu);
+  if (n == 0) return;
+  const auto products = liquid_products(zu);
+  const Eigen::VectorXd correction = woodbury_ * Eigen::Map<const Eigen::VectorXd>(products.data(), n);
+  for (int i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < Z_[i].size(); ++k) zu[k] -= correction[i] * Z_[i][k];
+}
+
+std::size_t BlockTriangular::bytes() const {
+  std::size_t total = displacement_->bytes() + bytes_of(inverse_schur_) + bytes_of(work_);
+  for (const auto& z : Z_) total += bytes_of(z);
+  return total;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,39 @@
+#pragma once
+#include <Eigen/Dense>
+#include <memory>
+
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/linear_operator.hpp"
+
+namespace bulbus {
+
+/// Block upper-triangular preconditioner of the bordered system:
+///
+///     [ Â_ω   B    −(I − ωC) G ]        Ŝ = V_e / ((1 + γ) μ_e)
+///     [ 0    −Ŝ     0          ]        S_c = C + Gᵀ Â_ω⁻¹ G (I − ωC),   C = V_i/K
+///     [ 0     0    −S_c        ]
+///
+/// Â_ω = Â + Σ ω g gᵀ by Woodbury, from Z = Â⁻¹ G. Sets the system's ω to 1 / gᵀ Â⁻¹ g: the wall's own stiffness against volume.
+class BlockTriangular final : public Preconditioner {
+ public:
+  /// Collective.
+  BlockTriangular(CoupledSystem& system, std::unique_ptr<Preconditioner> displacement);
+  int size() const override { return system_.size(); }
+  void apply(std::span<const double> r, std::span<double> z) const override;
+  bool fixed() const override { return displacement_->fixed(); }
+  std::size_t bytes() const override;
+
+ private:
+  std::vector<double> liquid_products(std::span<const double> primal) const;
+
+  CoupledSystem& system_;
+  std::unique_ptr<Preconditioner> displacement_;
+  std::vector<double> inverse_schur_;
+  std::vector<std::vector<double>> Z_;
+  std::vector<int> coupled_;           // liquids with an unknown pressure
+  Eigen::MatrixXd woodbury_;           // (Ω⁻¹ + GᵀZ)⁻¹
+  Eigen::MatrixXd inverse_liquid_schur_;
+  mutable std::vector<double> work_;
+};
+
+}  // namespace bulbus

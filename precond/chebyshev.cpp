@@ -1,0 +1,88 @@
+#include "precond/chebyshev.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <random>
+
+#include "core/base/memory.hpp"
+
+namespace bulbus {
+namespace {
+
+double inner(std::span<const double> a, std::span<const double> b, const Comm& comm) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return comm.sum(sum);
+}
+
+}  // namespace
+
+// The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½).
+Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, const Comm& comm) {
+  const std::size_t n = A.size();
+  std::vector<double> r(n), z(n), p(n), q(n);
+  std::mt19937 random(1 + comm.rank());
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (double& v : r) v = uniform(random);
+  D.apply(r, z);
+  p = z;
+  double rz = inner(r, z, comm), beta = 0, alpha = 1;
+  std::vector<double> diagonal, off;
+  for (int k = 0; k < steps && rz > 0; ++k) {
+    A.apply(p, q);
+    const double before = alpha, pq = inner(p, q, comm);
+    if (pq == 0 || !std::isfinite(pq)) break;
+    alpha = rz / pq;
+    diagonal.push_back(1 / alpha + (k > 0 ? beta / before : 0));
+    if (k > 0) off.push_back(std::sqrt(beta) / std::abs(before));
+    for (std::size_t i = 0; i < n; ++i) r[i] -= alpha * q[i];
+    D.apply(r, z);
+    const double next = inner(r, z, comm);
+    beta = next / rz;
+    rz = next;
+    for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
+  }
+  if (diagonal.empty()) return {1, 1};
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(diagonal.size(), diagonal.size());
+  for (std::size_t k = 0; k < diagonal.size(); ++k) {
+    T(k, k) = diagonal[k];
+    if (k > 0) T(k, k - 1) = T(k - 1, k) = off[k - 1];
+  }
+  const Eigen::VectorXd e = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(T, Eigen::EigenvaluesOnly).eigenvalues();
+  return {e.minCoeff(), e.maxCoeff()};
+}
+
+Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double lowest, const Comm& comm)
+    : A_(A), D_(D), degree_(degree), r_(A.size()), z_(A.size()), d_(A.size()) {
+  const double estimate = lanczos(A, D, 10, comm).largest;
+  largest_ = 1.1 * (estimate > 0 ? estimate : 1);
+  lowest_ = lowest * largest_;
+}
+
+void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
+  const double center = 0.5 * (largest_ + lowest_), radius = 0.5 * (largest_ - lowest_);
+  const std::size_t n = b.size();
+  D_.apply(b, z_);
+  double rho = radius / center;
+  for (std::size_t i = 0; i < n; ++i) {
+    d_[i] = z_[i] / center;
+    x[i] = d_[i];
+    r_[i] = b[i];
+  }
+  for (int k = 1; k < degree_; ++k) {
+    A_.apply(d_, z_);
+    for (std::size_t i = 0; i < n; ++i) r_[i] -= z_[i];
+    D_.apply(r_, z_);
+    const double next = 1 / (2 * center / radius - rho);
+    const double keep = next * rho, add = 2 * next / radius;
+    for (std::size_t i = 0; i < n; ++i) {
+      d_[i] = keep * d_[i] + add * z_[i];
+      x[i] += d_[i];
+    }
+    rho = next;
+  }
+}
+
+std::size_t Chebyshev::bytes() const { return bytes_of(r_) + bytes_of(z_) + bytes_of(d_); }
+
+}  // namespace bulbus

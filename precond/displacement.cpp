@@ -1,0 +1,37 @@
+#include "precond/displacement.hpp"
+
+#include "precond/assembled.hpp"
+#include "precond/block_jacobi.hpp"
+#include "precond/hybrid.hpp"
+#include "precond/scalar_amg.hpp"
+#include "precond/scalar_matrices.hpp"
+
+namespace bulbus {
+namespace {
+
+// The three scalar AMGs alone, with the blocks that they need for bodies.
+class ScalarAmgAlone final : public Preconditioner {
+ public:
+  explicit ScalarAmgAlone(const CoupledSystem& system) : jacobi_(system), amg_(system, scalar_matrices(system), jacobi_) {}
+  int size() const override { return amg_.size(); }
+  void apply(std::span<const double> x, std::span<double> y) const override { amg_.apply(x, y); }
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override { return jacobi_.bytes() + amg_.bytes(); }
+
+ private:
+  BlockJacobi jacobi_;
+  ScalarAmg amg_;
+};
+
+}  // namespace
+
+std::unique_ptr<Preconditioner> make_displacement_preconditioner(const CoupledSystem& system, const LinearSettings& settings) {
+  const std::string& name = settings.displacement;
+  if (name == "jacobi") return std::make_unique<BlockJacobi>(system);
+  if (name == "scalar_amg") return std::make_unique<ScalarAmgAlone>(system);
+  if (name == "boomeramg" || name == "boomeramg_nodal") return std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal");
+  if (name == "exact") return std::make_unique<ExactBlock>(system);
+  return std::make_unique<Hybrid>(system, settings.degree, settings.smoothed_part, settings.aggregates);
+}
+
+}  // namespace bulbus

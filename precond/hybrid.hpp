@@ -1,0 +1,31 @@
+#pragma once
+#include "precond/block_jacobi.hpp"
+#include "precond/chebyshev.hpp"
+#include "precond/displacement.hpp"
+#include "precond/rigid_coarse.hpp"
+#include "precond/scalar_amg.hpp"
+
+namespace bulbus {
+
+/// The displacement block without its matrix: Chebyshev with block Jacobi on the tangent as it is applied on the fly, before and
+/// after one cycle of the three scalar AMGs and a correction with the rigid motions of aggregates. A fixed linear map.
+class Hybrid final : public Preconditioner {
+ public:
+  Hybrid(const CoupledSystem& system, int degree, double lowest, int aggregates);
+  int size() const override { return block_.size(); }
+  void apply(std::span<const double> b, std::span<double> x) const override;
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override;
+
+ private:
+  void correct(const Preconditioner& by, std::span<const double> b, std::span<double> x) const;
+
+  DisplacementBlock block_;
+  BlockJacobi jacobi_;
+  Chebyshev smoother_;
+  std::unique_ptr<ScalarAmg> amg_;
+  std::unique_ptr<RigidCoarse> coarse_;
+  mutable std::vector<double> residual_, correction_;
+};
+
+}  // namespace bulbus

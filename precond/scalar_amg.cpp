@@ -1,0 +1,27 @@
+#include "precond/scalar_amg.hpp"
+
+#include "core/base/memory.hpp"
+
+namespace bulbus {
+
+ScalarAmg::ScalarAmg(const CoupledSystem& system, const std::array<DistributedCsr, 3>& matrices, const Preconditioner& block_jacobi)
+    : size_(system.layout().primal()), nodes_(system.layout().nodal / 3), block_jacobi_(block_jacobi), in_(nodes_), out_(nodes_) {
+  for (int c = 0; c < 3; ++c) amg_[c] = std::make_unique<BoomerAmg>(matrices[c], AmgOptions{}, system.problem().comm());
+}
+
+void ScalarAmg::apply(std::span<const double> x, std::span<double> y) const {
+  if (size_ > 3 * nodes_) block_jacobi_.apply(x, y);
+  for (int c = 0; c < 3; ++c) {
+    for (int n = 0; n < nodes_; ++n) in_[n] = x[3 * n + c];
+    amg_[c]->apply(in_, out_);
+    for (int n = 0; n < nodes_; ++n) y[3 * n + c] = out_[n];
+  }
+}
+
+std::size_t ScalarAmg::bytes() const {
+  std::size_t total = bytes_of(in_) + bytes_of(out_);
+  for (const auto& a : amg_) total += a->bytes();
+  return total;
+}
+
+}  // namespace bulbus

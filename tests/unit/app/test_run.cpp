@@ -1,0 +1,215 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/command_line.hpp"
+#include "core/io/hdf5_read.hpp"
+#include "core/solve/dump.hpp"
+
+namespace {
+
+using namespace bulbus;
+namespace fs = std::filesystem;
+
+// Line 11 is the first probe.
+const std::string scene = R"yaml(title: stretch
+mesh: {block: {upper: [2, 1, 1], nx: 2, ny: 2, nz: 2}}
+regions:
+  block: {c10: 0.5}
+symmetry: [x, y, z]
+steps:
+  - name: stretch
+    increments: 2
+    displace: [{set: xmax, x: 0.8}]
+probes:
+  - {name: pull, kind: reaction, set: xmax, component: x, unit: mN}
+  - {name: stress, kind: mises}
+solver:
+  linear: {method: direct}
+  newton: {force: 1e-11, volume: 1e-11}
+)yaml";
+
+struct Ran {
+  fs::path folder;
+  int status = 0;
+  std::string err;
+  bool wrote(const std::string& file) const { return fs::exists(folder / "out" / file); }
+  nlohmann::json summary() const { return nlohmann::json::parse(text("summary.json")); }
+  std::string text(const std::string& file) const {
+    std::ifstream in(folder / "out" / file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::vector<std::string> lines(const std::string& file) const {
+    std::istringstream in(text(file));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+  }
+};
+
+Ran run_scene(const std::string& yaml, const std::vector<std::string>& set = {}, const std::string& command = "run") {
+  Ran r{fs::temp_directory_path() / "bulbus_run"};
+  fs::remove_all(r.folder);
+  fs::create_directories(r.folder);
+  std::ofstream(r.folder / "scene.yaml") << yaml;
+  std::vector<std::string> arguments{command, r.folder / "scene.yaml"};
+  if (command == "run") arguments.insert(arguments.end(), {"-o", r.folder / "out"});
+  for (const std::string& s : set) arguments.insert(arguments.end(), {"--set", s});
+  std::ostringstream out, err;
+  r.status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
+  r.err = err.str();
+  return r;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// c10 = 1/2, stretch 1.4, a quarter of the section 1 × 1 in the model.
+TEST(Run, WritesTheAnswerAndHowItWasFound) {
+  const Ran r = run_scene(scene);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const auto s = r.summary();
+  EXPECT_EQ(s["converged"], true);
+  EXPECT_EQ(s["title"], "stretch");
+  EXPECT_EQ(s["unknowns"]["element_pressure"], 8);
+  EXPECT_EQ(s["unknowns"]["total"], s["unknowns"]["displacement"].get<int>() + 8);
+  EXPECT_EQ(s["unknowns"]["displacement"], 2 * 9 + 2 * 9 * 2 - 9);  // per direction: 18 of x less 9 prescribed, 18 of y, of z
+  EXPECT_EQ(s["units"]["pull"], "mN");
+  EXPECT_EQ(s["units"]["stress"], "MPa");
+  const double l = 1.4, P = l - 1 / (l * l);
+  EXPECT_NEAR(s["probes"]["stress"], l * P, 1e-9);
+  EXPECT_NEAR(s["probes"]["pull"], 0, 1e-9);  // the image in x = 0 pulls the other way
+  ASSERT_EQ(s["steps"].size(), 1u);
+  EXPECT_EQ(s["steps"][0]["increments"], 2);
+  EXPECT_EQ(s["totals"]["newton_iterations"], s["steps"][0]["newton_iterations"]);
+  EXPECT_EQ(s["negative_pivots"], 8);
+  EXPECT_EQ(s["negative_pivots_if_stable"], 8);
+  EXPECT_GT(s["memory_mb"]["process_peak"]["largest_rank"], 1);
+  EXPECT_EQ(s["ranks"], 1);
+  for (const char* file : {"resolved.yaml", "run.log", "result.vtkhdf.series", "result_0001.vtkhdf", "result_0002.vtkhdf"})
+    EXPECT_TRUE(r.wrote(file)) << file;
+}
+
+TEST(Run, KeepsTheHistory) {
+  const Ran r = run_scene(replaced(scene, "symmetry: [x, y, z]", "symmetry: [y, z]\nfix: [{set: xmin, directions: [x]}]"));
+  ASSERT_EQ(r.status, 0) << r.err;
+  const auto lines = r.lines("history.csv");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], "increment,step,time,pull,stress,newton_iterations,krylov_iterations,cuts,seconds");
+  EXPECT_EQ(lines[1].substr(0, 14), "1,stretch,0.5,");
+  const double P = 1.4 - 1 / (1.4 * 1.4);
+  EXPECT_NEAR(r.summary()["probes"]["pull"], 4e3 * P, 1e-5);  // the whole section is 2 × 2
+  EXPECT_EQ(lines[2].substr(0, 12), "2,stretch,1,");
+  EXPECT_NEAR(std::stod(lines[2].substr(12)), 4e3 * P, 1e-5);
+}
+
+TEST(Run, SavesFieldsThatAgreeWithEachOther) {
+  const Ran r = run_scene(scene, {"output.every=2"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_FALSE(r.wrote("result_0001.vtkhdf"));
+  const std::string file = r.folder / "out" / "result_0002.vtkhdf";
+  const double l = 1.4, stress = l * l - 1 / l;
+  const auto field = [&](const std::string& name) { return read_dataset(file, "VTKHDF/" + name); };
+  for (const char* place : {"PointData/stress", "CellData/stress"}) {
+    const auto s = field(place);
+    for (std::size_t i = 0; i < s.size(); ++i) EXPECT_NEAR(s[i], i % 6 == 0 ? stress : 0, 1e-6) << place << ' ' << i;
+  }
+  for (double v : field("PointData/mises")) EXPECT_NEAR(v, stress, 1e-6);
+  for (double v : field("CellData/pressure")) EXPECT_NEAR(v, -stress / 3, 1e-6);
+  for (double v : field("CellData/J")) EXPECT_NEAR(v, 1, 1e-6);
+  for (double v : field("CellData/region")) EXPECT_EQ(v, 0);
+  const auto X = field("Points"), u = field("PointData/displacement");
+  ASSERT_EQ(X.size(), u.size());
+  for (std::size_t i = 0; i < X.size(); i += 3) EXPECT_NEAR(u[i], (l - 1) * X[i], 1e-6);
+}
+
+TEST(Run, SavesTheLastStateWhateverTheInterval) {
+  const Ran r = run_scene(scene, {"output.every=5", "output.fields=[displacement]"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_TRUE(r.wrote("result_0002.vtkhdf"));
+  EXPECT_FALSE(run_scene(scene, {"output.vtk=false"}).wrote("result_0002.vtkhdf"));
+}
+
+/// The block may shrink to a tenth of its length, not to nothing: the last good state stays on the disk.
+TEST(Run, TellsWhyItDidNotConverge) {
+  const Ran r = run_scene(replaced(scene, "x: 0.8", "x: \"-2.2*s\""), {"solver.stepping.smallest=0.1", "solver.newton.max_iterations=6"});
+  EXPECT_EQ(r.status, 1);
+  const auto s = r.summary();
+  EXPECT_EQ(s["converged"], false);
+  EXPECT_NE(s["reason"].get<std::string>().find("stretch"), std::string::npos);
+  EXPECT_GT(s["totals"]["cuts"], 0);
+  EXPECT_EQ(r.lines("history.csv").size(), 1 + s["totals"]["increments"].get<std::size_t>());
+  EXPECT_NE(r.text("run.log").find("cut:"), std::string::npos);
+  EXPECT_NE(r.text("run.log").find("error: not converged"), std::string::npos);
+}
+
+TEST(Run, TakesAwayTheRecordsOfAnEarlierRun) {
+  Ran r = run_scene(scene);
+  std::ofstream(r.folder / "out" / "result_0009.vtkhdf") << "old";
+  std::ofstream(r.folder / "out" / "notes.txt") << "mine";
+  std::ostringstream out, err;
+  EXPECT_EQ(command_line({"run", r.folder / "scene.yaml", "-o", r.folder / "out"}, Comm(MPI_COMM_SELF), out, err), 0);
+  EXPECT_FALSE(r.wrote("result_0009.vtkhdf"));
+  EXPECT_TRUE(r.wrote("notes.txt"));
+}
+
+struct Fault {
+  std::string from, to, message;
+};
+
+TEST(Run, WrongInputIsFoundBeforeAnythingIsWritten) {
+  for (const Fault& f : std::vector<Fault>{
+           {"  block: {c10: 0.5}", "  lens: {c10: 0.5}", "scene.yaml:4: regions.lens: "},
+           {"regions:\n  block: {c10: 0.5}", "regions: {}", "scene.yaml:3: regions: "},
+           {"unit: mN", "unit: mmHg", "scene.yaml:11: probes.0.unit: "},
+           {"x: 0.8", "x: 0.8*q", "scene.yaml:9: steps.0.displace.0.x: "},
+           {"set: xmax, x: 0.8", "set: xmx, x: 0.8", "scene.yaml:9: steps.0.displace.0.set: "}}) {
+    for (const char* command : {"run", "check"}) {
+      const Ran r = run_scene(replaced(scene, f.from, f.to), {}, command);
+      EXPECT_EQ(r.status, 2) << f.to;
+      EXPECT_NE(r.err.find(f.message), std::string::npos) << r.err;
+      EXPECT_FALSE(fs::exists(r.folder / "out"));
+    }
+  }
+}
+
+/// A slip in the second step is found before the first is solved.
+TEST(Run, RehearsesEveryStep) {
+  const Ran r = run_scene(replaced(scene, "probes:", "  - displace: [{set: xmax, x: 0.8*q}]\nprobes:"));
+  EXPECT_EQ(r.status, 2);
+  EXPECT_NE(r.err.find("scene.yaml:10: steps.1.displace.0.x: "), std::string::npos) << r.err;
+  EXPECT_FALSE(fs::exists(r.folder / "out"));
+}
+
+TEST(Run, RefusesAFolderThatCannotBe) {
+  const Ran r = run_scene(scene);
+  std::ostringstream out, err;
+  const std::string file = r.folder / "scene.yaml";
+  EXPECT_EQ(command_line({"run", file, "-o", file}, Comm(MPI_COMM_SELF), out, err), 2);
+}
+
+/// The dumped system is the one that is solved.
+TEST(Run, DumpsEverySystem) {
+  const std::string folder = fs::temp_directory_path() / "bulbus_dump";
+  fs::remove_all(folder);
+  const Ran r = run_scene(scene, {"solver.linear.dump=" + folder});
+  ASSERT_EQ(r.status, 0) << r.err;
+  const int solves = r.summary()["totals"]["newton_iterations"];
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), solves);
+  const SystemDump d = read_system(folder + "/system_0001.h5");
+  EXPECT_EQ(d.rhs.size(), d.kind.size());
+  EXPECT_EQ(d.rhs.size(), d.scaling.size());
+  EXPECT_EQ(d.attributes.at("increment"), 1);
+  EXPECT_EQ(d.attributes.at("gamma"), 0);
+}
+
+TEST(Check, AcceptsAScene) {
+  const Ran r = run_scene(scene, {}, "check");
+  EXPECT_EQ(r.status, 0) << r.err;
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+#include "core/problem/validate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.hpp"
+#include "tests/support/models.hpp"
+
+namespace bulbus {
+namespace {
+
+/// A block held at its bottom and pulled at its top, with bars and a liquid-free rest: fit to be broken.
+Scene sound() {
+  Scene s = stretched_block(2, "0.1");
+  s.mesh.bars["ties"] = {{at_node(0), at_node(26)}};
+  s.mesh.node_sets["none"] = {};
+  s.model.bars["ties"] = {};
+  return s;
+}
+
+void expect_refused(const Scene& scene, const std::string& key, const std::string& fragment) {
+  try {
+    validate(scene.mesh, scene.model);
+    ADD_FAILURE() << "accepted: " << key;
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.key, key);
+    EXPECT_NE(std::string(e.what()).find(fragment), std::string::npos) << e.what();
+  }
+}
+
+TEST(Validate, AcceptsASoundModel) {
+  const Scene s = sound();
+  EXPECT_NO_THROW(validate(s.mesh, s.model));
+}
+
+TEST(Validate, RegionWithoutMaterial) {
+  Scene s = sound();
+  s.model.regions.clear();
+  expect_refused(s, "regions", "'block' of the mesh has no material");
+}
+
+TEST(Validate, MaterialWithoutRegionGuessesTheName) {
+  Scene s = sound();
+  s.model.regions["blok"] = neo_hooke(1);
+  expect_refused(s, "regions.blok", "Did you mean 'block'?");
+}
+
+TEST(Validate, ModulusMustBePositive) {
+  for (double c : {0.0, -1.0, double(NAN)}) {
+    Scene s = sound();
+    s.model.regions["block"] = neo_hooke(c);
+    expect_refused(s, "regions.block", "must be positive");
+  }
+}
+
+TEST(Validate, BarsWithoutStiffness) {
+  Scene s = sound();
+  s.model.bars.clear();
+  expect_refused(s, "bars", "'ties' of the mesh have no stiffness");
+}
+
+TEST(Validate, StiffnessWithoutBars) {
+  Scene s = sound();
+  s.model.bars["tis"] = {};
+  expect_refused(s, "bars.tis", "Did you mean 'ties'?");
+}
+
+TEST(Validate, UnknownAndEmptySets) {
+  Scene s = sound();
+  s.model.fix.push_back({"zmix", {"z"}});
+  expect_refused(s, "fix.0.set", "zmi");
+  s.model.fix[0].set = "none";
+  expect_refused(s, "fix.0.set", "set 'none' is empty");
+}
+
+TEST(Validate, UnknownSurfaces) {
+  Scene s = sound();
+  s.model.liquids["water"].surface = "zmx";
+  expect_refused(s, "liquids.water.surface", "no surface 'zmx'");
+  s.model.liquids.clear();
+  LoadSpec load;
+  load.surface = "top", load.pressure = "1";
+  s.model.steps[0].loads.push_back(load);
+  expect_refused(s, "steps.0.loads.0.surface", "no surface 'top'");
+}
+
+TEST(Validate, LoadsNeedASize) {
+  Scene s = sound();
+  s.model.steps[0].loads.push_back({});
+  expect_refused(s, "steps.0.loads.0", "without size");
+}
+
+TEST(Validate, DisplacementsNeedAValueAndDirections) {
+  Scene s = sound();
+  DisplaceSpec& d = s.model.steps[0].displace[0];
+  d.z.reset();
+  expect_refused(s, "steps.0.displace.0", "nothing is prescribed");
+  d.by = "1";
+  expect_refused(s, "steps.0.displace.0.by", "no direction");
+  d.by.reset();
+  d.affine = std::vector<double>(8);
+  expect_refused(s, "steps.0.displace.0.affine", "8 numbers");
+  d.affine->resize(9);
+  d.translate = Point{0, 0, 1};
+  expect_refused(s, "steps.0.displace.0.affine", "together");
+  d.affine.reset(), d.translate.reset();
+  d.radial = "1", d.axis = {0, 0, 0};
+  expect_refused(s, "steps.0.displace.0", "axis");
+}
+
+TEST(Validate, MeshOnBothSidesOfASymmetryPlane) {
+  Scene s = sound();
+  for (Point& p : s.mesh.points) p[1] -= .5;
+  expect_refused(s, "symmetry", "both sides of the symmetry plane y = 0");
+}
+
+TEST(Validate, StepsAreNeeded) {
+  Scene s = sound();
+  s.model.steps.clear();
+  expect_refused(s, "steps", "no steps");
+}
+
+TEST(Validate, ProbesNeedTheirLiquidAndSet) {
+  Scene s = sound();
+  ProbeSpec p;
+  p.name = "a", p.kind = "pressure", p.liquid = "water";
+  s.model.probes = {p};
+  expect_refused(s, "probes.0.liquid", "no liquid 'water'");
+  s.model.probes[0].kind = "displacement", s.model.probes[0].set = "zmaxx";
+  expect_refused(s, "probes.0.set", "zmaxx");
+}
+
+TEST(TermsOf, JoinsNamedAndFreeTerms) {
+  RegionSpec r = neo_hooke(1);
+  r.c11 = 2;
+  r.terms = {{4, 0, 3}};
+  const auto terms = terms_of(r);
+  ASSERT_EQ(terms.size(), 3u);
+  EXPECT_EQ(terms[1].r + terms[1].s, 2);
+  EXPECT_EQ(terms[2].c, 3);
+}
+
+}  // namespace
+}  // namespace bulbus
