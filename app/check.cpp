@@ -21,8 +21,9 @@ std::vector<Estimate> estimate(const Problem& problem, const Sizes& s, const Lin
   const double nodes = static_cast<double>(s.nodes), cells = static_cast<double>(s.element_pressure),
                unknowns = static_cast<double>(s.unknowns());
   const Comm& comm = problem.comm();
-  std::vector<Estimate> parts{{"mesh and elements", comm.sum(static_cast<double>(problem.mesh().bytes() + problem.solid().bytes()))},
-                              {"vectors", 30 * 8 * unknowns}};
+  std::vector<Estimate> parts{
+      {"mesh and elements", comm.sum(static_cast<double>(problem.mesh().bytes() + problem.solid().bytes()))},
+      {"vectors", 30 * 8 * unknowns}};
   if (l.method == "direct") {
     // measured on eyes of 7,000 hexahedra and more; the factors of a compact body grow with the power 4/3
     parts.push_back({"matrix and its copies", 54e3 * cells});
@@ -33,7 +34,10 @@ std::vector<Estimate> estimate(const Problem& problem, const Sizes& s, const Lin
   if (l.op == "assembled") parts.push_back({"assembled operator", 27 * 9 * 8 * nodes});
   parts.push_back({"Krylov basis", 2.0 * l.restart * unknowns * 8});
   const bool whole = l.displacement == "boomeramg" || l.displacement == "boomeramg_nodal";
-  parts.push_back({"preconditioner", (whole ? 2 * 27 * 9 : l.displacement == "jacobi" ? 9 : 2 * 27 * 3) * 12 * nodes});
+  parts.push_back({"preconditioner", (whole                        ? 2 * 27 * 9
+                                      : l.displacement == "jacobi" ? 9
+                                                                   : 2 * 27 * 3) *
+                                         12 * nodes});
   return parts;
 }
 
@@ -51,7 +55,8 @@ int check(const Scene& scene, const Comm& comm) {
   print(log, lines_of(prepared.quality));
   print(log, lines_of(sizes));
   print(log, liquid_lines(problem));
-  log.info(fmt::format("memory to expect with the {} solver, over all ranks (MB, a rough estimate):", scene.solver.linear.method));
+  log.info(fmt::format("memory to expect with the {} solver, over all ranks (MB, a rough estimate):",
+                       scene.solver.linear.method));
   double total = 0;
   for (const auto& [part, bytes] : estimate(problem, sizes, scene.solver.linear)) {
     log.info(fmt::format("  {:<20} {:>10.1f}", part, bytes / megabyte));

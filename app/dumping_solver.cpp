@@ -36,8 +36,9 @@ class DumpingSolver final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> solver, const std::string& folder,
-                                                  std::function<int()> increment, const Comm& comm) {
+std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> solver,
+                                                  const std::string& folder, std::function<int()> increment,
+                                                  const Comm& comm) {
   make_folder(folder, comm);
   return std::make_unique<DumpingSolver>(std::move(solver), folder, std::move(increment));
 }

@@ -3,10 +3,11 @@
 
 namespace bulbus {
 
-/// A solver that writes every system it is given, augmented as it is iterated on, to folder/system_0001.h5 and so on, and
-/// leaves the solution to `solver`. `increment` is asked for the number of the increment at work. Making one is collective
-/// and throws InputError if the folder cannot be made.
-std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> solver, const std::string& folder,
-                                                  std::function<int()> increment, const Comm& comm);
+/// A solver that writes every system it is given, augmented as it is iterated on, to folder/system_0001.h5
+/// and so on, and leaves the solution to `solver`. `increment` is asked for the number of the increment at
+/// work. Making one is collective and throws InputError if the folder cannot be made.
+std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> solver,
+                                                  const std::string& folder, std::function<int()> increment,
+                                                  const Comm& comm);
 
 }  // namespace bulbus

@@ -12,8 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_record(const std::string& name) {
-  static const std::set<std::string> known{"summary.json", "history.csv",         "krylov.csv", "resolved.yaml",
-                                           "run.log",      "result.vtkhdf.series"};
+  static const std::set<std::string> known{"summary.json",  "history.csv", "krylov.csv",
+                                           "resolved.yaml", "run.log",     "result.vtkhdf.series"};
   return known.contains(name) || (name.starts_with("result_") && name.ends_with(".vtkhdf"));
 }
 

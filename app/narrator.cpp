@@ -22,7 +22,8 @@ Narrator::Narrator(const Log& log, const Problem& problem)
 void Narrator::step_begins(int step, const StepSpec& spec) {
   log_.info("");
   log_.info(fmt::format("step {} of {}{}: {} increment{}", step + 1, model_.steps.size(),
-                        spec.name.empty() ? "" : " '" + spec.name + "'", spec.increments, spec.increments == 1 ? "" : "s"));
+                        spec.name.empty() ? "" : " '" + spec.name + "'", spec.increments,
+                        spec.increments == 1 ? "" : "s"));
 }
 
 void Narrator::increment_begins(int, double from, double to) {
@@ -31,11 +32,11 @@ void Narrator::increment_begins(int, double from, double to) {
 }
 
 void Narrator::newton_iteration(const NewtonIteration& i) {
-  std::string line = fmt::format("    {:>3}  {:.2e}  {:.2e}  {:.2e}", i.number, i.balance.force, i.balance.volume,
-                                 i.balance.liquid);
+  std::string line = fmt::format("    {:>3}  {:.2e}  {:.2e}  {:.2e}", i.number, i.balance.force,
+                                 i.balance.volume, i.balance.liquid);
   if (i.step > 0 || i.linear.ok)
-    line += fmt::format("  {:.1e}  {:>6}  {:.1e}  {:<6.3g}  {}", i.tolerance, i.linear.iterations, i.linear.reduction, i.step,
-                        duration(elapsed()));
+    line += fmt::format("  {:.1e}  {:>6}  {:.1e}  {:<6.3g}  {}", i.tolerance, i.linear.iterations,
+                        i.linear.reduction, i.step, duration(elapsed()));
   if (i.linear.negative_pivots >= 0) line += fmt::format("  {} negative pivots", i.linear.negative_pivots);
   if (!i.balance.region.empty()) line += "  (" + i.balance.region + ")";
   log_.info(line);
@@ -59,14 +60,15 @@ double Narrator::remaining(const Increment& increment) const {
 }
 
 void Narrator::increment_done(const Increment& i, const State&) {
-  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}; about {} to go", i.number,
-                        i.newton.iterations.size(), i.newton.krylov_iterations(), duration(i.seconds),
-                        duration(remaining(i))));
+  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}; about {} to go",
+                        i.number, i.newton.iterations.size(), i.newton.krylov_iterations(),
+                        duration(i.seconds), duration(remaining(i))));
   const long long surplus = i.newton.negative_pivots - stable_pivots_;
   if (i.newton.negative_pivots >= 0 && surplus != 0)
-    log_.warn(fmt::format("not a stable equilibrium: {} negative pivot(s) more than one has. The body would leave it at the "
-                          "least push; prescribe the motion that is missing, or judge the figures with care.",
-                          surplus));
+    log_.warn(fmt::format(
+        "not a stable equilibrium: {} negative pivot(s) more than one has. The body would leave it at the "
+        "least push; prescribe the motion that is missing, or judge the figures with care.",
+        surplus));
 }
 
 void Narrator::probes(const ProbeSet& probes, const std::vector<double>& values) {

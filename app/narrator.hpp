@@ -5,8 +5,8 @@
 
 namespace bulbus {
 
-/// Tells the march in lines that stand by themselves, on a screen as in a file: steps, increments, one line per Newton
-/// iteration, cuts with their reason, and how long the rest may take.
+/// Tells the march in lines that stand by themselves, on a screen as in a file: steps, increments, one line
+/// per Newton iteration, cuts with their reason, and how long the rest may take.
 class Narrator final : public MarchObserver {
  public:
   Narrator(const Log& log, const Problem& problem);

@@ -26,7 +26,8 @@ std::vector<double> nodal_average(const Problem& problem, std::span<const double
   problem.mesh().halo.update(sums, width + 1);
   std::vector<double> average;
   for (std::size_t at = 0; at < sums.size(); at += width + 1)
-    for (int c = 0; c < width; ++c) average.push_back(sums[at + width] > 0 ? sums[at + c] / sums[at + width] : 0);
+    for (int c = 0; c < width; ++c)
+      average.push_back(sums[at + width] > 0 ? sums[at + c] / sums[at + width] : 0);
   return average;
 }
 

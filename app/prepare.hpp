@@ -14,8 +14,8 @@ struct Prepared {
   std::vector<RegionQuality> quality;
 };
 
-/// Makes the mesh, checks it and builds the problem. All steps are set up once in rehearsal, so that a slip in the last of them
-/// is found before the first is solved. Throws InputError on every rank. Collective.
+/// Makes the mesh, checks it and builds the problem. All steps are set up once in rehearsal, so that a slip
+/// in the last of them is found before the first is solved. Throws InputError on every rank. Collective.
 Prepared prepare(const Scene& scene, const Comm& comm);
 
 }  // namespace bulbus

@@ -12,12 +12,18 @@ std::vector<std::string> history_columns(const ProbeSet& probes) {
 
 }  // namespace
 
-Recorder::Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log, Meters& meters)
-    : problem_(problem), meters_(meters), narrator_(log, problem), probes_(problem), results_(scene.output, folder) {
+Recorder::Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log,
+                   Meters& meters)
+    : problem_(problem),
+      meters_(meters),
+      narrator_(log, problem),
+      probes_(problem),
+      results_(scene.output, folder) {
   if (problem.comm().rank() != 0) return;
   history_.emplace(folder + "/history.csv", history_columns(probes_));
   if (scene.solver.linear.record_krylov)
-    krylov_.emplace(folder + "/krylov.csv", std::vector<std::string>{"increment", "newton", "iteration", "residual"});
+    krylov_.emplace(folder + "/krylov.csv",
+                    std::vector<std::string>{"increment", "newton", "iteration", "residual"});
 }
 
 void Recorder::step_begins(int step, const StepSpec& spec) {
@@ -34,8 +40,8 @@ void Recorder::newton_iteration(const NewtonIteration& i) {
   narrator_.newton_iteration(i);
   if (!krylov_) return;
   for (std::size_t k = 0; k < i.linear.history.size(); ++k)
-    krylov_->append({static_cast<long long>(increments_ + 1), static_cast<long long>(i.number), static_cast<long long>(k),
-                     i.linear.history[k]});
+    krylov_->append({static_cast<long long>(increments_ + 1), static_cast<long long>(i.number),
+                     static_cast<long long>(k), i.linear.history[k]});
 }
 
 void Recorder::count(const NewtonReport& report) {

@@ -19,7 +19,8 @@ struct StepRecord {
 /// std::runtime_error. All members that take a state are collective.
 class Recorder final : public MarchObserver {
  public:
-  Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log, Meters& meters);
+  Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log,
+           Meters& meters);
 
   void step_begins(int step, const StepSpec& spec) override;
   void increment_begins(int step, double from, double to) override;

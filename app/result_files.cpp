@@ -61,7 +61,8 @@ Field region(const Snapshot& s) {
 
 // A field of the cells and the same at the points.
 void add_both(const Problem& problem, Field cells, Piece& piece) {
-  piece.point_fields.push_back({cells.name, cells.components, nodal_average(problem, cells.values, cells.components)});
+  piece.point_fields.push_back(
+      {cells.name, cells.components, nodal_average(problem, cells.values, cells.components)});
   piece.cell_fields.push_back(std::move(cells));
 }
 

@@ -29,21 +29,22 @@ std::unique_ptr<LinearSolver> make_solver(const LinearSettings& linear, Meters& 
 
 std::string name_of_solver(const LinearSettings& l) {
   if (l.method == "direct") return "direct (MUMPS)";
-  return fmt::format("flexible GMRES({}), displacement block by {}, operator {}, gamma {:g}", l.restart, l.displacement, l.op,
-                     l.gamma);
+  return fmt::format("flexible GMRES({}), displacement block by {}, operator {}, gamma {:g}", l.restart,
+                     l.displacement, l.op, l.gamma);
 }
 
 void tell(const Log& log, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) log.info(line);
 }
 
-void write_header(const Log& log, const Scene& scene, const std::string& scene_path, const Prepared& prepared) {
+void write_header(const Log& log, const Scene& scene, const std::string& scene_path,
+                  const Prepared& prepared) {
   const Comm& comm = prepared.problem->comm();
   std::string made_of;
   for (const auto& [name, v] : versions()) made_of += (made_of.empty() ? "" : ", ") + name + " " + v;
   log.info(made_of);
-  log.info(fmt::format("{}{} on {} rank{}", scene_path, scene.title.empty() ? "" : ": " + scene.title, comm.size(),
-                       comm.size() == 1 ? "" : "s"));
+  log.info(fmt::format("{}{} on {} rank{}", scene_path, scene.title.empty() ? "" : ": " + scene.title,
+                       comm.size(), comm.size() == 1 ? "" : "s"));
   tell(log, lines_of(prepared.quality));
   tell(log, lines_of(sizes_of(*prepared.problem)));
   tell(log, liquid_lines(*prepared.problem));
@@ -86,7 +87,8 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   CoupledSystem system(problem, settings_of_system(linear));
   auto solver = make_solver(linear, meters);
   if (!linear.dump.empty())
-    solver = make_dumping_solver(std::move(solver), linear.dump, [&] { return recorder.increments() + 1; }, comm);
+    solver = make_dumping_solver(
+        std::move(solver), linear.dump, [&] { return recorder.increments() + 1; }, comm);
   State state = problem.initial_state();
   const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder);
 

@@ -28,16 +28,17 @@ long long stable_pivots(const Problem& problem) {
 
 std::vector<std::string> lines_of(const Sizes& s) {
   return {fmt::format("{} hexahedra, {} nodes, {} bars", s.hexahedra, s.nodes, s.bars),
-          fmt::format("{} unknowns: {} displacements, {} element pressures, {} liquid pressures, {} of rigid bodies",
+          fmt::format("{} unknowns: {} displacements (less what the steps prescribe), {} element pressures, "
+                      "{} liquid pressures, {} of rigid bodies",
                       s.unknowns(), s.displacement, s.element_pressure, s.liquid_pressure, s.rigid)};
 }
 
 std::vector<std::string> lines_of(const std::vector<RegionQuality>& quality) {
-  std::vector<std::string> lines{
-      fmt::format("{:<20} {:>10} {:>14}   {}", "region", "hexahedra", "volume mm3", "scaled Jacobian: least, 5 %, mean")};
+  std::vector<std::string> lines{fmt::format("{:<20} {:>10} {:>14}   {}", "region", "hexahedra", "volume mm3",
+                                             "scaled Jacobian: least, 5 %, mean")};
   for (const RegionQuality& q : quality)
-    lines.push_back(fmt::format("{:<20} {:>10} {:>14.6g}   {:.3f}  {:.3f}  {:.3f}", q.region, q.count, q.volume, q.least,
-                                q.five_percent, q.mean));
+    lines.push_back(fmt::format("{:<20} {:>10} {:>14.6g}   {:.3f}  {:.3f}  {:.3f}", q.region, q.count,
+                                q.volume, q.least, q.five_percent, q.mean));
   return lines;
 }
 

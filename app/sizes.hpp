@@ -13,7 +13,7 @@ struct Sizes {
   long long displacement = 0;      ///< free directions of nodes
   long long element_pressure = 0;  ///< of deformable hexahedra
   long long liquid_pressure = 0;
-  long long rigid = 0;             ///< free motions of rigid bodies
+  long long rigid = 0;  ///< free motions of rigid bodies
   long long unknowns() const { return displacement + element_pressure + liquid_pressure + rigid; }
 };
 

@@ -14,7 +14,9 @@ using json = nlohmann::json;
 constexpr double megabyte = 1e6;
 
 // Largest and sum over the ranks; every rank keeps count of the same parts.
-json over_ranks(const Comm& comm, double value) { return {{"largest_rank", comm.max(value)}, {"all_ranks", comm.sum(value)}}; }
+json over_ranks(const Comm& comm, double value) {
+  return {{"largest_rank", comm.max(value)}, {"all_ranks", comm.sum(value)}};
+}
 
 json memory_of(const Problem& problem, const Meters& meters) {
   const Comm& comm = problem.comm();
@@ -31,21 +33,30 @@ json seconds_of(const Comm& comm, const Meters& meters, double total) {
 }
 
 json unknowns_of(const Sizes& s) {
-  return {{"displacement", s.displacement}, {"element_pressure", s.element_pressure}, {"liquid_pressure", s.liquid_pressure},
-          {"rigid", s.rigid}, {"total", s.unknowns()}};
+  return {{"displacement", s.displacement},
+          {"element_pressure", s.element_pressure},
+          {"liquid_pressure", s.liquid_pressure},
+          {"rigid", s.rigid},
+          {"total", s.unknowns()}};
 }
 
 json steps_of(const std::vector<StepRecord>& steps) {
   json list = json::array();
   for (const StepRecord& s : steps)
-    list.push_back({{"name", s.name}, {"increments", s.increments}, {"newton_iterations", s.newton_iterations},
-                    {"krylov_iterations", s.krylov_iterations}, {"cuts", s.cuts}, {"seconds", s.seconds}});
+    list.push_back({{"name", s.name},
+                    {"increments", s.increments},
+                    {"newton_iterations", s.newton_iterations},
+                    {"krylov_iterations", s.krylov_iterations},
+                    {"cuts", s.cuts},
+                    {"seconds", s.seconds}});
   return list;
 }
 
 json totals_of(const MarchReport& m) {
-  return {{"increments", m.increments}, {"newton_iterations", m.newton_iterations},
-          {"krylov_iterations", m.krylov_iterations}, {"cuts", m.cuts}};
+  return {{"increments", m.increments},
+          {"newton_iterations", m.newton_iterations},
+          {"krylov_iterations", m.krylov_iterations},
+          {"cuts", m.cuts}};
 }
 
 }  // namespace
@@ -60,17 +71,26 @@ std::vector<std::pair<std::string, std::string>> versions() {
 #else
   const char* build = "with assertions";
 #endif
-  return {{"bulbus", version}, {"compiler", "C++ " __VERSION__}, {"build", build},
+  return {{"bulbus", version},
+          {"compiler", "C++ " __VERSION__},
+          {"build", build},
           {"mpi", library.substr(0, library.find_first_of(",\n"))}};
 }
 
 nlohmann::json summary_of(const std::string& title, const Problem& problem, const Recorder& recorder,
                           const MarchReport& march, const Meters& meters, double seconds) {
   const Sizes sizes = sizes_of(problem);
-  json s{{"title", title}, {"converged", march.converged}, {"reason", march.converged ? "all steps done" : march.reason},
-         {"hexahedra", sizes.hexahedra}, {"nodes", sizes.nodes}, {"bars", sizes.bars}, {"unknowns", unknowns_of(sizes)},
-         {"steps", steps_of(recorder.steps())}, {"totals", totals_of(march)},
-         {"seconds", seconds_of(problem.comm(), meters, seconds)}, {"memory_mb", memory_of(problem, meters)},
+  json s{{"title", title},
+         {"converged", march.converged},
+         {"reason", march.converged ? "all steps done" : march.reason},
+         {"hexahedra", sizes.hexahedra},
+         {"nodes", sizes.nodes},
+         {"bars", sizes.bars},
+         {"unknowns", unknowns_of(sizes)},
+         {"steps", steps_of(recorder.steps())},
+         {"totals", totals_of(march)},
+         {"seconds", seconds_of(problem.comm(), meters, seconds)},
+         {"memory_mb", memory_of(problem, meters)},
          {"ranks", problem.comm().size()}};
   s["probes"] = s["units"] = s["versions"] = json::object();
   for (std::size_t i = 0; i < recorder.probes().size(); ++i) {

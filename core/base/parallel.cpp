@@ -1,9 +1,21 @@
 #include "core/base/parallel.hpp"
 
+#include <optional>
+
+#include "core/base/error.hpp"
+
 namespace bulbus {
 namespace {
 
 bool started_here = false;
+
+std::string broadcast(std::string text, int root, MPI_Comm comm) {
+  int length = static_cast<int>(text.size());
+  MPI_Bcast(&length, 1, MPI_INT, root, comm);
+  text.resize(length);
+  MPI_Bcast(text.data(), length, MPI_CHAR, root, comm);
+  return text;
+}
 
 template <class T>
 std::vector<T> gather_all(std::span<const T> x, MPI_Comm comm, int size, MPI_Datatype type) {
@@ -77,6 +89,19 @@ std::vector<double> Comm::gather(std::span<const double> x) const {
 
 std::vector<long long> Comm::gather(std::span<const long long> x) const {
   return gather_all(x, comm_, size_, MPI_LONG_LONG);
+}
+
+void Comm::together(const std::function<void()>& work) const {
+  std::optional<InputError> fault;
+  try {
+    work();
+  } catch (const InputError& e) {
+    fault = e;
+  }
+  const int first = static_cast<int>(min(fault ? rank_ : size_));
+  if (first == size_) return;
+  const std::string message = bulbus::broadcast(fault ? fault->what() : "", first, comm_);
+  throw InputError(message, bulbus::broadcast(fault ? fault->key : "", first, comm_));
 }
 
 void Comm::barrier() const { MPI_Barrier(comm_); }

@@ -1,7 +1,9 @@
 #pragma once
 #include <mpi.h>
 
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace bulbus {
@@ -40,6 +42,8 @@ class Comm {
   std::vector<double> gather(std::span<const double> x) const;
   std::vector<long long> gather(std::span<const long long> x) const;
   void barrier() const;
+  /// Runs work that may throw an InputError on some ranks only; then all ranks throw that of the lowest one.
+  void together(const std::function<void()>& work) const;
 
  private:
   MPI_Comm comm_;

@@ -135,10 +135,11 @@ void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, s
     Pack theta;
     if (source_ == StrainSource::cache) {
       const CachedStrain strain{cache_.data() + static_cast<std::size_t>(p) * 8 * cached_floats * lanes};
-      scatter_add(pack, tangent_action(material, strain, gx, gd, lambda, dl, penalty, theta), force);
+      const auto strain_of = [&](const PointValues&) { return strain; };
+      scatter_add(pack, tangent_action(material, strain_of, gx, gd, lambda, dl, penalty, theta), force);
     } else {
-      const RecomputedStrain strain{reference_gradient(gather<8>(pack, X_))};
-      scatter_add(pack, tangent_action(material, strain, gx, gd, lambda, dl, penalty, theta), force);
+      const auto strain_of = [&](const PointValues& det) { return RecomputedStrain(reference_gradient(gather<8>(pack, X_)), det); };
+      scatter_add(pack, tangent_action(material, strain_of, gx, gd, lambda, dl, penalty, theta), force);
     }
     if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
   });

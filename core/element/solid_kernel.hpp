@@ -7,6 +7,13 @@ namespace bulbus {
 /// What happens inside one pack of Q1/P0 elements. All integrals are over the reference element with unit Gauss weights:
 /// dV0 = det ∂X/∂ξ, J dV0 = det ∂x/∂ξ.
 
+template <class Body>
+void for_each_gauss_point(Body body) {
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) body(i, j, k);
+}
+
 /// Isochoric left Cauchy-Green tensor and reference volume of a Gauss point.
 template <class T>
 struct PointStrain {
@@ -24,12 +31,33 @@ PointStrain<T> point_strain(const Mat3<T>& a, const T& det_a, const Mat3<T>& A) 
   return {gram(F, T(root * root)), dV0};
 }
 
-/// The strain of a pack's Gauss points, computed from both configurations.
-struct RecomputedStrain {
-  ReferenceGradient<Pack> A;
-  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a, const Pack& det_a) const {
-    return point_strain(a, det_a, A.at(i, j, k));
+/// One number per Gauss point i + 2j + 4k of a pack.
+using PointValues = std::array<Pack, 8>;
+
+/// The strain of a pack's Gauss points, computed from both configurations. Divisions and roots, which take long but can overlap,
+/// are done for all points at once.
+class RecomputedStrain {
+ public:
+  RecomputedStrain(const ReferenceGradient<Pack>& A, const PointValues& det_a) {
+    for_each_gauss_point([&](int i, int j, int k) {
+      const int p = i + 2 * j + 4 * k;
+      const Mat3<Pack> a = A.at(i, j, k);
+      cofactor_[p] = cofactor(a);
+      dV0_[p] = determinant(a, cofactor_[p]);
+    });
+    for (int p = 0; p < 8; ++p) {
+      const Pack inverse = 1.0 / dV0_[p], root = inverse_cube_root(det_a[p] * inverse) * inverse;
+      factor_[p] = root * root;
+    }
   }
+  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a) const {
+    const int p = i + 2 * j + 4 * k;
+    return {gram(times_transposed(a, cofactor_[p]), factor_[p]), dV0_[p]};
+  }
+
+ private:
+  std::array<Mat3<Pack>, 8> cofactor_;
+  PointValues dV0_, factor_;  // factor: J^(-2/3) / dV0²
 };
 
 /// Floats kept per element and Gauss point by the cache: b and dV0.
@@ -38,7 +66,7 @@ constexpr int cached_floats = 7;
 /// The strain of a pack's Gauss points, read from the cache (7 floats a point and lane).
 struct CachedStrain {
   const float* data;
-  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>&, const Pack&) const {
+  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>&) const {
     const float* p = data + (i + 2 * j + 4 * k) * cached_floats * lanes;
     PointStrain<Pack> s;
     for (int c = 0; c < 6; ++c) s.b.v[c] = load(p + c * lanes);
@@ -46,13 +74,6 @@ struct CachedStrain {
     return s;
   }
 };
-
-template <class Body>
-void for_each_gauss_point(Body body) {
-  for (int k = 0; k < 2; ++k)
-    for (int j = 0; j < 2; ++j)
-      for (int i = 0; i < 2; ++i) body(i, j, k);
-}
 
 /// Internal forces Σ (τ_dev + λJ I) : ∇ₓv dV0 of a pack, and its current volumes.
 template <class Material>
@@ -77,34 +98,35 @@ NodalVectors<Pack> internal_force(const Material& material, const ReferenceGradi
 }
 
 /// Action of a pack's tangent: forces K δx + b (δλ + γ W θ), where θ = bᵀ δx, b = ∂V_e/∂u, is returned too.
-/// `penalty` is γ W = γ μ_e / V_e.
-template <class Material, class Strain>
-NodalVectors<Pack> tangent_action(const Material& material, const Strain& strain, const ReferenceGradient<Pack>& x,
+/// `penalty` is γ W = γ μ_e / V_e; `strain_of` gives the strain of the points from their det ∂x/∂ξ.
+template <class Material, class StrainOf>
+NodalVectors<Pack> tangent_action(const Material& material, StrainOf strain_of, const ReferenceGradient<Pack>& x,
                                   const ReferenceGradient<Pack>& dx, const Pack& lambda, const Pack& dlambda,
                                   const Pack& penalty, Pack& theta) {
   struct Kinematics {
     Mat3<Pack> cof, l;
-    Pack det;
   };
   std::array<Kinematics, 8> points;
+  PointValues det, inverse;
   theta = 0;
   for_each_gauss_point([&](int i, int j, int k) {
-    Kinematics& p = points[i + 2 * j + 4 * k];
-    const Mat3<Pack> a = x.at(i, j, k);
-    p.cof = cofactor(a);
-    p.det = determinant(a, p.cof);
-    p.l = times_transposed(dx.at(i, j, k), p.cof);  // l det
-    theta += trace(p.l);
+    const int n = i + 2 * j + 4 * k;
+    const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
+    det[n] = determinant(a, cof);
+    points[n] = {cof, times_transposed(dx.at(i, j, k), cof)};  // l det
+    theta += trace(points[n].l);
   });
+  for (int n = 0; n < 8; ++n) inverse[n] = 1.0 / det[n];
+  const auto strain = strain_of(det);
   const Pack pressure = dlambda + penalty * theta;
   ReferenceGradient<Pack> flux{};
   for_each_gauss_point([&](int i, int j, int k) {
-    const Kinematics& p = points[i + 2 * j + 4 * k];
-    const Pack inverse = 1.0 / p.det;
-    const PointStrain<Pack> s = strain.at(i, j, k, x.at(i, j, k), p.det);
+    const int n = i + 2 * j + 4 * k;
+    const Kinematics& p = points[n];
+    const PointStrain<Pack> s = strain.at(i, j, k, x.at(i, j, k));
     // T is linear in l: hand over l det and divide once. Everything carries one more 1/det for a⁻ᵀ = cof / det.
     Mat3<Pack> t = material.tangent(s.b, p.l);
-    const Pack scale = s.dV0 * inverse * inverse, volumetric = lambda * inverse;
+    const Pack scale = s.dV0 * inverse[n] * inverse[n], volumetric = lambda * inverse[n];
     const Pack spherical = volumetric * trace(p.l) + pressure;
     for (int r = 0; r < 3; ++r) {
       for (int c = 0; c < 3; ++c) t(r, c) = scale * t(r, c) - volumetric * p.l(c, r);

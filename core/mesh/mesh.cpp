@@ -21,13 +21,6 @@ std::vector<int> nodes_of_surface(const std::vector<Quad>& quads) {
   return sorted_unique(std::move(nodes));
 }
 
-std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
-  std::vector<int> nodes;
-  for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-    if (mesh.region[e] == region) nodes.insert(nodes.end(), mesh.hexes[e].begin(), mesh.hexes[e].end());
-  return sorted_unique(std::move(nodes));
-}
-
 std::vector<std::string> all_names(const Mesh& mesh) {
   std::vector<std::string> names = mesh.region_names;
   for (const auto& [name, nodes] : mesh.node_sets) names.push_back(name);
@@ -56,6 +49,13 @@ std::vector<Quad> boundary_faces(const Mesh& mesh, std::vector<int>* owner) {
     if (owner) owner->push_back(f / 6);
   }
   return faces;
+}
+
+std::vector<int> nodes_of_region(const Mesh& mesh, int region) {
+  std::vector<int> nodes;
+  for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
+    if (mesh.region[e] == region) nodes.insert(nodes.end(), mesh.hexes[e].begin(), mesh.hexes[e].end());
+  return sorted_unique(std::move(nodes));
 }
 
 int region_index(const Mesh& mesh, const std::string& name) {

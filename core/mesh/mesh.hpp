@@ -46,6 +46,9 @@ std::vector<Quad> boundary_faces(const Mesh& mesh, std::vector<int>* owner = nul
 /// Throws InputError with the nearest name if there is none.
 std::vector<int> nodes_of(const Mesh& mesh, const std::string& name);
 
+/// Nodes of the hexahedra of a region. Sorted.
+std::vector<int> nodes_of_region(const Mesh& mesh, int region);
+
 /// Index in region_names, or -1.
 int region_index(const Mesh& mesh, const std::string& name);
 

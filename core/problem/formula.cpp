@@ -30,7 +30,7 @@ Formula::Formula(const std::string& text, const std::string& where) {
     p.expression.SetExpr(text);
     p.expression.Eval();
   } catch (const mu::ParserError& e) {
-    throw input_error(where + ": cannot read the formula '" + text + "': " + e.GetMsg(),
+    throw scene_error(where, "cannot read the formula '" + text + "': " + e.GetMsg(),
                       "Give a number, or an expression in X, Y, Z, s (0 to 1 over the step) and t.");
   }
 }

@@ -15,8 +15,10 @@ std::vector<int> cells_of(const Problem& problem, const ProbeSpec& spec) {
     if (spec.region.empty() || spec.region == r.name)
       for (int h = r.first; h < r.first + r.count; ++h) cells.push_back(h);
   if (!problem.comm().any(!cells.empty()))
-    throw scene_error("region", "'" + (spec.region.empty() ? std::string("all") : spec.region) + "' is rigid: nothing to record",
-                      "Name a region with a material, or take the probe out.");
+    throw scene_error(
+        "region",
+        "'" + (spec.region.empty() ? std::string("all") : spec.region) + "' is rigid: nothing to record",
+        "Name a region with a material, or take the probe out.");
   return cells;
 }
 

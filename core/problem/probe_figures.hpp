@@ -10,15 +10,15 @@ double component_of(const Vec3<double>& v, const std::string& component);
 /// Local numbers of the set's nodes that this rank owns.
 std::vector<int> owned_nodes(const Problem& problem, const std::string& set);
 
-/// Component of every node of the set, then mean, max or min. The radial displacement is the change of the distance from
-/// the z axis.
+/// Component of every node of the set, then mean, max or min. The radial displacement is the change of the
+/// distance from the z axis.
 ProbeSet::Figure displacement(const Problem& problem, const ProbeSpec& spec);
 ProbeSet::Figure position(const Problem& problem, const ProbeSpec& spec);
 /// Component of the mean place of `to` minus that of `set`.
 ProbeSet::Figure distance(const Problem& problem, const ProbeSpec& spec);
 
-/// Force with which the supports hold the set. `radial` sums the nodes' forces away from the z axis: the (negative) squeeze
-/// of a ring, whose resultant is nothing.
+/// Force with which the supports hold the set. `radial` sums the nodes' forces away from the z axis: the
+/// (negative) squeeze of a ring, whose resultant is nothing.
 ProbeSet::Figure reaction(const Problem& problem, const ProbeSpec& spec);
 /// Its moment about the origin, arms in the deformed state.
 ProbeSet::Figure moment(const Problem& problem, const ProbeSpec& spec);

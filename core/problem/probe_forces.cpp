@@ -19,7 +19,8 @@ Resultant own_resultant(Snapshot& s, std::span<const int> nodes) {
   const auto& x = s.state.x;
   Resultant sum;
   for (int n : nodes) {
-    const Vec3<double> F{f[3 * n], f[3 * n + 1], f[3 * n + 2]}, M = cross({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, F);
+    const Vec3<double> F{f[3 * n], f[3 * n + 1], f[3 * n + 2]},
+        M = cross({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, F);
     for (int c = 0; c < 3; ++c) sum.force[c] += F[c], sum.moment[c] += M[c];
     const double r = std::hypot(x[3 * n], x[3 * n + 1]);
     if (r > 0) sum.radial += (x[3 * n] * F[0] + x[3 * n + 1] * F[1]) / r;
@@ -27,7 +28,8 @@ Resultant own_resultant(Snapshot& s, std::span<const int> nodes) {
   return sum;
 }
 
-// The image in a plane has the opposite normal force; its moment, a cross product, keeps the normal component only.
+// The image in a plane has the opposite normal force; its moment, a cross product, keeps the normal component
+// only.
 void add_images(const Problem& problem, Resultant& r) {
   for (const std::string& plane : problem.model().symmetry)
     for (int c = 0; c < 3; ++c) {
@@ -40,7 +42,8 @@ void add_images(const Problem& problem, Resultant& r) {
 
 Resultant resultant(Snapshot& s, std::span<const int> nodes) {
   Resultant r = own_resultant(s, nodes);
-  std::array<double, 7> all{r.force[0], r.force[1], r.force[2], r.moment[0], r.moment[1], r.moment[2], r.radial};
+  std::array<double, 7> all{r.force[0],  r.force[1],  r.force[2], r.moment[0],
+                            r.moment[1], r.moment[2], r.radial};
   s.problem.comm().sum(all);
   r = {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}, all[6]};
   add_images(s.problem, r);

@@ -8,7 +8,9 @@
 namespace bulbus::probes {
 namespace {
 
-Vec3<double> at(std::span<const double> v, int node) { return {v[3 * node], v[3 * node + 1], v[3 * node + 2]}; }
+Vec3<double> at(std::span<const double> v, int node) {
+  return {v[3 * node], v[3 * node + 1], v[3 * node + 2]};
+}
 
 template <class Number>
 ProbeSet::Figure over_nodes(const Problem& problem, const ProbeSpec& spec, Number number) {
@@ -43,9 +45,14 @@ double component_of(const Vec3<double>& v, const std::string& component) {
 
 double statistic(const Comm& comm, const std::string& kind, std::span<const double> numbers) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  if (kind == "max") return comm.max(std::accumulate(numbers.begin(), numbers.end(), -none, [](double a, double b) { return std::max(a, b); }));
-  if (kind == "min") return comm.min(std::accumulate(numbers.begin(), numbers.end(), none, [](double a, double b) { return std::min(a, b); }));
-  std::array<double, 2> sum{std::accumulate(numbers.begin(), numbers.end(), 0.0), static_cast<double>(numbers.size())};
+  if (kind == "max")
+    return comm.max(std::accumulate(numbers.begin(), numbers.end(), -none,
+                                    [](double a, double b) { return std::max(a, b); }));
+  if (kind == "min")
+    return comm.min(std::accumulate(numbers.begin(), numbers.end(), none,
+                                    [](double a, double b) { return std::min(a, b); }));
+  std::array<double, 2> sum{std::accumulate(numbers.begin(), numbers.end(), 0.0),
+                            static_cast<double>(numbers.size())};
   comm.sum(sum);
   return sum[0] / sum[1];
 }
@@ -58,13 +65,14 @@ ProbeSet::Figure displacement(const Problem& problem, const ProbeSpec& spec) {
 }
 
 ProbeSet::Figure position(const Problem& problem, const ProbeSpec& spec) {
-  return over_nodes(problem, spec, [c = spec.component](const Vec3<double>&, const Vec3<double>& x) { return component_of(x, c); });
+  return over_nodes(problem, spec, [c = spec.component](const Vec3<double>&, const Vec3<double>& x) {
+    return component_of(x, c);
+  });
 }
 
 ProbeSet::Figure distance(const Problem& problem, const ProbeSpec& spec) {
-  return [from = owned_nodes(problem, spec.set), to = owned_nodes(problem, spec.to), c = spec.component](Snapshot& s) {
-    return component_of(minus(mean_place(s, to), mean_place(s, from)), c);
-  };
+  return [from = owned_nodes(problem, spec.set), to = owned_nodes(problem, spec.to), c = spec.component](
+             Snapshot& s) { return component_of(minus(mean_place(s, to), mean_place(s, from)), c); };
 }
 
 }  // namespace bulbus::probes

@@ -5,7 +5,8 @@
 
 namespace bulbus {
 
-/// A state with what is derived from it, each computed when first asked for. Problem and state must outlive it.
+/// A state with what is derived from it, each computed when first asked for. Problem and state must outlive
+/// it.
 class Snapshot {
  public:
   Snapshot(const Problem& problem, const State& state) : problem(problem), state(state) {}

@@ -16,12 +16,16 @@ struct Kind {
 
 const std::map<std::string, Kind>& kinds() {
   using Q = Quantity;
-  static const std::map<std::string, Kind> table{
-      {"displacement", {Q::length, probes::displacement}}, {"position", {Q::length, probes::position}},
-      {"distance", {Q::length, probes::distance}},         {"reaction", {Q::force, probes::reaction}},
-      {"moment", {Q::force, probes::moment, " mm"}},       {"bar_force", {Q::force, probes::bar_force}},
-      {"pressure", {Q::stress, probes::pressure}},         {"volume", {Q::volume, probes::volume}},
-      {"mises", {Q::stress, probes::mises}},               {"volume_ratio", {Q::number, probes::volume_ratio}}};
+  static const std::map<std::string, Kind> table{{"displacement", {Q::length, probes::displacement}},
+                                                 {"position", {Q::length, probes::position}},
+                                                 {"distance", {Q::length, probes::distance}},
+                                                 {"reaction", {Q::force, probes::reaction}},
+                                                 {"moment", {Q::force, probes::moment, " mm"}},
+                                                 {"bar_force", {Q::force, probes::bar_force}},
+                                                 {"pressure", {Q::stress, probes::pressure}},
+                                                 {"volume", {Q::volume, probes::volume}},
+                                                 {"mises", {Q::stress, probes::mises}},
+                                                 {"volume_ratio", {Q::number, probes::volume_ratio}}};
   return table;
 }
 
@@ -36,7 +40,8 @@ double size_of_unit(const ProbeSpec& spec, const Kind& kind, const std::string& 
   try {
     return parse_quantity("1 " + without_suffix(spec.unit, kind.suffix), kind.quantity);
   } catch (const std::invalid_argument& fault) {
-    throw scene_error(key + ".unit", fault.what(), "Give a unit of what a " + spec.kind + " measures, or leave it out.");
+    throw scene_error(key + ".unit", fault.what(),
+                      "Give a unit of what a " + spec.kind + " measures, or leave it out.");
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 // Mean place of a region's nodes in the Mesh, on the symmetry planes where there are any: the same on every rank.
 Vec3<double> center_of(const Mesh& mesh, const std::string& region, std::span<const std::string> symmetry) {
   Vec3<double> center{0, 0, 0};
-  const auto nodes = nodes_of(mesh, region);
+  const auto nodes = nodes_of_region(mesh, region_index(mesh, region));
   for (int n : nodes)
     for (int c = 0; c < 3; ++c) center[c] += mesh.points[n][c] / static_cast<double>(nodes.size());
   for (const std::string& s : symmetry) center[axis_of(s)] = 0;
@@ -35,7 +35,7 @@ std::vector<std::string> planes_through(const Mesh& mesh, const std::string& reg
   const double tolerance = mesh_tolerance(mesh);
   std::vector<std::string> planes;
   for (const std::string& s : symmetry)
-    if (std::ranges::any_of(nodes_of(mesh, region), [&](int n) { return std::abs(mesh.points[n][axis_of(s)]) <= tolerance; })) planes.push_back(s);
+    if (std::ranges::any_of(nodes_of_region(mesh, region_index(mesh, region)), [&](int n) { return std::abs(mesh.points[n][axis_of(s)]) <= tolerance; })) planes.push_back(s);
   return planes;
 }
 
@@ -55,14 +55,19 @@ void Problem::build_bodies_and_solid(const Mesh& mesh) {
       continue;
     }
     const auto planes = planes_through(mesh, name, model_.symmetry);
-    auto nodes = mesh_.local(bulbus::nodes_of(mesh, name));  // ghosts too of which this rank has no hexahedron
-    for (int n : nodes) rigid_node[n] = true;
+    auto nodes = mesh_.local(nodes_of_region(mesh, static_cast<int>(r)));  // ghosts too of which this rank has no hexahedron
+    for (int n : nodes) {
+      if (rigid_node[n])
+        throw scene_error("regions." + name, "rigid region '" + name + "' shares nodes with another rigid region",
+                          "Give both one name, or let the tissue between them deform.");
+      rigid_node[n] = true;
+    }
     bodies.emplace_back(name, std::move(nodes), center_of(mesh, name, planes), free_motions(planes));
   }
   solid_ = std::make_unique<Solid>(mesh_.X, mesh_.hexes, regions);
   dofs_ = std::make_unique<DofMap>(mesh_, std::move(bodies));
   for (const SolidRegion& r : solid_->regions()) {
-    auto nodes = nodes_of(r.name);
+    auto nodes = mesh_.local(nodes_of_region(mesh, region_index(mesh, r.name)));
     std::erase_if(nodes, [&](int n) { return n >= mesh_.owned || rigid_node[n]; });
     // forces of a strain of 1e-9 on the faces of the region's hexahedra
     double areas = 0;

@@ -41,11 +41,13 @@ std::function<double(double)> ramp(std::shared_ptr<Formula> f, double start, int
 void Problem::begin_step(int step, const State& start) {
   const StepSpec& spec = model_.steps.at(step);
   step_ = step;
-  release(spec, step);
-  for (std::size_t i = 0; i < spec.displace.size(); ++i) add_displacement(spec.displace[i], step, static_cast<int>(i), start);
-  dofs_->build();
-  require_free_elements();
-  for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
+  comm().together([&] {
+    release(spec, step);
+    for (std::size_t i = 0; i < spec.displace.size(); ++i) add_displacement(spec.displace[i], step, static_cast<int>(i), start);
+    dofs_->build();
+    require_free_elements();
+    for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
+  });
   begin_liquids(spec, step, start);
   s_ = 0;
 }

@@ -51,6 +51,17 @@ void check_set(const Mesh& mesh, const std::string& set, const std::string& key)
   throw scene_error(key, "set '" + set + "' is empty", "Put at least one node into it, or leave the entry out.");
 }
 
+// A rigid region's nodes follow its six unknowns: a hold on single ones would be lost.
+void check_not_rigid(const Mesh& mesh, const Model& model, const std::string& set, const std::string& key) {
+  for (const auto& [name, spec] : model.regions) {
+    if (!spec.rigid) continue;
+    const auto held = nodes_of(mesh, set), rigid = nodes_of_region(mesh, region_index(mesh, name));
+    if (std::ranges::any_of(held, [&](int n) { return std::ranges::binary_search(rigid, n); }))
+      throw scene_error(key, "set '" + set + "' has nodes of the rigid region '" + name + "', which cannot be held one by one",
+                        "Take them out of the set, or let the region deform.");
+  }
+}
+
 void check_surface(const Mesh& mesh, const std::string& surface, const std::string& key) {
   const auto found = mesh.surfaces.find(surface);
   if (found == mesh.surfaces.end())
@@ -58,11 +69,12 @@ void check_surface(const Mesh& mesh, const std::string& surface, const std::stri
   if (found->second.empty()) throw scene_error(key, "surface '" + surface + "' is empty", "Put at least one face into it.");
 }
 
-void check_step(const Mesh& mesh, const StepSpec& step, const std::string& key) {
+void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, const std::string& key) {
   for (std::size_t i = 0; i < step.displace.size(); ++i) {
     const DisplaceSpec& d = step.displace[i];
     const std::string at = key + ".displace." + std::to_string(i);
     check_set(mesh, d.set, at + ".set");
+    check_not_rigid(mesh, model, d.set, at + ".set");
     if (d.affine && d.affine->size() != 9)
       throw scene_error(at + ".affine", fmt::format("`affine` has {} numbers", d.affine->size()), "Give nine: the rows of F.");
     if (d.affine && (d.rotate || d.translate))
@@ -140,9 +152,12 @@ void validate(const Mesh& mesh, const Model& model) {
       throw scene_error("bars." + name, "the mesh has no bars '" + name + "'", known(name, names_of(mesh.bars)));
   for (const auto& [name, spec] : model.liquids) check_surface(mesh, spec.surface, "liquids." + name + ".surface");
   check_symmetry(mesh, model);
-  for (std::size_t i = 0; i < model.fix.size(); ++i) check_set(mesh, model.fix[i].set, "fix." + std::to_string(i) + ".set");
+  for (std::size_t i = 0; i < model.fix.size(); ++i) {
+    check_set(mesh, model.fix[i].set, "fix." + std::to_string(i) + ".set");
+    check_not_rigid(mesh, model, model.fix[i].set, "fix." + std::to_string(i) + ".set");
+  }
   if (model.steps.empty()) throw scene_error("steps", "there are no steps", "Give at least one.");
-  for (std::size_t i = 0; i < model.steps.size(); ++i) check_step(mesh, model.steps[i], "steps." + std::to_string(i));
+  for (std::size_t i = 0; i < model.steps.size(); ++i) check_step(mesh, model, model.steps[i], "steps." + std::to_string(i));
   for (std::size_t i = 0; i < model.probes.size(); ++i) check_probe(mesh, model, model.probes[i], "probes." + std::to_string(i));
   require_supported(mesh, model);
 }

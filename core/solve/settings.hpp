@@ -10,8 +10,8 @@ struct LinearSettings {
   std::string method = "iterative";
   std::string displacement = "hybrid";
   std::string op = "cache";
-  double gamma = 10, smoothed_part = 0.1;
-  int restart = 60, max_iterations = 400, degree = 4, aggregates = 150;
+  double gamma = 5, smoothed_part = 0.05;
+  int restart = 60, max_iterations = 400, degree = 6, aggregates = 150;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
   template <class V>

@@ -2,6 +2,7 @@
 
 #include "app/help.hpp"
 #include "app/kinds.hpp"
+#include "app/wording.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -47,7 +48,9 @@ std::string line_of(const std::string& help, const std::string& start) {
 
 TEST(Help, TellsTypeUnitDefaultAndBounds) {
   const std::string help = scene_help();
-  EXPECT_NE(line_of(help, "    gamma ").find("number, default 10, between 0 and 10000"), std::string::npos);
+  EXPECT_NE(line_of(help, "    gamma ")
+                .find("number, default " + number_text(LinearSettings{}.gamma) + ", between 0 and 10000"),
+            std::string::npos);
   EXPECT_NE(line_of(help, "  area ").find("number in mm2, default 0.001, above 0"), std::string::npos);
   EXPECT_NE(line_of(help, "    method ").find("(iterative or direct)"), std::string::npos);
   EXPECT_NE(line_of(help, "steps ").find("list of map, needed"), std::string::npos);
@@ -66,7 +69,7 @@ TEST(Schema, SaysTheSame) {
   EXPECT_EQ(gamma["type"], "number");
   EXPECT_EQ(gamma["minimum"], 0);
   EXPECT_EQ(gamma["maximum"], 10000);
-  EXPECT_EQ(gamma["default"], 10);
+  EXPECT_EQ(gamma["default"], LinearSettings{}.gamma);
   const auto& bar = keys["bars"]["additionalProperties"]["properties"];
   EXPECT_EQ(bar["E"]["type"], (nlohmann::json{"number", "string"}));  // "3 kPa"
   EXPECT_EQ(bar["E"]["exclusiveMinimum"], 0);

@@ -50,7 +50,8 @@ State mapped(const Problem& p, Map map) {
   return s;
 }
 
-std::vector<double> figures(Scene scene, const std::vector<ProbeSpec>& probes, const std::function<void(Problem&, State&)>& set) {
+std::vector<double> figures(Scene scene, const std::vector<ProbeSpec>& probes,
+                            const std::function<void(Problem&, State&)>& set) {
   scene.model.probes = probes;
   Problem problem(scene.mesh, scene.model, Comm());
   State state = problem.initial_state();
@@ -62,13 +63,15 @@ TEST(Probes, PlacesOfASet) {
   ProbeSpec apart = probe("distance", "xmin", "x"), length = probe("distance", "xmin");
   apart.to = length.to = "xmax";
   apart.unit = "um";
-  const auto v = figures(block({0, 0, 0}, {2, 1, 3}, 2, 1, 1),
-                         {probe("displacement", "xmax", "x"), probe("displacement", "xmax", "y", "max"),
-                          probe("displacement", "xmax", "y", "min"), probe("position", "xmax", "magnitude", "max"),
-                          probe("position", "ymin", "radial", "min"), probe("displacement", "xmax", "radial", "max"), apart, length},
-                         [](Problem& p, State& s) {
-                           s = mapped(p, [](Vec3<double> X) { return Vec3<double>{1.5 * X[0], X[1] * (1 + X[0]), X[2]}; });
-                         });
+  const auto v = figures(
+      block({0, 0, 0}, {2, 1, 3}, 2, 1, 1),
+      {probe("displacement", "xmax", "x"), probe("displacement", "xmax", "y", "max"),
+       probe("displacement", "xmax", "y", "min"), probe("position", "xmax", "magnitude", "max"),
+       probe("position", "ymin", "radial", "min"), probe("displacement", "xmax", "radial", "max"), apart,
+       length},
+      [](Problem& p, State& s) {
+        s = mapped(p, [](Vec3<double> X) { return Vec3<double>{1.5 * X[0], X[1] * (1 + X[0]), X[2]}; });
+      });
   EXPECT_NEAR(v[0], 1, 1e-14);
   EXPECT_NEAR(v[1], 2, 1e-14);
   EXPECT_NEAR(v[2], 0, 1e-14);
@@ -82,16 +85,19 @@ TEST(Probes, PlacesOfASet) {
 /// Uniaxial stretch l of a neo-Hookean 2 × 1 × 3 block with c10 = 1/2: P = l − 1/l², Mises stress l P.
 TEST(Probes, UniaxialStretch) {
   const double l = 1.4, P = l - 1 / (l * l);
-  ProbeSpec newton = probe("reaction", "xmax", "x"), arm = probe("moment", "xmax", "y"), stress = of_region("mises", "mean");
+  ProbeSpec newton = probe("reaction", "xmax", "x"), arm = probe("moment", "xmax", "y"),
+            stress = of_region("mises", "mean");
   newton.unit = "mN", arm.unit = "mN mm", stress.unit = "kPa";
-  const auto v = figures(block({0, 0, 0}, {2, 1, 3}, 2, 2, 2),
-                         {newton, arm, probe("moment", "xmax", "z"), probe("reaction", "xmax", "y"), probe("reaction", "xmin", "x"),
-                          stress, of_region("volume_ratio", "max"), of_region("volume_ratio", "min")},
-                         [&](Problem& p, State& s) {
-                           const double t = 1 / std::sqrt(l);
-                           s = mapped(p, [=](Vec3<double> X) { return Vec3<double>{l * X[0], t * X[1], t * X[2]}; });
-                           std::fill(s.lambda.begin(), s.lambda.end(), (l * l - 1 / l) / 3);
-                         });
+  const auto v =
+      figures(block({0, 0, 0}, {2, 1, 3}, 2, 2, 2),
+              {newton, arm, probe("moment", "xmax", "z"), probe("reaction", "xmax", "y"),
+               probe("reaction", "xmin", "x"), stress, of_region("volume_ratio", "max"),
+               of_region("volume_ratio", "min")},
+              [&](Problem& p, State& s) {
+                const double t = 1 / std::sqrt(l);
+                s = mapped(p, [=](Vec3<double> X) { return Vec3<double>{l * X[0], t * X[1], t * X[2]}; });
+                std::fill(s.lambda.begin(), s.lambda.end(), (l * l - 1 / l) / 3);
+              });
   const double force = 3 * P, t = 1 / std::sqrt(l);
   EXPECT_NEAR(v[0], 1e3 * force, 1e-9);
   EXPECT_NEAR(v[1], 1e3 * force * 1.5 * t, 1e-9);  // M_y = z F_x
@@ -113,16 +119,18 @@ TEST(Probes, SymmetryImagesMakeTheWhole) {
     const auto set = [=](Problem& p, State& s) {
       s = mapped(p, [=](Vec3<double> X) {
         const auto [x, y, z] = X;
-        return Vec3<double>{x * (1.1 + .1 * y * y + .05 * z * z), y * (1 + .1 * x + .07 * z * z), z * (.9 + .1 * y * y) + (both ? 0 : .2 * x + .1 * y * y)};
+        return Vec3<double>{x * (1.1 + .1 * y * y + .05 * z * z), y * (1 + .1 * x + .07 * z * z),
+                            z * (.9 + .1 * y * y) + (both ? 0 : .2 * x + .1 * y * y)};
       });
     };
-    const auto whole = figures(block({1, -1, -1}, {2, 1, 1}, 1, 2, 2), probes, set);
-    Scene cut = block({1, 0, both ? 0. : -1.}, {2, 1, 1}, 1, 1, both ? 1 : 2);
+    const auto whole = figures(block({1, -1, -1}, {2, 1, 1}, 2, 2, 2), probes, set);
+    Scene cut = block({1, 0, both ? 0. : -1.}, {2, 1, 1}, 2, 1, both ? 1 : 2);
     cut.model.symmetry = {"y"};
     if (both) cut.model.symmetry.push_back("z");
     const auto part = figures(cut, probes, set);
     EXPECT_GT(std::abs(whole[0]), .1);
-    for (std::size_t i = 0; i < probes.size(); ++i) EXPECT_NEAR(part[i], whole[i], 1e-13) << both << ' ' << probes[i].name;
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      EXPECT_NEAR(part[i], whole[i], 1e-13) << both << ' ' << probes[i].name;
     EXPECT_EQ(std::abs(whole[5]) > .1, !both);  // M_y: kept by one plane, cancelled by two
   }
 }
@@ -147,21 +155,23 @@ TEST(Probes, LiquidsAndBarsAreWhole) {
   ProbeSpec bars = of_region("bar_force", "max");
   bars.unit = "mN";
   Scene scene = filled_shell("octant");
-  const auto v = figures(scene, {of_liquid("pressure", "mmHg"), of_liquid("volume", "uL"), bars, of_region("bar_force", "min")},
-                         [](Problem& p, State& s) {
-                           s = mapped(p, [](Vec3<double> X) { return Vec3<double>{1.1 * X[0], 1.1 * X[1], 1.1 * X[2]}; });
-                           s.P[0] = 15 * mmHg;
-                         });
+  const auto v = figures(
+      scene, {of_liquid("pressure", "mmHg"), of_liquid("volume", "uL"), bars, of_region("bar_force", "min")},
+      [](Problem& p, State& s) {
+        s = mapped(p, [](Vec3<double> X) { return Vec3<double>{1.1 * X[0], 1.1 * X[1], 1.1 * X[2]}; });
+        s.P[0] = 15 * mmHg;
+      });
   EXPECT_NEAR(v[0], 15, 1e-12);
   EXPECT_NEAR(v[1], 1.331 * 4. / 3 * std::numbers::pi * 8, 1.5);  // a facetted sphere
-  const double force = 20 * .05 * (1.21 - 1) / 2 * 1.1;  // A E e |d|/L, whatever the share
+  const double force = 20 * .05 * (1.21 - 1) / 2 * 1.1;           // A E e |d|/L, whatever the share
   EXPECT_NEAR(v[2], 1e3 * force, 1e-10);
   EXPECT_NEAR(v[3], force, 1e-13);
 }
 
 TEST(Probes, RefuseUnitsThatDoNotFit) {
-  for (const auto& [kind, unit] : {std::pair{"reaction", "mm"}, {"position", "mmHg"}, {"moment", "N"}, {"volume_ratio", "mm"}}) {
-    Scene scene = block({0, 0, 0}, {1, 1, 1}, 1, 1, 1);
+  for (const auto& [kind, unit] :
+       {std::pair{"reaction", "mm"}, {"position", "mmHg"}, {"moment", "N"}, {"volume_ratio", "mm"}}) {
+    Scene scene = block({0, 0, 0}, {1, 1, 1}, 2, 1, 1);
     scene.model.probes = {probe("position", "xmax"), probe(kind, "xmax")};
     scene.model.probes[1].unit = unit;
     const Problem problem(scene.mesh, scene.model, Comm());
@@ -175,7 +185,7 @@ TEST(Probes, RefuseUnitsThatDoNotFit) {
 }
 
 TEST(Probes, NameTheirUnits) {
-  Scene scene = block({0, 0, 0}, {1, 1, 1}, 1, 1, 1);
+  Scene scene = block({0, 0, 0}, {1, 1, 1}, 2, 1, 1);
   scene.model.probes = {probe("position", "xmax"), probe("moment", "xmax"), of_region("volume_ratio", "max")};
   scene.model.probes[0].unit = "cm";
   const Problem problem(scene.mesh, scene.model, Comm());

@@ -1,0 +1,41 @@
+# Sourced by demo and check: installs what is missing from cmake/packages.txt and builds into build/. Quiet about what is there.
+set -euo pipefail
+export DEBIAN_FRONTEND=noninteractive
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1  # mpirun refuses root otherwise
+export OPENBLAS_NUM_THREADS=1
+
+missing_packages() {
+  while read -r package; do
+    [ -n "$package" ] || continue
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || echo "$package"
+  done < cmake/packages.txt
+}
+
+install_packages() {
+  local missing
+  mapfile -t missing < <(missing_packages)
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "installing ${#missing[@]} Debian packages ..."
+  local log
+  log=$(mktemp)
+  if ! { apt-get -o DPkg::Lock::Timeout=300 update -qq &&
+         apt-get -o DPkg::Lock::Timeout=300 install -y -qq --no-install-recommends "${missing[@]}"; } > "$log" 2>&1; then
+    cat "$log" >&2
+    exit 1
+  fi
+}
+
+build() {
+  [ -f build/build.ninja ] || { echo "configuring ..."; quietly cmake --preset release; }
+  echo "building (a first build takes several minutes) ..."
+  quietly cmake --build --preset release -- -j"$(nproc)"
+}
+
+quietly() {
+  local log
+  log=$(mktemp)
+  "$@" > "$log" 2>&1 || { tail -60 "$log" >&2; exit 1; }
+}
+
+install_packages
+build

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Fails where a file includes from a floor above its own, from a sibling, or a wrapped library outside its wrappers."""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FLOORS = [["core/base"], ["core/mesh"], ["core/io"], ["core/material"], ["core/element"], ["core/problem"], ["core/solve"],
+          ["precond", "contact"], ["app"], ["tests", "benchmarks"]]
+LEVEL = {folder: level for level, floor in enumerate(FLOORS) for folder in floor}
+WRAPPED = {  # header pattern: the sources that may include it
+    r"(Tpetra|Belos|Teuchos|Kokkos)\w*\.hpp": r"core/solve/fgmres\.cpp",
+    r"_?hypre\w*\.h|HYPRE\w*\.h": r"precond/boomeramg\.cpp",
+    r"dmumps_c\.h": r"core/solve/mumps\.cpp",
+    r"hdf5\.h|H5\w*\.h": r"core/io/hdf5_\w+\.(cpp|hpp)|core/solve/dump\.cpp|core/io/vtkhdf\.cpp",
+    r"metis\.h": r"core/mesh/partition\.cpp",
+    r"yaml-cpp/.*": r"app/.*",
+    r"muParser\.h": r"core/problem/formula\.cpp",
+}
+
+
+def folder_of(path):
+    return next((f for f in sorted(LEVEL, key=len, reverse=True) if path.startswith(f + "/")), None)
+
+
+def faults(path, text):
+    own = folder_of(path)
+    for number, line in enumerate(text.splitlines(), 1):
+        found = re.match(r'\s*#include\s+["<]([^">]+)[">]', line)
+        if not found:
+            continue
+        target = found.group(1)
+        other = folder_of(target)
+        if own and other and other != own and LEVEL[other] >= LEVEL[own]:
+            yield f"{path}:{number}: {own} may not include {target}"
+        for pattern, allowed in WRAPPED.items():
+            if re.fullmatch(pattern, target) and not re.fullmatch(allowed, path) and not path.startswith("tests/"):
+                yield f"{path}:{number}: {target} belongs inside {allowed}"
+
+
+def main():
+    all_faults = []
+    files = [p for p in ROOT.rglob("*") if p.suffix in (".cpp", ".hpp") and "build" not in p.relative_to(ROOT).parts[0]]
+    for p in files:
+        all_faults += faults(str(p.relative_to(ROOT)), p.read_text())
+    print("\n".join(all_faults) or f"{len(files)} files keep to their floors")
+    return 1 if all_faults or not files else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,99 @@
+#pragma once
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "core/problem/probe_figures.hpp"
+#include "core/solve/march.hpp"
+#include "precond/make_preconditioner.hpp"
+#include "tests/support/models.hpp"
+
+namespace bulbus {
+
+/// Tolerances that leave round-off only, for comparisons with closed forms.
+inline NewtonSettings tight(double force = 1e-11, double liquid = 1e-12) {
+  return {.force = force, .volume = 1e-11, .liquid = liquid, .eta_max = 1e-4};
+}
+
+/// A march through a scene and all that it left behind.
+struct Trial : MarchObserver {
+  Comm comm;
+  Problem problem;
+  SolverSettings settings;
+  Meters meters;
+  State state;
+  MarchReport report;
+  std::vector<Increment> increments;
+  /// Called after every increment.
+  std::function<void(const Increment&, const State&)> watch;
+
+  explicit Trial(const Scene& scene, const Comm& c = {})
+      : comm(c), problem(scene.mesh, scene.model, c), state(problem.initial_state()) {
+    settings.newton = tight();
+  }
+  void increment_done(const Increment& i, const State& s) override {
+    increments.push_back(i);
+    if (watch) watch(i, s);
+  }
+  Trial& with(std::unique_ptr<LinearSolver> solver) {
+    CoupledSystem system(problem, settings.linear);
+    report = march(problem, system, *solver, state, settings, meters, *this);
+    return *this;
+  }
+  Trial& direct() {
+    settings.linear.method = "direct";
+    settings.linear.gamma = 0;
+    return with(make_direct_solver(settings.linear, meters));
+  }
+  Trial& iterative() {
+    return with(make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
+  }
+
+  /// Local nodes (ghosts included) of a set of nodes of the mesh.
+  std::vector<int> nodes(const Mesh& mesh, const std::string& set) const {
+    return problem.mesh().local(nodes_of(mesh, set));
+  }
+  double displacement(int local_node, int axis) const {
+    return state.x[3 * local_node + axis] - problem.mesh().X[3 * local_node + axis];
+  }
+  /// Radial displacement in a sphere: mean of |x| − |X| over the owned nodes of a set.
+  double mean_radial(const Mesh& mesh, const std::string& set) const {
+    double sum = 0, count = 0;
+    const auto at = [](std::span<const double> v, int n) {
+      return std::sqrt(v[3 * n] * v[3 * n] + v[3 * n + 1] * v[3 * n + 1] + v[3 * n + 2] * v[3 * n + 2]);
+    };
+    for (int n : nodes(mesh, set))
+      if (n < problem.mesh().owned) sum += at(state.x, n) - at(problem.mesh().X, n), ++count;
+    return comm.sum(sum) / comm.sum(count);
+  }
+  /// Mean nominal stress from nodal forces alone: Σ f ⊗ X = ∫ P dV.
+  Mat3<double> virial() const {
+    const Residual r = problem.residual(state);
+    Mat3<double> P{};
+    double V = 0;
+    for (double v : problem.solid().reference_volumes()) V += v;
+    V = comm.sum(V);
+    for (int n = 0; n < problem.mesh().owned; ++n)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) P(i, j) += r.force[3 * n + i] * problem.mesh().X[3 * n + j] / V;
+    comm.sum(std::span(&P(0, 0), 9));
+    return P;
+  }
+  double figure(const ProbeSet::Figure& f) const {
+    Snapshot s(problem, state);
+    return f(s);
+  }
+};
+
+/// One line of the record of what was measured.
+template <class... A>
+void measured(fmt::format_string<A...> text, A&&... a) {
+  if (Comm().rank() != 0) return;
+  fmt::print("[ measured ] {}\n", fmt::format(text, std::forward<A>(a)...));
+  std::fflush(stdout);
+}
+
+inline double relative(double value, double reference) { return std::abs(value / reference - 1); }
+
+}  // namespace bulbus
