@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace bulbus {
 template <std::size_t N>
 struct PackNodes {
   std::array<std::array<int, lanes>, N> node;
-  int used = lanes;
+  int used = lanes, last = 0;  ///< elements; greatest node
 };
 
 /// Packs of elements; `nodes_of(e)` gives the N nodes of element e.
@@ -25,20 +26,42 @@ std::vector<PackNodes<N>> make_packs(int count, NodesOf nodes_of) {
     for (int l = 0; l < lanes; ++l) {
       const std::array<int, N> nodes = nodes_of(p * lanes + std::min(l, packs[p].used - 1));
       for (std::size_t a = 0; a < N; ++a) packs[p].node[a][l] = nodes[a];
+      packs[p].last = std::max(packs[p].last, *std::max_element(nodes.begin(), nodes.end()));
     }
   }
   return packs;
+}
+
+/// x, y and z of eight nodes: whole nodes are loaded as four numbers, the fourth of which belongs to the next node and is dropped,
+/// and transposed. The node behind each must exist.
+inline Vec3<Pack> gather_nodes(const std::array<int, lanes>& node, const double* v) {
+  using Four = double __attribute__((vector_size(4 * sizeof(double))));
+  using Vector = Pack::Vector;
+  const auto pair = [&](int a, int b) {  // x y z _ of two nodes
+    Four lower, upper;
+    std::memcpy(&lower, v + 3 * static_cast<std::ptrdiff_t>(node[a]), sizeof lower);
+    std::memcpy(&upper, v + 3 * static_cast<std::ptrdiff_t>(node[b]), sizeof upper);
+    return Pack(__builtin_shufflevector(lower, upper, 0, 1, 2, 3, 4, 5, 6, 7));
+  };
+  const Vector p = pair(0, 4).v, q = pair(1, 5).v, r = pair(2, 6).v, s = pair(3, 7).v;
+  const Vector pq = __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14), rs = __builtin_shufflevector(r, s, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Vector pq_y = __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15), rs_y = __builtin_shufflevector(r, s, 1, 9, 3, 11, 5, 13, 7, 15);
+  return {Pack(__builtin_shufflevector(pq, rs, 0, 1, 8, 9, 4, 5, 12, 13)),
+          Pack(__builtin_shufflevector(pq_y, rs_y, 0, 1, 8, 9, 4, 5, 12, 13)),
+          Pack(__builtin_shufflevector(pq, rs, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
 
 /// Nodal vectors (3 numbers a node) of the pack's elements.
 template <std::size_t N>
 std::array<Vec3<Pack>, N> gather(const PackNodes<N>& p, std::span<const double> v) {
   std::array<Vec3<Pack>, N> out;
-  for (std::size_t a = 0; a < N; ++a) {
-    const auto at = [&](int lane, int c) { return v[3 * static_cast<std::size_t>(p.node[a][lane]) + c]; };
-    for (int c = 0; c < 3; ++c)
-      out[a][c] = Pack(Pack::Vector{at(0, c), at(1, c), at(2, c), at(3, c), at(4, c), at(5, c), at(6, c), at(7, c)});
+  if (3 * static_cast<std::size_t>(p.last) + 3 < v.size()) {
+    for (std::size_t a = 0; a < N; ++a) out[a] = gather_nodes(p.node[a], v.data());
+    return out;
   }
+  for (std::size_t a = 0; a < N; ++a)
+    for (int c = 0; c < 3; ++c)
+      for (int l = 0; l < lanes; ++l) out[a][c].v[l] = v[3 * static_cast<std::size_t>(p.node[a][l]) + c];
   return out;
 }
 

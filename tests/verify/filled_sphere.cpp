@@ -1,6 +1,4 @@
 // A thick sphere full of liquid under outside pressure, with liquid added, and both.
-#include <numbers>
-
 #include "tests/verify/references.hpp"
 #include "tests/verify/run.hpp"
 
@@ -36,7 +34,9 @@ Errors errors(int n, const ReferenceRow& r) {
   const double outside = r["p_outside_MPa"];
   const Scene scene = filled_sphere(n, outside, r["beta_vol_expansion"]);
   Trial run(scene);
-  run.settings.newton = tight(1e-12, 1e-13);
+  // P - p_outside is a small part of P, so the balance must be closer than usual; with nothing but a small strain to carry,
+  // round-off of the deformation gradient stands at 1e-11
+  run.settings.newton = tight(outside > 0 ? 1e-12 : 1e-10, 1e-13);
   run.direct();
   EXPECT_TRUE(run.report.converged) << run.report.reason;
   return {relative(run.mean_radial(scene.mesh, "inner"), r["u_r_inner_mm"]), relative(run.mean_radial(scene.mesh, "outer"), r["u_r_outer_mm"]),
@@ -52,6 +52,14 @@ TEST(FilledSphere, ConvergesWithSecondOrder) {
     measured("filled sphere, p_outside = {}, beta = {}: inner u_r {:.1e} {:.1e} order {:.2f}; outer {:.1e} {:.1e} order {:.2f}; P {:.1e} {:.1e} order {:.2f}; P - p_outside {:.1e} {:.1e} order {:.2f}",
              r["p_outside_MPa"], r["beta_vol_expansion"], coarse.inner, fine.inner, order(coarse.inner, fine.inner), coarse.outer, fine.outer, order(coarse.outer, fine.outer),
              coarse.pressure, fine.pressure, order(coarse.pressure, fine.pressure), coarse.excess, fine.excess, order(coarse.excess, fine.excess));
+    // the liquid prescribes the volume, so that displacements converge even faster
+    EXPECT_LT(fine.inner, 1e-4);
+    EXPECT_LT(fine.outer, 1e-4);
+    EXPECT_GT(order(coarse.inner, fine.inner), 1.9);
+    EXPECT_GT(order(coarse.outer, fine.outer), 1.9);
+    EXPECT_LT(fine.excess, .0025);
+    EXPECT_NEAR(order(coarse.pressure, fine.pressure), 2, .1);
+    EXPECT_NEAR(order(coarse.excess, fine.excess), 2, .1);
   }
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+#include "core/mesh/eye.hpp"
+#include "tests/support/models.hpp"
+
+namespace bulbus {
+
+/// The half eye: filled to 15 mmHg, then its equator pressed inwards by a buckle of 2 mm while the liquid is enclosed.
+inline Scene small_eye(int n) {
+  EyeSettings settings;
+  settings.n = n;
+  Scene scene{generate(settings), {}};
+  Model& m = scene.model;
+  for (auto [name, c10] : {std::pair{"cornea", .0333}, {"sclera", .0833}, {"ciliary_body", .01}, {"choroid", .0083}, {"retina", .0008}, {"optic_nerve", .05}, {"lens", 1.}})
+    m.regions[name] = neo_hooke(c10);
+  m.bars["zonules"] = {};
+  m.liquids["vitreous"] = {.surface = "wet"};
+  m.symmetry = {"x"};
+  m.fix.push_back({"nerve_end", {"x", "y", "z"}});
+  StepSpec fill = step("fill"), buckle = step("buckle", 4);
+  fill.pressures["vitreous"] = "1.99984e-3";
+  buckle.couple = {"vitreous"};
+  DisplaceSpec d = displace("equator_band");
+  d.radial = "-2";
+  d.from = "start";
+  buckle.displace.push_back(d);
+  m.steps = {fill, buckle};
+  return scene;
+}
+
+}  // namespace bulbus
