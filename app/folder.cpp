@@ -26,14 +26,14 @@ void remove_records(const std::string& folder) {
 
 template <class Work>
 void on_first_rank(const std::string& folder, const Comm& comm, Work work) {
-  std::string fault;
-  try {
-    if (comm.rank() == 0) work();
-  } catch (const fs::filesystem_error& e) {
-    fault = e.code().message();
-  }
-  if (comm.any(!fault.empty()))
-    throw input_error(folder + ": cannot be made a folder of results: " + fault, "Name another with -o.");
+  comm.together([&] {
+    try {
+      if (comm.rank() == 0) work();
+    } catch (const fs::filesystem_error& e) {
+      throw input_error(folder + ": cannot be made a folder of results: " + e.code().message(),
+                        "Name another with -o.");
+    }
+  });
 }
 
 }  // namespace

@@ -6,18 +6,16 @@
 namespace bulbus {
 namespace {
 
-// A rank that cannot read the file must not leave the others waiting.
 Mesh mesh_of(const Scene& scene, const Comm& comm) {
   Mesh mesh;
-  std::string fault;
   try {
-    mesh = make_mesh(scene.mesh);
-    refuse_inverted(mesh);
-  } catch (const InputError& e) {
-    fault = e.what();
+    comm.together([&] {
+      mesh = make_mesh(scene.mesh);
+      refuse_inverted(mesh);
+    });
+  } catch (const InputError& fault) {
+    throw InputError(fault.what(), "mesh");
   }
-  if (comm.any(!fault.empty()))
-    throw scene_error("mesh", fault.empty() ? "the mesh cannot be made on every rank" : fault, "");
   return mesh;
 }
 

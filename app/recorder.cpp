@@ -21,9 +21,9 @@ Recorder::Recorder(const Problem& problem, const Scene& scene, const std::string
       results_(scene.output, folder) {
   if (problem.comm().rank() != 0) return;
   history_.emplace(folder + "/history.csv", history_columns(probes_));
-  if (scene.solver.linear.record_krylov)
+  if (scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum)
     krylov_.emplace(folder + "/krylov.csv",
-                    std::vector<std::string>{"increment", "newton", "iteration", "residual"});
+                    std::vector<std::string>{"increment", "newton", "iteration", "residual", "displacement", "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"});
 }
 
 void Recorder::step_begins(int step, const StepSpec& spec) {
@@ -39,9 +39,15 @@ void Recorder::increment_begins(int step, double from, double to) {
 void Recorder::newton_iteration(const NewtonIteration& i) {
   narrator_.newton_iteration(i);
   if (!krylov_) return;
-  for (std::size_t k = 0; k < i.linear.history.size(); ++k)
-    krylov_->append({static_cast<long long>(increments_ + 1), static_cast<long long>(i.number),
-                     static_cast<long long>(k), i.linear.history[k]});
+  for (std::size_t k = 0; k < i.linear.history.size(); ++k) {
+    std::vector<CsvTable::Cell> row{static_cast<long long>(increments_ + 1), static_cast<long long>(i.number),
+                                    static_cast<long long>(k), i.linear.history[k]};
+    const bool known = k < i.linear.blocks.size();
+    for (int block = 0; block < 3; ++block)
+      row.push_back(known ? CsvTable::Cell(i.linear.blocks[k][block]) : CsvTable::Cell(std::string()));
+    for (double e : i.linear.spectrum) row.emplace_back(e);
+    krylov_->append(row);
+  }
 }
 
 void Recorder::count(const NewtonReport& report) {

@@ -1,6 +1,8 @@
 #include "precond/block_triangular.hpp"
 
 #include "core/base/memory.hpp"
+#include "precond/chebyshev.hpp"
+#include "precond/displacement.hpp"
 
 namespace bulbus {
 namespace {
@@ -82,6 +84,11 @@ void BlockTriangular::apply(std::span<const double> r, std::span<double> z) cons
   const Eigen::VectorXd correction = woodbury_ * Eigen::Map<const Eigen::VectorXd>(products.data(), n);
   for (int i = 0; i < n; ++i)
     for (std::size_t k = 0; k < Z_[i].size(); ++k) zu[k] -= correction[i] * Z_[i][k];
+}
+
+std::array<double, 2> BlockTriangular::displacement_spectrum() const {
+  const Spectrum s = lanczos(DisplacementBlock(system_), *displacement_, 20, system_.problem().comm());
+  return {s.smallest, s.largest};
 }
 
 std::size_t BlockTriangular::bytes() const {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/solve/coupled_system.hpp"
-#include "core/solve/linear_operator.hpp"
+#include "core/solve/linear_solver.hpp"
 
 namespace bulbus {
 
@@ -14,14 +14,16 @@ namespace bulbus {
 ///     [ 0     0    −S_c        ]
 ///
 /// Â_ω = Â + Σ ω g gᵀ by Woodbury, from Z = Â⁻¹ G. Sets the system's ω to 1 / gᵀ Â⁻¹ g: the wall's own stiffness against volume.
-class BlockTriangular final : public Preconditioner {
+class BlockTriangular final : public CoupledPreconditioner {
  public:
   /// Collective.
   BlockTriangular(CoupledSystem& system, std::unique_ptr<Preconditioner> displacement);
   int size() const override { return system_.size(); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return displacement_->fixed(); }
+  std::string fault() const override { return displacement_->fault(); }
   std::size_t bytes() const override;
+  std::array<double, 2> displacement_spectrum() const override;
 
  private:
   std::vector<double> liquid_products(std::span<const double> primal) const;

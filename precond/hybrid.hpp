@@ -15,6 +15,7 @@ class Hybrid final : public Preconditioner {
   int size() const override { return block_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }
+  std::string fault() const override { return amg_->fault(); }
   std::size_t bytes() const override;
 
  private:

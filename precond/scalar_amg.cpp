@@ -18,6 +18,12 @@ void ScalarAmg::apply(std::span<const double> x, std::span<double> y) const {
   }
 }
 
+std::string ScalarAmg::fault() const {
+  for (const auto& a : amg_)
+    if (!a->failure().empty()) return "BoomerAMG: " + a->failure();
+  return {};
+}
+
 std::size_t ScalarAmg::bytes() const {
   std::size_t total = bytes_of(in_) + bytes_of(out_);
   for (const auto& a : amg_) total += a->bytes();

@@ -15,6 +15,7 @@ class ScalarAmg final : public Preconditioner {
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
   bool fixed() const override { return true; }
+  std::string fault() const override;
   std::size_t bytes() const override;
 
  private:

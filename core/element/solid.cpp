@@ -127,7 +127,7 @@ void Solid::fill_cache() {
 
 void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
                   std::span<double> volume_change) const {
-  for_each_pack([&](const auto& material, int p, int first) {
+  for_each_pack([&](const auto& material, int p, int first) __attribute__((flatten)) {
     const auto& pack = packs_[p];
     const auto gx = reference_gradient(gather(pack, x_)), gd = reference_gradient(gather(pack, dx));
     const Pack lambda = load_some(lambda_, first, pack.used), penalty = load_some(penalty_, first, pack.used);

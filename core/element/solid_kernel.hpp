@@ -111,10 +111,12 @@ NodalVectors<Pack> tangent_action(const Material& material, StrainOf strain_of, 
   theta = 0;
   for_each_gauss_point([&](int i, int j, int k) {
     const int n = i + 2 * j + 4 * k;
-    const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
-    det[n] = determinant(a, cof);
-    points[n] = {cof, times_transposed(dx.at(i, j, k), cof)};  // l det
-    theta += trace(points[n].l);
+    Kinematics& p = points[n];
+    const Mat3<Pack> a = x.at(i, j, k);
+    p.cof = cofactor(a);
+    det[n] = determinant(a, p.cof);
+    p.l = times_transposed(dx.at(i, j, k), p.cof);  // l det
+    theta += trace(p.l);
   });
   for (int n = 0; n < 8; ++n) inverse[n] = 1.0 / det[n];
   const auto strain = strain_of(det);

@@ -42,6 +42,22 @@ class ScaledPreconditioner final : public Preconditioner {
   mutable std::vector<double> work_;
 };
 
+// Norms of b − A x on displacements (bodies included), element pressures and liquids.
+std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& system, std::span<const double> b,
+                                  std::span<const double> x) {
+  std::vector<double> r(b.size());
+  A.apply(x, r);
+  const Layout& layout = system.layout();
+  std::array<double, 3> sums{};
+  for (int i = 0; i < layout.size(); ++i) {
+    const int block = i < layout.primal() ? 0 : i < layout.primal() + layout.hexes ? 1 : 2;
+    sums[block] += (b[i] - r[i]) * (b[i] - r[i]);
+  }
+  system.problem().comm().sum(sums);
+  for (double& s : sums) s = std::sqrt(s);
+  return sums;
+}
+
 class KrylovSolver final : public LinearSolver {
  public:
   KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters)
@@ -52,7 +68,8 @@ class KrylovSolver final : public LinearSolver {
     preconditioner_.reset();
     preconditioner_ = factory_(system);
     meters_.memory.set("preconditioner", preconditioner_->bytes());
-    return {.ok = true};
+    const std::string fault = preconditioner_->fault();
+    return {.ok = fault.empty(), .reason = fault};
   }
 
   LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
@@ -65,10 +82,16 @@ class KrylovSolver final : public LinearSolver {
     const Scaled A(system);
     const ScaledPreconditioner M(system, *preconditioner_);
     const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, true};
-    const KrylovReport k = fgmres(A, &M, scaled, x, options, system.problem().comm());
+    std::vector<std::array<double, 3>> blocks;
+    KrylovObserver observer;
+    if (settings_.record_krylov)
+      observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, scaled, iterate)); };
+    const KrylovReport k = fgmres(A, &M, scaled, x, options, system.problem().comm(), observer);
     meters_.memory.set("Krylov basis", k.basis_bytes);
     for (std::size_t i = 0; i < scaled.size(); ++i) x[i] *= s[i];
     LinearReport r{k.converged, k.reason, k.iterations, k.initial > 0 ? k.final / k.initial : 0, -1, k.history};
+    r.blocks = std::move(blocks);
+    if (settings_.record_spectrum) r.spectrum = preconditioner_->displacement_spectrum();
     if (!r.ok) r.reason = "flexible GMRES: " + r.reason;
     return r;
   }
@@ -77,7 +100,7 @@ class KrylovSolver final : public LinearSolver {
   LinearSettings settings_;
   PreconditionerFactory factory_;
   Meters& meters_;
-  std::unique_ptr<Preconditioner> preconditioner_;
+  std::unique_ptr<CoupledPreconditioner> preconditioner_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <string>
 
 namespace bulbus {
 
@@ -19,6 +20,8 @@ class Preconditioner : public LinearOperator {
  public:
   /// True if apply is one fixed linear map: needed by every Krylov method that is not flexible.
   virtual bool fixed() const = 0;
+  /// Why it cannot be used, the same on every rank; empty if it can.
+  virtual std::string fault() const { return {}; }
   /// Bytes held on this rank.
   virtual std::size_t bytes() const { return 0; }
 };

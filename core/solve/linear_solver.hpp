@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,7 +18,11 @@ struct LinearReport {
   int iterations = 0;            ///< Krylov iterations; 0 of the direct solver
   double reduction = 0;          ///< ‖s r‖ / ‖s b‖ reached
   int negative_pivots = -1;      ///< of the direct solver's factors
-  std::vector<double> history;   ///< scaled residual norms, where recorded
+  std::vector<double> history;   ///< scaled residual norm by the method's recurrence after 0, 1, ... iterations
+  /// On request: true scaled residual norms of displacements, element pressures and liquids, iteration by iteration.
+  std::vector<std::array<double, 3>> blocks;
+  /// On request: extreme eigenvalues of the preconditioned displacement block, as Lanczos estimates them.
+  std::array<double, 2> spectrum{};
 };
 
 /// Where a run keeps count of its seconds and bytes.
@@ -37,7 +42,14 @@ class LinearSolver {
                              double tolerance) = 0;
 };
 
-using PreconditionerFactory = std::function<std::unique_ptr<Preconditioner>(CoupledSystem&)>;
+/// A preconditioner of the whole system that knows the spectrum of its displacement block.
+class CoupledPreconditioner : public Preconditioner {
+ public:
+  /// Extreme eigenvalues of Â⁻¹ A on displacements, estimated by a few Lanczos steps. Collective.
+  virtual std::array<double, 2> displacement_spectrum() const = 0;
+};
+
+using PreconditionerFactory = std::function<std::unique_ptr<CoupledPreconditioner>(CoupledSystem&)>;
 
 /// Flexible GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
 std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters);
