@@ -26,7 +26,7 @@ std::vector<Estimate> estimate(const Problem& problem, const Sizes& s, const Lin
       {"vectors", 30 * 8 * unknowns}};
   if (l.method == "direct") {
     // measured on eyes of 7,000 hexahedra and more; the factors of a compact body grow with the power 4/3
-    parts.push_back({"matrix and its copies", 54e3 * cells});
+    parts.push_back({"matrix and its copies", 11e3 * cells});
     parts.push_back({"factors", 160 * std::pow(unknowns, 4.0 / 3)});
     return parts;
   }

@@ -1,45 +1,42 @@
 #include "precond/assembled.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include <cmath>
 
 #include "core/solve/assemble.hpp"
 
 namespace bulbus {
 namespace {
 
+// Triplets come sorted, each entry once.
 DistributedCsr to_rows(const Triplets& t, long long first_row, int rows) {
-  DistributedCsr m{first_row, rows, {}, {}, {}, {}};
-  std::vector<std::size_t> order(t.row.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return std::pair(t.row[a], t.col[a]) < std::pair(t.row[b], t.col[b]); });
-  for (std::size_t i : order) {
-    const bool new_row = m.row_ids.empty() || m.row_ids.back() != t.row[i];
-    if (new_row) {
-      m.row_ids.push_back(t.row[i]);
-      m.start.push_back(static_cast<int>(m.values.size()));
+  DistributedCsr m{first_row, rows, {}, {}, {t.col.begin(), t.col.end()}, t.value};
+  for (std::size_t k = 0; k < t.row.size(); ++k)
+    if (k == 0 || t.row[k] != t.row[k - 1]) {
+      m.row_ids.push_back(t.row[k]);
+      m.start.push_back(static_cast<int>(k));
     }
-    if (!new_row && m.columns.back() == t.col[i]) {
-      m.values.back() += t.value[i];
-      continue;
-    }
-    m.columns.push_back(t.col[i]);
-    m.values.push_back(t.value[i]);
-  }
-  m.start.push_back(static_cast<int>(m.values.size()));
+  m.start.push_back(static_cast<int>(t.row.size()));
   return m;
 }
 
-// Rotations about the axes in the current configuration, zero in held directions.
+// Rotations in the current configuration about the middle of the nodes, of the size of a unit translation, zero in held directions.
 std::vector<std::vector<double>> rotations(const CoupledSystem& system) {
   const Problem& problem = system.problem();
   const auto& x = system.state().x;
+  std::array<double, 5> sum{};  // x, y, z, their squares, nodes
+  for (int n = 0; n < problem.mesh().owned; ++n) {
+    for (int c = 0; c < 3; ++c) sum[c] += x[3 * n + c], sum[3] += x[3 * n + c] * x[3 * n + c];
+    ++sum[4];
+  }
+  problem.comm().sum(sum);
+  const Vec3<double> middle{sum[0] / sum[4], sum[1] / sum[4], sum[2] / sum[4]};
+  const double radius = std::sqrt(sum[3] / sum[4] - dot(middle, middle));
   std::vector<std::vector<double>> modes(3, std::vector<double>(x.size()));
   for (int axis = 0; axis < 3; ++axis) {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     for (std::size_t n = 0; n < x.size() / 3; ++n) {
-      modes[axis][3 * n + i] = -x[3 * n + j];
-      modes[axis][3 * n + j] = x[3 * n + i];
+      modes[axis][3 * n + i] = -(x[3 * n + j] - middle[j]) / radius;
+      modes[axis][3 * n + j] = (x[3 * n + i] - middle[i]) / radius;
     }
     problem.dofs().project(modes[axis]);
     modes[axis].resize(system.layout().nodal);
@@ -65,7 +62,7 @@ void AssembledAmg::apply(std::span<const double> x, std::span<double> y) const {
 
 ExactBlock::ExactBlock(const CoupledSystem& system)
     : nodal_(system.layout().nodal), jacobi_(system), mumps_(std::make_unique<Mumps>(system.problem().comm())) {
-  const FactorReport f = mumps_->factorise(assemble_displacement(system), 3 * system.problem().mesh().all_nodes, system.problem().symmetric());
+  const FactorReport f = mumps_->factorise(assemble_displacement(system, system.problem().symmetric() ? Triangle::upper : Triangle::both), 3 * system.problem().mesh().all_nodes, system.problem().symmetric());
   bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
 

@@ -20,7 +20,7 @@ class BlockCsr {
   std::size_t bytes() const;
   std::span<const int> starts() const { return start_; }
   std::span<const int> columns() const { return columns_; }
-  /// 9 per block, by rows.
+  /// 9 per block, by columns; one number more at the end.
   std::span<const double> values() const { return values_; }
 
  private:

@@ -45,18 +45,37 @@ class Numbering {
   long long bodies_ = 0, liquids_ = 0, hexes_ = 0;
 };
 
+// Rows by global number, columns ascending; what comes twice is added at once, so that element matrices never pile up.
 class Collector {
  public:
-  explicit Collector(Triplets& t) : t_(t) {}
+  Collector(long long rows, Triangle part) : rows_(rows), upper_(part == Triangle::upper) {}
   void add(int r, int c, double v) {
-    if (v == 0 && r != c) return;
-    t_.row.push_back(r);
-    t_.col.push_back(c);
-    t_.value.push_back(v);
+    if ((v == 0 && r != c) || (upper_ && r > c)) return;
+    auto& row = rows_[r];
+    const auto at = std::lower_bound(row.begin(), row.end(), c, [](const Entry& e, int column) { return e.column < column; });
+    if (at != row.end() && at->column == c) at->value += v;
+    else row.insert(at, {c, v});
+  }
+  // Empties the rows.
+  Triplets take() {
+    Triplets t;
+    std::size_t entries = 0;
+    for (const auto& row : rows_) entries += row.size();
+    t.row.reserve(entries), t.col.reserve(entries), t.value.reserve(entries);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      for (const Entry& e : rows_[r]) t.row.push_back(static_cast<int>(r)), t.col.push_back(e.column), t.value.push_back(e.value);
+      std::vector<Entry>().swap(rows_[r]);
+    }
+    return t;
   }
 
  private:
-  Triplets& t_;
+  struct Entry {
+    int column;
+    double value;
+  };
+  std::vector<std::vector<Entry>> rows_;
+  bool upper_;
 };
 
 template <class Number>
@@ -93,12 +112,10 @@ long long global_size(const CoupledSystem& system) {
   return n;
 }
 
-Triplets assemble(const CoupledSystem& system, bool augmented) {
-  global_size(system);
+Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
   const Numbering number(system);
   const Layout& layout = system.layout();
-  Triplets t;
-  Collector out(t);
+  Collector out(global_size(system), part);
   const auto dof = [&](int i) { return number.dof(i); };
   add_contributions(system, augmented, dof, out);
   add_held(system, dof, out);
@@ -139,18 +156,17 @@ Triplets assemble(const CoupledSystem& system, bool augmented) {
       for (std::size_t b = 0; b < all.size(); ++b)
         out.add(static_cast<int>(where[a]), static_cast<int>(all[b]), omega * value[a] * all_values[b]);
   }
-  return t;
+  return out.take();
 }
 
-Triplets assemble_displacement(const CoupledSystem& system) {
+Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   const LocalMesh& mesh = system.problem().mesh();
-  Triplets t;
-  Collector out(t);
+  Collector out(3 * mesh.all_nodes, part);
   const int nodal = 3 * mesh.nodes();
   const auto number = [&](int i) { return i < nodal ? static_cast<int>(3 * mesh.number[i / 3] + i % 3) : -1; };
   add_contributions(system, true, number, out);
   add_held(system, number, out);
-  return t;
+  return out.take();
 }
 
 std::vector<UnknownKind> unknown_kinds(const Layout& layout) {

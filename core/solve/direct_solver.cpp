@@ -20,9 +20,10 @@ class DirectSolver final : public LinearSolver {
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = meters_.clock.measure("factorisation");
     if (!mumps_) mumps_ = std::make_unique<Mumps>(system.problem().comm());
-    const FactorReport f = mumps_->factorise(assemble(system, true), global_size(system), system.problem().symmetric());
+    const bool symmetric = system.problem().symmetric();
+    const FactorReport f = mumps_->factorise(assemble(system, true, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
     meters_.memory.set("factor", static_cast<std::size_t>(f.memory_max_mb * 1e6));
-    pivots_ = system.problem().symmetric() ? f.negative_pivots : -1;
+    pivots_ = symmetric ? f.negative_pivots : -1;
     return {.ok = f.ok, .reason = f.ok ? "" : "MUMPS: " + f.reason, .negative_pivots = pivots_};
   }
 

@@ -128,7 +128,10 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     const auto b = system.right_hand_side(r, held);
     now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
     now.linear = solver.solve(system, b, solution, now.tolerance);
-    if (!now.linear.ok) return fail(Outcome::linear_solver_failed, now.linear.reason);
+    if (!now.linear.ok) {
+      if (observer) observer(now);
+      return fail(Outcome::linear_solver_failed, now.linear.reason);
+    }
     const Layout& layout = system.layout();
     Step step{std::vector<double>(state.x.size()), layout.primal(std::span<const double>(solution)),
               layout.lambda(std::span<const double>(solution)), std::vector<double>(state.P.size())};

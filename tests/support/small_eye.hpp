@@ -27,4 +27,10 @@ inline Scene small_eye(int n) {
   return scene;
 }
 
+/// The band does not slide: stable all the way.
+inline Scene held_band(Scene eye) {
+  eye.model.steps[1].displace[0].z = "0";
+  return eye;
+}
+
 }  // namespace bulbus

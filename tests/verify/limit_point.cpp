@@ -1,7 +1,5 @@
 // A thin neo-Hookean sphere through its pressure maximum. Only the coupled system passes: at the maximum the tangent at fixed
 // pressure is singular, and beyond it indefinite.
-#include <numbers>
-
 #include "tests/verify/run.hpp"
 
 namespace bulbus {
@@ -42,12 +40,12 @@ double volume(const Problem& problem, const State& state) { return problem.liqui
 /// Worst deviation from the closed form on the way, relative to the largest pressure.
 double inflate(int n) {
   Scene scene = balloon(n);
-  StepSpec s = step("inflate", 16);
+  StepSpec s = step("inflate", 20);
   s.couple = {"fluid"};
   scene.model.steps.push_back(s);
   const Problem still(scene.mesh, scene.model, Comm(MPI_COMM_SELF));
   const double V0 = volume(still, still.initial_state());
-  scene.model.steps[0].add["fluid"] = 8 * 4 * V0;  // to a stretch of 5^(1/3) = 1.71
+  scene.model.steps[0].add["fluid"] = 8 * 6 * V0;  // to a stretch of 7^(1/3) = 1.91
   Trial run(scene);
   run.settings.newton = tight(1e-9, 1e-11);
   const Maximum top = closed_form_maximum();
@@ -64,7 +62,7 @@ double inflate(int n) {
   EXPECT_EQ(run.report.cuts, 0);
   EXPECT_GE(before, 3);
   EXPECT_GE(after, 8);
-  EXPECT_LT(run.state.P[0], .8 * highest);
+  EXPECT_LT(run.state.P[0], .85 * highest);
   measured("thin sphere, {} hexahedra: largest pressure {:.6f} (closed form {:.6f} at stretch {:.4f}), last {:.6f} (closed form {:.6f}); worst {:.3f} % of the maximum; {} Newton, {} Krylov iterations",
            run.problem.mesh().all_hexes, highest, top.pressure, top.stretch, run.state.P[0], closed_form(std::cbrt(volume(run.problem, run.state) / V0)), 100 * worst,
            run.report.newton_iterations, run.report.krylov_iterations);
@@ -79,7 +77,7 @@ TEST(LimitPoint, LiquidCarriesASphereOverItsLargestPressure) {
 
 TEST(LimitPoint, PressureControlEndsBelowItWithAReason) {
   Scene scene = balloon(4);
-  StepSpec s = step("blow", 6);
+  StepSpec s = step("blow", 7);
   const Maximum top = closed_form_maximum();
   s.pressures["fluid"] = fmt::format("{:.17g}", 1.2 * top.pressure);
   scene.model.steps.push_back(s);

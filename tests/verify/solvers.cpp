@@ -6,55 +6,70 @@
 namespace bulbus {
 namespace {
 
-/// Largest differences, relative to the largest displacement, mean stress and pressure.
-struct Differences {
-  double u, lambda, P;
-};
-
-std::vector<double> displacements(const Trial& run) {
-  std::vector<double> u(run.state.x);
+std::vector<double> displacements(const Trial& run, const State& state) {
+  std::vector<double> u(state.x);
   for (std::size_t i = 0; i < u.size(); ++i) u[i] -= run.problem.mesh().X[i];
   return u;
 }
 
-Differences compare(const char* what, const Scene& scene, double force, Trial* kept = nullptr) {
-  Trial direct(scene), iterative(scene);
-  direct.settings.newton = iterative.settings.newton = tight(force);
-  direct.direct(), iterative.iterative();
-  EXPECT_TRUE(direct.report.converged) << direct.report.reason;
-  EXPECT_TRUE(iterative.report.converged) << iterative.report.reason;
-  const Differences d{relative_difference(displacements(iterative), displacements(direct)),
-                      relative_difference(iterative.state.lambda, direct.state.lambda),
-                      relative_difference(iterative.state.P, direct.state.P)};
-  measured("{}, iterative against direct ({} hexahedra): u {:.1e}, lambda {:.1e}, P {:.1e} (target 1e-6); P = {:.6e}; {} and {} Newton iterations, {} Krylov", what,
-           direct.problem.mesh().all_hexes, d.u, d.lambda, d.P, direct.state.P[0], iterative.report.newton_iterations, direct.report.newton_iterations,
-           iterative.report.krylov_iterations);
-  EXPECT_LT(d.u, 1e-6);
-  EXPECT_LT(d.lambda, 1e-6);
-  EXPECT_LT(d.P, 1e-6);
-  if (direct.increments.empty()) return d;
-  // a stable state: one negative pivot for every pressure unknown
-  for (const Increment& i : direct.increments)
-    EXPECT_EQ(i.newton.negative_pivots, direct.problem.mesh().all_hexes + static_cast<long long>(direct.state.P.size())) << i.number;
-  return d;
+/// A run that keeps the state of every increment.
+struct Kept {
+  Trial run;
+  std::vector<State> states;
+  Kept(const Scene& scene, bool direct, double force) : run(scene) {
+    run.settings.newton = tight(force);
+    run.watch = [&](const Increment&, const State& s) { states.push_back(s); };
+    direct ? run.direct() : run.iterative();
+    EXPECT_TRUE(run.report.converged) << run.report.reason;
+  }
+};
+
+/// Compares every state that is stable, that is: has one negative pivot for every pressure unknown. All `must_be_stable`
+/// first ones have to be.
+void compare(const std::string& what, const Scene& scene, double force, std::size_t must_be_stable) {
+  const Kept direct(scene, true, force), iterative(scene, false, force);
+  const long long expected = direct.run.problem.mesh().all_hexes + static_cast<long long>(direct.run.state.P.size());
+  std::size_t stable = 0;
+  while (stable < direct.states.size() && direct.run.increments[stable].newton.negative_pivots == expected) ++stable;
+  ASSERT_GE(stable, must_be_stable) << direct.run.increments[stable].newton.negative_pivots << " negative pivots, not " << expected;
+  ASSERT_GE(iterative.states.size(), stable);
+  double u = 0, lambda = 0, P = 0;
+  for (std::size_t i = 0; i < stable; ++i) {
+    const State &d = direct.states[i], &k = iterative.states[i];
+    ASSERT_NEAR(direct.run.increments[i].time, iterative.run.increments[i].time, 1e-12);
+    u = std::max(u, relative_difference(displacements(iterative.run, k), displacements(direct.run, d)));
+    lambda = std::max(lambda, relative_difference(k.lambda, d.lambda));
+    P = std::max(P, relative_difference(k.P, d.P));
+  }
+  measured("{}, iterative against direct ({} hexahedra, {} of {} states stable): u {:.1e}, lambda {:.1e}, P {:.1e} (target 1e-6); {} and {} Newton iterations, {} Krylov",
+           what, expected - 1, stable, direct.states.size(), u, lambda, P, iterative.run.report.newton_iterations, direct.run.report.newton_iterations,
+           iterative.run.report.krylov_iterations);
+  EXPECT_LT(u, 1e-6);
+  EXPECT_LT(lambda, 1e-6);
+  EXPECT_LT(P, 1e-6);
 }
 
 TEST(Solvers, AgreeOnTheFilledShell) {
-  for (const char* part : {"octant", "half"}) {
+  for (const std::string part : {"octant", "half"}) {
     Scene scene = filled_shell(part);
-    if (part == std::string("half")) scene.mesh.node_sets["seat"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] < -.9 * norm(p); });
-    if (part == std::string("half")) scene.model.fix.push_back({"seat", {"y", "z"}});
+    if (part == "half") {
+      scene.mesh.node_sets["seat"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] < -.9 * norm(p); });
+      scene.model.fix.push_back({"seat", {"y", "z"}});
+    }
     scene.model.steps[1].add["fluid"] = 1;
-    compare(part == std::string("half") ? "half shell" : "octant shell", scene, 1e-10);
+    compare(part + " shell with bars and a rigid cap", scene, 1e-10, 2);
   }
 }
 
-TEST(Solvers, AgreeOnTheHalfEye) { compare("half eye", small_eye(8), 1e-9); }
+/// A band that may slide along the eye loses its stability at about 1 mm: from there on no answer is the only one.
+TEST(Solvers, AgreeOnTheHalfEyeAsLongAsASlidingBandIsStable) { compare("half eye, sliding band", small_eye(6), 1e-9, 2); }
+
+TEST(Solvers, AgreeOnTheHalfEyeUnderAFixedBand) { compare("half eye, fixed band", held_band(small_eye(6)), 1e-9, 5); }
 
 TEST(Solvers, AgreeOnTheHalfEyeWithARigidLens) {
-  Scene scene = small_eye(6);
+  Scene scene = held_band(small_eye(6));
   scene.model.regions["lens"] = rigid();
-  compare("half eye with a rigid lens", scene, 1e-9);
+  compare("half eye, rigid lens, fixed band", scene, 1e-9, 5);
 }
 
 }  // namespace

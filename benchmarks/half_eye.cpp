@@ -1,0 +1,58 @@
+#include "benchmarks/half_eye.hpp"
+
+#include <stdexcept>
+
+#include "core/mesh/eye.hpp"
+#include "precond/make_preconditioner.hpp"
+
+namespace bulbus::bench {
+namespace {
+
+constexpr auto mmhg_15 = "1.99984e-3";  // MPa
+
+}  // namespace
+
+Model half_eye_model() {
+  Model m;
+  for (const auto& [region, c10] : std::map<std::string, double>{{"cornea", .0333}, {"sclera", .0833}, {"ciliary_body", .01},
+                                                                 {"choroid", .0083}, {"retina", .0008}, {"optic_nerve", .05},
+                                                                 {"lens", 1.}})
+    m.regions[region].c10 = c10;
+  m.bars["zonules"] = {};
+  m.liquids["vitreous"] = {.surface = "wet", .K = 2083.3};
+  m.symmetry = {"x"};
+  m.fix = {{.set = "nerve_end"}};
+  StepSpec pressurise{.name = "pressurise"}, indent{.name = "indent", .increments = 4};
+  pressurise.pressures["vitreous"] = mmhg_15;
+  indent.couple = {"vitreous"};
+  DisplaceSpec band{.set = "equator_band", .radial = "-2"};
+  band.from = "start";
+  indent.displace = {band};
+  m.steps = {pressurise, indent};
+  return m;
+}
+
+std::unique_ptr<Problem> half_eye(int n, const Comm& comm) {
+  EyeSettings settings;
+  settings.n = n;
+  return std::make_unique<Problem>(generate(settings), half_eye_model(), comm);
+}
+
+State pressurised(Problem& problem, const SolverSettings& settings, Meters& meters) {
+  CoupledSystem system(problem, settings.linear);
+  auto solver = make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters);
+  State state = problem.initial_state();
+  problem.begin_step(0, state);
+  const NewtonReport report = newton(problem, system, *solver, state, 1, settings.newton, meters);
+  if (report.outcome != Outcome::converged) throw std::runtime_error("15 mmHg was not reached: " + report.reason);
+  for (const auto& term : problem.terms()) term->commit(state);
+  problem.end_step();
+  return state;
+}
+
+long long unknowns(const Problem& problem) {
+  return 3 * problem.mesh().all_nodes + problem.mesh().all_hexes + static_cast<long long>(problem.liquids().size()) +
+         6 * static_cast<long long>(problem.dofs().bodies().size());
+}
+
+}  // namespace bulbus::bench

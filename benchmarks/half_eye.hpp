@@ -1,0 +1,19 @@
+#pragma once
+#include <memory>
+
+#include "core/solve/newton.hpp"
+
+namespace bulbus::bench {
+
+/// The half eye of data/scenes/half_eye.yaml: step 0 brings it to 15 mmHg in one increment, step 1 encloses the liquid and moves
+/// the equator's band 2 mm inwards in four.
+Model half_eye_model();
+std::unique_ptr<Problem> half_eye(int n, const Comm& comm);
+
+/// 15 mmHg, reached with the default iterative solver. Throws std::runtime_error if it is not.
+State pressurised(Problem& problem, const SolverSettings& settings, Meters& meters);
+
+/// Of all ranks.
+long long unknowns(const Problem& problem);
+
+}  // namespace bulbus::bench

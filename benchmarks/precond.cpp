@@ -1,0 +1,73 @@
+// Preconditioners of the displacement block: the half eye at 15 mmHg, the linear system of the first coupled increment (0.5 mm).
+#include "benchmarks/common.hpp"
+#include "benchmarks/half_eye.hpp"
+#include "precond/make_preconditioner.hpp"
+
+using namespace bulbus;
+using namespace bulbus::bench;
+
+namespace {
+
+constexpr double tolerance = 1e-6;
+const std::vector<std::string> methods{"hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact", "direct"};
+
+json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r, std::span<const double> held,
+              LinearSettings settings) {
+  settings.displacement = method == "direct" ? "hybrid" : method;
+  if (method == "direct") settings.gamma = 0;  // the direct solver takes the system as it is
+  Meters meters;
+  CoupledSystem system(problem, settings);
+  system.linearize(state, r);
+  auto solver = method == "direct" ? make_direct_solver(settings, meters)
+                                   : make_krylov_solver(settings, make_preconditioner_factory(settings, meters), meters);
+  json row{{"displacement", method}, {"gamma", settings.gamma}, {"hexahedra", problem.mesh().all_hexes}, {"unknowns", unknowns(problem)}};
+  const double start = cpu_seconds();
+  const LinearReport ready = solver->prepare(system);
+  const double prepared = cpu_seconds();
+  row["setup_s"] = prepared - start;
+  if (!ready.ok) return row["reason"] = ready.reason, row;
+  const auto b = system.right_hand_side(r, held);
+  std::vector<double> x(system.size());
+  const LinearReport report = solver->solve(system, b, x, tolerance);
+  row["solve_s"] = cpu_seconds() - prepared;
+  row["iterations"] = report.iterations;
+  row["reduction"] = report.reduction;
+  row["reason"] = report.ok ? "" : report.reason;
+  for (const auto& [part, bytes] : meters.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
+  row["mb"] = row["memory_mb"].value(method == "direct" ? "factor" : "preconditioner", 0.);
+  return row;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  single_threaded(argv);
+  Session session(argc, argv);
+  const Comm comm;
+  Options o = parse(argc, argv, {14}, {4}, 1);
+  const auto& chosen = o.rest.empty() ? methods : o.rest;  // `bench_precond hybrid exact`: these only
+  SolverSettings settings;
+  json report = new_report("precond", o, comm.size());
+  for (auto [key, value] : {std::pair<const char*, json>{"gamma", settings.linear.gamma}, {"tolerance", tolerance},
+                            {"restart", settings.linear.restart}, {"max_iterations", settings.linear.max_iterations},
+                            {"degree", settings.linear.degree}, {"smoothed_part", settings.linear.smoothed_part},
+                            {"aggregates", settings.linear.aggregates}, {"operator", settings.linear.op}})
+    report["parameters"][key] = value;
+  report["notes"] = "seconds are processor time; iterations to the tolerance in the scaled norm; mb without the Krylov basis";
+  for (int n : o.sizes) {
+    auto problem = half_eye(n, comm);
+    Meters meters;
+    State state = pressurised(*problem, settings, meters);
+    problem->begin_step(1, state);
+    problem->set_progress(.25, state);
+    const Residual r = problem->residual(state);
+    std::vector<double> held(state.x.size());
+    problem->dofs().defect(state, .25, held);
+    for (const std::string& method : chosen) {
+      report["rows"].push_back(solve_by(method, *problem, state, r, held, settings.linear));
+      report["rows"].back()["n"] = n;
+    }
+  }
+  if (comm.rank() == 0)
+    finish(report, {"n", "unknowns", "displacement", "iterations", "setup_s", "solve_s", "mb", "reduction", "reason"}, o);
+}
