@@ -122,8 +122,8 @@ json median_run(const std::string& method, int n, int repetitions) {
 
 int main(int argc, char** argv) {
   single_threaded(argv);
-  Session session(argc, argv);
   if (argc == 5 && argv[1] == std::string("--child")) {
+    Session session(argc, argv);
     write_json(argv[4], run(argv[2], std::stoi(argv[3])));
     return 0;
   }
