@@ -13,7 +13,7 @@ Scene twisted(int n, double twist) {
   Model& m = scene.model;
   m.regions["cylinder"] = neo_hooke(.0833);
   m.fix.push_back({"bottom", {"x", "y", "z"}});
-  StepSpec s = step("twist", twist > .15 ? 4 : twist > .05 ? 2 : 1);
+  StepSpec s = step("twist", twist > .15 ? 6 : twist > .05 ? 3 : 1);
   DisplaceSpec d = displace("top");
   d.rotate = DisplaceSpec::Rotation{.angle = twist * height};
   s.displace.push_back(d);
