@@ -4,20 +4,13 @@
 
 namespace bulbus {
 
-/// The half eye: filled to 15 mmHg, then its equator pressed inwards by a buckle of 2 mm while the liquid is
-/// enclosed.
+/// The half eye: filled to 15 mmHg, then its equator pressed inwards by a buckle of 2 mm while the liquid is enclosed.
 inline Scene small_eye(int n) {
   EyeSettings settings;
   settings.n = n;
   Scene scene{generate(settings), {}};
   Model& m = scene.model;
-  for (auto [name, c10] : {std::pair{"cornea", .0333},
-                           {"sclera", .0833},
-                           {"ciliary_body", .01},
-                           {"choroid", .0083},
-                           {"retina", .0008},
-                           {"optic_nerve", .05},
-                           {"lens", 1.}})
+  for (auto [name, c10] : {std::pair{"cornea", .0333}, {"sclera", .0833}, {"ciliary_body", .01}, {"choroid", .0083}, {"retina", .0008}, {"optic_nerve", .05}, {"lens", 1.}})
     m.regions[name] = neo_hooke(c10);
   m.bars["zonules"] = {};
   m.liquids["vitreous"] = {.surface = "wet"};

@@ -47,8 +47,7 @@ struct Trial : MarchObserver {
     return with(make_direct_solver(settings.linear, meters));
   }
   Trial& iterative() {
-    return with(
-        make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
+    return with(make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
   }
 
   /// Local nodes (ghosts included) of a set of nodes of the mesh.

@@ -24,17 +24,14 @@ struct Kept {
   }
 };
 
-/// Compares every state that is stable, that is: has one negative pivot for every pressure unknown. All
-/// `must_be_stable` first ones have to be.
+/// Compares every state that is stable, that is: has one negative pivot for every pressure unknown. All `must_be_stable`
+/// first ones have to be.
 void compare(const std::string& what, const Scene& scene, double force, std::size_t must_be_stable) {
   const Kept direct(scene, true, force), iterative(scene, false, force);
-  const long long expected =
-      direct.run.problem.mesh().all_hexes + static_cast<long long>(direct.run.state.P.size());
+  const long long expected = direct.run.problem.mesh().all_hexes + static_cast<long long>(direct.run.state.P.size());
   std::size_t stable = 0;
-  while (stable < direct.states.size() && direct.run.increments[stable].newton.negative_pivots == expected)
-    ++stable;
-  ASSERT_GE(stable, must_be_stable) << direct.run.increments[stable].newton.negative_pivots
-                                    << " negative pivots, not " << expected;
+  while (stable < direct.states.size() && direct.run.increments[stable].newton.negative_pivots == expected) ++stable;
+  ASSERT_GE(stable, must_be_stable) << direct.run.increments[stable].newton.negative_pivots << " negative pivots, not " << expected;
   ASSERT_GE(iterative.states.size(), stable);
   double u = 0, lambda = 0, P = 0;
   for (std::size_t i = 0; i < stable; ++i) {
@@ -44,11 +41,9 @@ void compare(const std::string& what, const Scene& scene, double force, std::siz
     lambda = std::max(lambda, relative_difference(k.lambda, d.lambda));
     P = std::max(P, relative_difference(k.P, d.P));
   }
-  measured(
-      "{}, iterative against direct ({} hexahedra, {} of {} states stable): u {:.1e}, lambda {:.1e}, P "
-      "{:.1e} (target 1e-6); {} and {} Newton iterations, {} Krylov",
-      what, expected - 1, stable, direct.states.size(), u, lambda, P, iterative.run.report.newton_iterations,
-      direct.run.report.newton_iterations, iterative.run.report.krylov_iterations);
+  measured("{}, iterative against direct ({} hexahedra, {} of {} states stable): u {:.1e}, lambda {:.1e}, P {:.1e} (target 1e-6); {} and {} Newton iterations, {} Krylov",
+           what, expected - 1, stable, direct.states.size(), u, lambda, P, iterative.run.report.newton_iterations, direct.run.report.newton_iterations,
+           iterative.run.report.krylov_iterations);
   EXPECT_LT(u, 1e-6);
   EXPECT_LT(lambda, 1e-6);
   EXPECT_LT(P, 1e-6);
@@ -58,8 +53,7 @@ TEST(Solvers, AgreeOnTheFilledShell) {
   for (const std::string part : {"octant", "half"}) {
     Scene scene = filled_shell(part);
     if (part == "half") {
-      scene.mesh.node_sets["seat"] =
-          nodes_where(scene.mesh, [](const Point& p) { return p[2] < -.9 * norm(p); });
+      scene.mesh.node_sets["seat"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] < -.9 * norm(p); });
       scene.model.fix.push_back({"seat", {"y", "z"}});
     }
     scene.model.steps[1].add["fluid"] = 1;
@@ -67,15 +61,10 @@ TEST(Solvers, AgreeOnTheFilledShell) {
   }
 }
 
-/// A band that may slide along the eye loses its stability at about 1 mm: from there on no answer is the only
-/// one.
-TEST(Solvers, AgreeOnTheHalfEyeAsLongAsASlidingBandIsStable) {
-  compare("half eye, sliding band", small_eye(6), 1e-9, 2);
-}
+/// A band that may slide along the eye loses its stability at about 1 mm: from there on no answer is the only one.
+TEST(Solvers, AgreeOnTheHalfEyeAsLongAsASlidingBandIsStable) { compare("half eye, sliding band", small_eye(6), 1e-9, 2); }
 
-TEST(Solvers, AgreeOnTheHalfEyeUnderAFixedBand) {
-  compare("half eye, fixed band", held_band(small_eye(6)), 1e-9, 5);
-}
+TEST(Solvers, AgreeOnTheHalfEyeUnderAFixedBand) { compare("half eye, fixed band", held_band(small_eye(6)), 1e-9, 5); }
 
 TEST(Solvers, AgreeOnTheHalfEyeWithARigidLens) {
   Scene scene = held_band(small_eye(6));
