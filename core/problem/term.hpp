@@ -22,6 +22,11 @@ class Term {
   /// Is the tangent symmetric on the free unknowns?
   virtual bool symmetric() const { return true; }
 
+  /// A step begins from a converged state. Collective.
+  virtual void begin_step(int, const State&) {}
+  /// Newton has converged for what the term holds fixed meanwhile (multipliers, damping): true if that has to change first, so
+  /// that Newton goes on. Collective.
+  virtual bool revise(const State&) { return false; }
   /// Loads follow the part s of the step done; freeze() keeps the end of the step for the next ones.
   virtual void set_progress(double) {}
   virtual void freeze() {}

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Markdown tables from the JSON files of the benchmarks.
+
+    tables.py [FILE ...]        default: every file of results/ beside this script
+"""
+import json
+import pathlib
+import sys
+
+# program -> list of tables; a table: where its rows are, its columns as (heading, key)
+TABLES = {
+    "apply": [("rows", [("tangent by", "variant"), ("hexahedra", "hexahedra"), ("ns per hexahedron", "ns_per_hex"),
+                        ("of 3×3 BCSR", "to_bcsr"), ("stored bytes per hexahedron", "stored_bytes_per_hex"),
+                        ("GB/s", "gb_per_s"), ("of triad", "of_triad"), ("of FMA peak", "of_fma_peak")])],
+    "precond": [("rows", [("n", "n"), ("unknowns", "unknowns"), ("displacement block by", "displacement"),
+                          ("iterations", "iterations"), ("set-up s", "setup_s"), ("solve s", "solve_s"), ("MB", "mb"),
+                          ("failure", "reason")])],
+    "direct_vs_iterative": [
+        ("rows", [("n", "n"), ("unknowns", "unknowns"), ("solver", "method"), ("linear solves", "linear_solves"),
+                  ("Krylov iterations", "krylov"), ("set-up s", "setup_s"), ("solve s", "solve_s"),
+                  ("linear solve s", "linear_s"), ("whole run s", "total_s"), ("peak MB", "peak_mb"),
+                  ("factor MB", "memory_mb.factor"), ("failure", "reason")]),
+        ("ratios", [("n", "n"), ("unknowns", "unknowns"), ("linear solve, iterative/direct", "linear_s"),
+                    ("whole run", "total_s"), ("peak memory", "peak_mb")])],
+    "from_dump": [("rows", [("file", "file"), ("unknowns", "unknowns"), ("method", "method"), ("iterations", "iterations"),
+                            ("set-up s", "setup_s"), ("solve s", "solve_s"), ("MB", "mb"), ("residual", "residual"),
+                            ("failure", "reason")])],
+}
+
+
+def value(row, key):
+    for part in key.split("."):
+        row = row.get(part) if isinstance(row, dict) else None
+    if row is None or row == "":
+        return ""
+    if isinstance(row, float):
+        return f"{row:,.0f}" if abs(row) >= 1000 else f"{row:.3g}"
+    return f"{row:,}" if isinstance(row, int) and not isinstance(row, bool) else str(row)
+
+
+def table(rows, columns):
+    columns = [c for c in columns if any(value(r, c[1]) for r in rows)]
+    lines = [[heading for heading, _ in columns], ["---" if isinstance(rows[0].get(k), str) else "---:" for _, k in columns]]
+    lines += [[value(r, key) for _, key in columns] for r in rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def tables(path):
+    report = json.loads(path.read_text())
+    parts = [f"### {path.stem}"]
+    for where, columns in TABLES[report["program"]]:
+        if report.get(where):
+            parts.append(table(report[where], columns))
+    machine = "".join(f"; {k.replace('_', ' ')} {v:.3g}" for k, v in report.get("machine", {}).items())
+    parts.append(f"{report['processor']}, {report['ranks']} rank, {report['threads']} thread; commit {report['commit']}; "
+                 f"{report['compiler']}, {report['flags'].strip()}; load {report['load_at_start']:.2g} at the start{machine}. "
+                 f"{report['notes'][0].upper() + report['notes'][1:]}.")
+    return "\n\n".join(parts)
+
+
+if __name__ == "__main__":
+    files = [pathlib.Path(a) for a in sys.argv[1:]] or sorted((pathlib.Path(__file__).parent / "results").glob("*.json"))
+    print("\n\n".join(tables(f) for f in files))

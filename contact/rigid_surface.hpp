@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "contact/facets.hpp"
+#include "core/problem/state.hpp"
+
+namespace bulbus {
+
+/// The skin of a rigid body that the scene moves: band, tire, plane, ... Several parts may move each its own way (the
+/// arcs of a band close radially).
+struct RigidSurface {
+  struct Part {
+    int first_point = 0, points = 0;        ///< its run of points
+    int first_triangle = 0, triangles = 0;  ///< and of triangles
+    Vec3<double> center{0, 0, 0};           ///< moments and rotations count from here (reference place)
+    Vec3<double> inwards{0, 0, 0};          ///< unit direction of `close`; zero: none
+  };
+
+  std::string name;
+  Facets facets;
+  std::vector<double> reference;  ///< 3 per point, as drawn
+  std::vector<double> places;     ///< 3 per point, where the motion has brought them
+  std::vector<Part> parts;
+};
+
+}  // namespace bulbus
