@@ -10,29 +10,30 @@ namespace bulbus {
 namespace {
 
 /// Columns of nodes under the sheet, by level: 0 is the outer surface, `wall` the inner surface of sclera and
-/// cornea, `choroid` that of the choroid, `inner` that of the retina and the ciliary body. Above 0
-/// (negative): the nerve.
+/// cornea, `choroid` that of the choroid, `inner` that of the retina and the ciliary body, `back` the
+/// outer surface of the retina where it is detached. Above 0 (negative): the nerve.
 class Columns {
  public:
   Columns(Mesh& mesh, const EyeSettings& s)
       : mesh_(mesh),
         shape_(s.shape),
         sheet(eye_sheet(s)),
+        detached(detached_sheet(sheet, s)),
         scale(scaled(1, s.n)),
         wall(3 * scale),
         choroid(4 * scale),
         inner(6 * scale),
+        back(inner + 1),
         nerve(8 * scale) {
-    ids_.assign(sheet.nodes.size() * (nerve + inner + 1), -1);
+    ids_.assign(sheet.nodes.size() * (nerve + back + 1), -1);
   }
 
   /// The node of a column at a level; made when first asked for.
   int node(int column, int level) {
-    int& id = ids_[static_cast<std::size_t>(column) * (nerve + inner + 1) + nerve + level];
+    int& id = ids_[static_cast<std::size_t>(column) * (nerve + back + 1) + nerve + level];
     if (id < 0) {
       id = static_cast<int>(mesh_.points.size());
-      mesh_.points.push_back(level < 0 ? nerve_place(column, level)
-                                       : place(column, depth(sheet.nodes[column].t, level)));
+      mesh_.points.push_back(level < 0 ? nerve_place(column, level) : place(column, depth(column, level)));
     }
     return id;
   }
@@ -42,8 +43,9 @@ class Columns {
     for (int level = from; level < to; ++level) {
       Hex h;
       for (int c = 0; c < 4; ++c) {
-        h[c] = node(sheet.quads[quad][c], level + 1);
-        h[c + 4] = node(sheet.quads[quad][c], level);
+        const int column = sheet.quads[quad][c];
+        h[c] = node(column, level + 1);
+        h[c + 4] = node(column, region == retina ? under(column, level) : level);
       }
       mesh_.hexes.push_back(h);
       mesh_.region.push_back(region);
@@ -57,9 +59,21 @@ class Columns {
 
  public:
   const EyeSheet sheet;
-  const int scale, wall, choroid, inner, nerve;
+  const DetachedSheet detached;
+  const int scale, wall, choroid, inner, back, nerve;
 
  private:
+  /// Where the retina is detached, its outer nodes are not the choroid's.
+  int under(int column, int level) const {
+    return level == choroid && detached.lift[column] > 0 ? back : level;
+  }
+
+  double depth(int column, int level) const {
+    const double t = sheet.nodes[column].t;
+    if (level == back) return depth(t, choroid) + detached.lift[column];
+    return depth(t, level) + (level > choroid ? detached.lift[column] : 0);
+  }
+
   double depth(double t, int level) const {
     const double w = shape_.wall(t);
     if (level <= wall) return w * level / wall;
@@ -92,13 +106,15 @@ class Columns {
 void fill_columns(Columns& columns, const EyeShape& shape) {
   const EyeSheet& sheet = columns.sheet;
   const double limbus = shape.limbus();
+  // Made first, so that they are numbered in the order of the choroid's.
+  for (int column : columns.detached.nodes) columns.node(column, columns.back);
   for (int q = 0; q < static_cast<int>(sheet.quads.size()); ++q) {
     const double t = sheet.middle(q);
     if (q < sheet.nerve_quads) columns.fill(q, -columns.nerve, 0, optic_nerve);
     columns.fill(q, 0, columns.wall, t < limbus ? sclera : cornea);
     if (t < shape.ora) {
       columns.fill(q, columns.wall, columns.choroid, choroid);
-      columns.fill(q, columns.choroid, columns.inner, retina);
+      if (!columns.detached.torn[q]) columns.fill(q, columns.choroid, columns.inner, retina);
     } else if (t < shape.ciliary_end) {
       columns.fill(q, columns.wall, columns.inner, ciliary_body);
     }
@@ -120,6 +136,15 @@ void name_nodes(Mesh& mesh, Columns& columns, const EyeSettings& s) {
   }
 }
 
+void name_detached_nodes(Mesh& mesh, Columns& columns) {
+  for (int column : columns.detached.nodes) {
+    mesh.node_sets["detached"].push_back(columns.node(column, columns.back));
+    mesh.node_sets["detached_bed"].push_back(columns.node(column, columns.choroid));
+  }
+  for (int column : columns.detached.rim)
+    mesh.node_sets["tear_rim"].push_back(columns.node(column, columns.back));
+}
+
 std::vector<bool> outer_nodes(const Mesh& mesh, Columns& columns) {
   std::vector<bool> outer(mesh.points.size(), false);
   for (int c = 0; c < static_cast<int>(columns.sheet.nodes.size()); ++c) outer[columns.node(c, 0)] = true;
@@ -135,6 +160,7 @@ Mesh generate(const EyeSettings& s) {
   Columns columns(mesh, s);
   fill_columns(columns, s.shape);
   name_nodes(mesh, columns, s);
+  name_detached_nodes(mesh, columns);
   add_lens(mesh, s);
   name_eye_surfaces(mesh, s.shape, outer_nodes(mesh, columns));
   add_zonules(mesh, s);

@@ -1,5 +1,8 @@
 #pragma once
+#include <optional>
+
 #include "core/base/parameters.hpp"
+#include "core/mesh/eye_detachment.hpp"
 #include "core/mesh/eye_shape.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -33,6 +36,7 @@ struct EyeSettings {
   int n = 14;
   double band_half_width = 1;
   ZonuleLayout zonules;
+  std::optional<Detachment> detachment;
   template <class V>
   void describe(V&& v) {
     v("shape", shape, About{"the eye"});
@@ -44,6 +48,7 @@ struct EyeSettings {
             Quantity::length}
           .between(.1, 6));
     v("zonules", zonules, About{"fibres that hold the lens"});
+    v("detachment", detachment, About{"retina lifted off the choroid"});
   }
 };
 
@@ -53,9 +58,15 @@ struct EyeSettings {
 /// closed but for the plane x = 0), "outside", "nerve_end", "symmetry" (x = 0). Parts of them:
 /// "outer_sclera", "outer_cornea", "nerve_side", "inner_retina", "lens_surface".
 ///
+/// A detachment adds to "wet" both sides of the detached retina, the tear's edge and the choroid under them,
+/// and names "retina_back" (the detached retina's outer side) and "retina_bed" (the choroid's inner side
+/// under it and under the tear). Where the retina is attached again, the two share their nodes.
+///
 /// Node sets: "apex" (the cornea's anterior pole), "retina_pole" (the retina's, inside), "nerve_ring" (outer
 /// sclera, the ring next to the nerve's edge), "equator_band" (outer sclera, |z| <= band_half_width),
-/// "nerve_end".
+/// "nerve_end". With a detachment: "detached" (nodes of "retina_back" that are free of the choroid) and
+/// "detached_bed" (the choroid's nodes they came off, in the same order; both rise); with a tear: "tear_rim"
+/// (of "detached", those on the tear's edge).
 ///
 /// Bars "zonules". Throws InputError if the settings do not fit together.
 Mesh generate(const EyeSettings& settings);
