@@ -127,13 +127,9 @@ NodalVectors<Pack> tangent_action(const Material& material, StrainOf strain_of, 
     const Kinematics& p = points[n];
     const PointStrain<Pack> s = strain.at(i, j, k, x.at(i, j, k));
     // T is linear in l: hand over l det and divide once. Everything carries one more 1/det for a⁻ᵀ = cof / det.
-    Mat3<Pack> t = material.tangent(s.b, p.l);
-    const Pack scale = s.dV0 * inverse[n] * inverse[n], volumetric = lambda * inverse[n];
-    const Pack spherical = volumetric * trace(p.l) + pressure;
-    for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 3; ++c) t(r, c) = scale * t(r, c) - volumetric * p.l(c, r);
-      t(r, r) += spherical;
-    }
+    const Pack dV0 = s.dV0 * inverse[n] * inverse[n];
+    Mat3<Pack> t = material.tangent(s.b, p.l, dV0, Pack(lambda * inverse[n]));
+    for (int r = 0; r < 3; ++r) t(r, r) += pressure;
     flux.add(i, j, k, t * p.cof);
   });
   return transposed_gradient(flux);

@@ -39,11 +39,7 @@ void add_point(const Material& material, const PointStrain<Pack>& s, const Shape
     for (int c = 0; c < 3; ++c) {
       Mat3<Pack> l{};
       l.m[c] = g[n];
-      Mat3<Pack> t = material.tangent(s.b, l);
-      for (int r = 0; r < 3; ++r) {
-        for (int q = 0; q < 3; ++q) t(r, q) = s.dV0 * t(r, q) - pressure * l(q, r);
-        t(r, r) += pressure * g[n][c];
-      }
+      const Mat3<Pack> t = material.tangent(s.b, l, s.dV0, pressure);
       Pack* column = K.data() + 3 * n + c;
       for (int a = 0; a < 8; ++a)
         for (int r = 0; r < 3; ++r)

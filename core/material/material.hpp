@@ -14,8 +14,9 @@ namespace bulbus {
 ///     T(l) = δτ − τ lᵀ                     its change under δx with l = ∇ₓδx, ready for ∫ T : ∇ₓv dV0
 ///     δb = l b + b lᵀ − ⅔ tr(l) b
 ///
-/// The element adds λJ I to τ and λJ (tr(l) I − lᵀ) to T. Every material offers deviatoric(b), tangent(b, l), energy(b) and
-/// shear_modulus(b) = 2 (W1 + W2).
+/// The element adds λJ I to τ and λJ (tr(l) I − lᵀ) to T. Every material offers deviatoric(b), energy(b),
+/// shear_modulus(b) = 2 (W1 + W2) and tangent(b, l, w, p) = w T(l) + p (tr(l) I − lᵀ): folding the weight and the pressure part in
+/// saves a tenth of the operations of an application.
 
 template <class T>
 Sym3<T> deviator(Sym3<T> a, const T& factor) {
@@ -34,15 +35,18 @@ struct NeoHooke {
     return deviator(b, T(2 * c10));
   }
 
-  /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]
+  /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]; here b carries 2 c10 w
   template <class T>
-  Mat3<T> tangent(const Sym3<T>& b, const Mat3<T>& l) const {
-    const T third = trace(b) * (1.0 / 3), expansion = trace(l) * (2.0 / 3);
-    const T spherical = third * expansion - contract(b, l) * (2.0 / 3);
-    Mat3<T> t = l * b;
+  Mat3<T> tangent(Sym3<T> b, const Mat3<T>& l, const T& w, const T& p) const {
+    const T weight = 2 * c10 * w;
+    for (T& v : b.v) v *= weight;
+    const T third = trace(b) * (1.0 / 3), tr = trace(l), expansion = tr * (2.0 / 3);
+    const T transposed = third - p, spherical = third * expansion - contract(b, l) * (2.0 / 3) + p * tr;
+    Mat3<T> t;
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) t(i, j) = 2 * c10 * (t(i, j) + third * l(j, i) - expansion * b(i, j));
-      t(i, i) += 2 * c10 * spherical;
+      for (int j = 0; j < 3; ++j)
+        t(i, j) = l(i, 0) * b(0, j) + l(i, 1) * b(1, j) + l(i, 2) * b(2, j) + transposed * l(j, i) - expansion * b(i, j);
+      t(i, i) += spherical;
     }
     return t;
   }
@@ -118,24 +122,26 @@ struct Isotropic {
   }
 
   template <class T>
-  Mat3<T> tangent(const Sym3<T>& b, const Mat3<T>& l) const {
-    const Point<T> p(b);
-    const Derivatives<T> d = W.at(p.I1, p.I2);
+  Mat3<T> tangent(const Sym3<T>& b, const Mat3<T>& l, const T& w, const T& p) const {
+    const Point<T> point(b);
+    const Derivatives<T> d = W.at(point.I1, point.I2);
     const Sym3<T> db = rate(b, l);
-    const T dI1 = trace(db), dI2 = p.I1 * dI1 - contract(b, db);
-    const Sym3<T> dm = rate_of_m(b, db, p.I1, dI1);
+    const T dI1 = trace(db), dI2 = point.I1 * dI1 - contract(b, db);
+    const Sym3<T> dm = rate_of_m(b, db, point.I1, dI1);
     const T dW1 = d.w11 * dI1 + d.w12 * dI2, dW2 = d.w12 * dI1 + d.w22 * dI2;
     Sym3<T> dtau, tau;
     for (int i = 0; i < 6; ++i) {
-      tau.v[i] = 2.0 * (d.w1 * b.v[i] + d.w2 * p.m.v[i]);
-      dtau.v[i] = 2.0 * (d.w1 * db.v[i] + d.w2 * dm.v[i] + dW1 * b.v[i] + dW2 * p.m.v[i]);
+      tau.v[i] = 2.0 * (d.w1 * b.v[i] + d.w2 * point.m.v[i]);
+      dtau.v[i] = 2.0 * (d.w1 * db.v[i] + d.w2 * dm.v[i] + dW1 * b.v[i] + dW2 * point.m.v[i]);
     }
     dtau = deviator(dtau, T(1.0));
     tau = deviator(tau, T(1.0));
     Mat3<T> t;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
-        t(i, j) = dtau(i, j) - (tau(i, 0) * l(j, 0) + tau(i, 1) * l(j, 1) + tau(i, 2) * l(j, 2));
+        t(i, j) = w * (dtau(i, j) - (tau(i, 0) * l(j, 0) + tau(i, 1) * l(j, 1) + tau(i, 2) * l(j, 2))) - p * l(j, i);
+      t(i, i) += p * trace(l);
+    }
     return t;
   }
 
