@@ -14,7 +14,7 @@ struct KrylovOptions {
   double tolerance = 1e-6;  ///< on ‖b - A x‖ / ‖b‖
   int restart = 40;         ///< basis vectors; the flexible method holds two vectors for each
   int max_iterations = 400;
-  bool flexible = true;  ///< needed unless the preconditioner is fixed()
+  bool flexible = true;  ///< needed unless the preconditioner is fixed(); costs a second basis
 };
 
 /// What became of a solve. Norms are Euclidean over all ranks.

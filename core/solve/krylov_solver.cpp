@@ -81,7 +81,7 @@ class KrylovSolver final : public LinearSolver {
     std::fill(x.begin(), x.end(), 0.0);
     const Scaled A(system);
     const ScaledPreconditioner M(system, *preconditioner_);
-    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, true};
+    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, !M.fixed()};
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
     if (settings_.record_krylov)
