@@ -124,6 +124,7 @@ int main(int argc, char** argv) {
   single_threaded(argv);
   if (argc == 5 && argv[1] == std::string("--child")) {
     Session session(argc, argv);
+    return_freed_memory();
     write_json(argv[4], run(argv[2], std::stoi(argv[3])));
     return 0;
   }
