@@ -39,8 +39,8 @@ struct Overlap {
 /// How the augmented-Lagrangian loop of the current increment went, the same on every rank.
 struct Augmentation {
   int updates = 0;
-  double penetration = 0;  ///< largest at the last look, mm
-  bool gave_up = false;    ///< still above the tolerance after the last allowed update
+  double violation = 0;  ///< largest penetration, or gap that a multiplier presses across, at the last look, mm
+  bool gave_up = false;  ///< still above the tolerance after the last allowed update
 };
 
 /// What a contact remembers from increment to increment, for every pair of slave node and master piece.

@@ -47,11 +47,19 @@ double ContactTerm::penetration(const Found& f) const {
   return worst;
 }
 
+// What is left of G ≥ 0, pressure · G = 0.
+double ContactTerm::violation(const Found& f) const {
+  double worst = penetration(f);
+  for (const Touch& t : f.touches)
+    if (pressure(t).value > 0) worst = std::max(worst, gap(t));
+  return worst;
+}
+
 bool ContactTerm::revise(const State& state) {
   if (tolerance_ == 0) return false;
   const Found& f = found(state);
-  augmentation_.penetration = comm_.max(penetration(f));
-  if (augmentation_.penetration <= tolerance_) return false;
+  augmentation_.violation = comm_.max(violation(f));
+  if (augmentation_.violation <= tolerance_) return false;
   augmentation_.gave_up = augmentation_.updates == most_updates;
   if (augmentation_.gave_up) return false;
   ++augmentation_.updates;

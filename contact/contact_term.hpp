@@ -86,6 +86,7 @@ class ContactTerm final : public Term {
   double gap(const Touch& touch) const;
   ContactPressure pressure(const Touch& touch) const;
   double penetration(const Found& found) const;
+  double violation(const Found& found) const;
   bool smoothed(int slot) const;
   void begin_increment();
   void watch(const std::vector<int>& now);

@@ -72,6 +72,15 @@ TEST_F(ContactTermTest, ActionIsTheDerivativeOfTheForceOnceQuiet) {
   EXPECT_GT(inner(first, d), 0);
 }
 
+TEST_F(ContactTermTest, ActionIsTheDerivativeOfTheForceWithMultipliersToo) {
+  auto augmented = two.term(contact_spec(50, .1, 1e-4));
+  ASSERT_TRUE(augmented.revise(state));
+  EXPECT_GT(relative_difference(force(augmented, state), force(term, state)), .5);
+  augmented.linearize(state), augmented.linearize(state);
+  const auto exact = derivative([&](std::span<const double> x) { return force(augmented, {{x.begin(), x.end()}, {}, {}, {}}); }, state.x, d, 1e-5);
+  EXPECT_LT(relative_difference(action(augmented, d), exact), 1e-7);
+}
+
 TEST_F(ContactTermTest, NewIncrementsBeginWithTheRobustTangent) {
   term.linearize(state);
   const auto first = action(term, d);
@@ -179,6 +188,38 @@ TEST(Contact, CarriesAUniformPressureAcrossMeshesThatDoNotMatch) {
   }
 }
 
+TEST(Contact, SlidesAcrossFlatFacesWithoutAJump) {
+  const TwoSheets two(.01, 0);
+  const auto term = two.term(contact_spec(50, .1));
+  State state = two.sheets.state();
+  const double step = 2e-4;
+  auto before = force(term, state);
+  const double all = norm(term.figures(state).on_master[0].force), most = largest(before);
+  for (int k = 0; k < 300; ++k) {
+    for (int n = 0; n < two.slaves(); ++n) state.x[3 * n] += step, state.x[3 * n + 1] += .7 * step;
+    const auto now = force(term, state);
+    EXPECT_LT(largest(plus(now, -1, before)), 30 * step * most) << k;
+    EXPECT_NEAR(norm(term.figures(state).on_master[0].force), all, 1e-13);
+    before = now;
+  }
+}
+
+// The master rises from the plane; without the mirrored faces the normal lines slip past its rim.
+TEST(Contact, HoldsNodesInASymmetryPlane) {
+  Sheets s;
+  const auto height = [](double x) { return x + x * x; };
+  const auto slave = s.add(5, 4, [&](double u, double v) { return Vec3<double>{.8 * v, .1 + .8 * u, height(.8 * v) - .02}; });
+  const auto master = s.add(7, 6, [&](double u, double v) { return Vec3<double>{u, v, height(u)}; });
+  const auto pairs = [&](const std::vector<std::string>& planes) {
+    return ContactTerm(contact_spec(50, .1), {.penalty = 0, .depth = 0, .reach = .3},
+                       {s.X, s.nodes(), slave, Master(split(master)), planes}, Comm())
+        .figures(s.state())
+        .pairs;
+  };
+  EXPECT_EQ(pairs({"x"}), 30);
+  EXPECT_EQ(pairs({}), 24);
+}
+
 TEST(Contact, OpensAgain) {
   const TwoSheets two(.01);
   auto term = two.term(contact_spec(50, .1));
@@ -241,6 +282,23 @@ TEST(Contact, SmoothsNodesThatCannotDecideUntilTheIncrementEnds) {
   term.set_progress(.5);
   EXPECT_EQ(term.figures(closed).smoothed, 0);
   EXPECT_EQ(force(term, open)[3 * 7 + 2], 0);
+}
+
+TEST(Contact, HoldsThePairOfANodeThatChangesSidesOfARidge) {
+  Sheets s;
+  const auto slave = s.add(1, 1, [](double u, double v) { return Vec3<double>{.04 * v - .02, u - .5, .97}; });
+  const auto master = s.add(1, 2, [](double u, double v) { return Vec3<double>{-(2 * v - 1), 2 * u - 1, 1 - .3 * std::abs(2 * v - 1)}; });
+  ContactTerm term(contact_spec(50, .1), {.penalty = 0, .depth = 0, .reach = .3}, {s.X, s.nodes(), slave, Master(split(master)), {}}, Comm());
+  State left = s.state(), right = left;
+  for (int n = 0; n < 4; ++n) left.x[3 * n] -= .03, right.x[3 * n] += .03;
+  const auto sideways = [&](const State& state) { return force(term, state)[0]; };
+  EXPECT_GT(sideways(left), 0);
+  EXPECT_LT(sideways(right), 0);
+  for (int k = 0; k < 4; ++k) term.linearize(left), term.linearize(right);
+  EXPECT_EQ(term.figures(left).smoothed, 4);
+  EXPECT_GT(sideways(left) * sideways(right), 0);
+  term.set_progress(.5);
+  EXPECT_LT(sideways(left) * sideways(right), 0);
 }
 
 TEST(Contact, ReportsAnOverlapAtTheStart) {

@@ -181,7 +181,7 @@ TEST(Select, PushesOutOfAConcaveCorner) {
     for (int& n : q)
       if (sheets.X[3 * n + 2] == 0) n = 2 + 3 * ((n - first) / 3);  // joined along the corner
   }
-  faces.insert(faces.end(), wall.begin(), wall.end());
+  for (const Quad& q : wall) faces.push_back(q);
   const Surface s(sheets.X, split(faces));
   ASSERT_LT(project({-.1, .3, .3}, s.master().corners(8)).normal[0], -.99);
   const Vec3<double> N = unit({.6, 0, -.8});
