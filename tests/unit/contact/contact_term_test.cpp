@@ -94,6 +94,16 @@ TEST_F(ContactTermTest, NewIncrementsBeginWithTheRobustTangent) {
   EXPECT_EQ(action(term, d), first);
 }
 
+TEST_F(ContactTermTest, PairsThatHaveJustClosedBeginWithTheRobustTangent) {
+  term.linearize(state);
+  const auto first = action(term, d);
+  State open = state;
+  for (int n = 0; n < two.slaves(); ++n) open.x[3 * n + 2] += .05;
+  term.linearize(open);
+  term.linearize(state);
+  EXPECT_EQ(action(term, d), first);
+}
+
 TEST_F(ContactTermTest, VisitedMatricesActAsTheTangent) {
   term.linearize(state);
   term.linearize(state);
@@ -329,7 +339,9 @@ TEST(Contact, ResolvesAnOverlapOverTheFirstStep) {
   term.set_progress(1);
   EXPECT_NEAR(pressure(), 50 * .15, 1e-12);
   term.commit(state);
+  EXPECT_FALSE(term.memory().overlap.empty());
   term.freeze();
+  EXPECT_TRUE(term.memory().overlap.empty());
   term.begin_step(1, state);
   term.set_progress(.1);
   EXPECT_NEAR(pressure(), 50 * .15, 1e-12);

@@ -111,14 +111,16 @@ TEST(Select, TakesTheNearerOfTwoLayers) {
   EXPECT_EQ(layer(.05, s.select({.4, .3, .2}, down, -1, half).triangle), 1) << "came from above";
 }
 
-TEST(Select, TiesGoToTheLowestNumberWhateverTheCandidatesOrder) {
-  const Surface s = flat(4);
-  const Vec3<double> x{.5, .5, -.05};  // a corner of six triangles
+TEST(Select, TiesGoToTheLowestNumberWhateverTheCandidates) {
+  Sheets sheets;
+  const auto faces = sheets.add(4, 4, [](double u, double v) { return Vec3<double>{u, v, .31 * u + .17 * v}; });
+  const Surface s(sheets.X, split(faces));
+  const Vec3<double> x{.5, .5, .19};  // a corner of six triangles
   const int lowest = s.select(x, down).triangle;
   for (int t = 0; t < lowest; ++t) EXPECT_FALSE(cross_line(x, down, s.master().corners(t)).inside());
   for (int k = 0; k < 20; ++k) {
     Vec3<double> shaken = x;
-    for (int c = 0; c < 2; ++c) shaken[c] += 1e-13 * noise(k, c);
+    for (int c = 0; c < 3; ++c) shaken[c] += 1e-13 * noise(k, c);
     EXPECT_EQ(s.select(shaken, down).triangle, lowest);
   }
   // fewer candidates, as another rank's search or another margin would give
@@ -190,6 +192,22 @@ TEST(Select, PushesOutOfAConcaveCorner) {
     EXPECT_TRUE(s.active(x, N)) << x[0] << " " << x[2];
   for (const Vec3<double>& x : {Vec3<double>{-.05, .3, .1}, {-.01, .3, .01}, {-.1, .5, .02}})
     EXPECT_FALSE(s.active(x, N)) << x[0] << " " << x[2];
+  // the line meets the wall beyond reach; nearest is the corner's edge or vertex, and the floor looks at the node more
+  for (double y : {.3, .5}) {
+    const int t = s.select({.02, y, -.01}, unit({.05, 0, -1}), -1, {.depth = .2, .reach = .3}).triangle;
+    ASSERT_GE(t, 0);
+    EXPECT_NEAR(project({.02, y, -.01}, s.master().corners(t)).gap, -.01, 1e-15);
+  }
+}
+
+// Outside next to the tip of a blade, in front of one flank and behind the plane of the other.
+TEST(Select, PlanesEndAtASharpEdge) {
+  const auto blade = prism({{.18, -.5}, {0, .5}, {-.18, -.5}}, 3);
+  const Surface s(blade->reference, blade->facets);
+  const Vec3<double> x{.045, .2, .522}, N{1, 0, 0};
+  const Selection free = s.select(x, N);
+  EXPECT_EQ(free.triangle, -1);
+  EXPECT_NEAR(free.distance, std::hypot(.045, .022), 1e-15);
 }
 
 TEST(Select, StopsNothingBeyondARim) {
