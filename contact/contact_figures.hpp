@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+#include "core/base/tensor.hpp"
+
+namespace bulbus {
+
+struct Wrench {
+  Vec3<double> force{0, 0, 0};   ///< N
+  Vec3<double> moment{0, 0, 0};  ///< about the origin, N·mm
+};
+
+inline Vec3<double> moment_about(const Vec3<double>& point, const Wrench& w) { return minus(w.moment, cross(point, w.force)); }
+
+/// Figures of one contact on one rank: sums and the largest penetration are those of its slave nodes.
+struct ContactFigures {
+  int pairs = 0;                  ///< active ones
+  int smoothed = 0;               ///< that could not decide between open and closed in this increment
+  double area = 0;                ///< current tributary area of the active nodes, mm²
+  double penetration = 0;         ///< largest, mm
+  std::vector<Wrench> on_master;  ///< per part of a rigid body; one in all for a master of the mesh
+};
+
+/// A slave node that this rank owns.
+struct ContactNode {
+  int node;         ///< local
+  double gap;       ///< mm, negative inside; the search's reach where no master is nearer
+  double pressure;  ///< force over current tributary area, MPa
+  bool active;
+};
+
+/// Slave nodes that are inside the master at the start, on one rank.
+struct Overlap {
+  int nodes = 0, worst = -1;  ///< worst: local node
+  Vec3<double> place{0, 0, 0};
+  double depth = 0;           ///< mm
+};
+
+/// How the augmented-Lagrangian loop of the current increment went, the same on every rank.
+struct Augmentation {
+  int updates = 0;
+  double violation = 0;  ///< largest penetration, or gap that a multiplier presses across, at the last look, mm
+  bool gave_up = false;  ///< still above the tolerance after the last allowed update
+};
+
+/// What a contact remembers from increment to increment, for every pair of slave node and master piece.
+struct ContactMemory {
+  std::vector<int> triangle;     ///< where tracking starts, −1: none
+  std::vector<double> pressure;  ///< multiplier p, MPa
+  std::vector<double> overlap;   ///< mm inside at the start, made good while the first step proceeds; empty: none
+};
+
+}  // namespace bulbus

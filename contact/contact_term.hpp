@@ -1,0 +1,113 @@
+#pragma once
+#include <optional>
+
+#include "contact/contact_figures.hpp"
+#include "contact/master.hpp"
+#include "contact/position_codes.hpp"
+#include "contact/pressure_law.hpp"
+#include "contact/slave_surface.hpp"
+#include "core/base/parallel.hpp"
+#include "core/problem/contact_spec.hpp"
+#include "core/problem/term.hpp"
+
+namespace bulbus {
+
+/// The two sides as this rank holds them.
+struct ContactSides {
+  std::span<const double> X;              ///< reference places of the local nodes
+  int owned;                              ///< the first ones are owned
+  std::span<const Quad> slave;            ///< local nodes, at least all faces that touch an owned node, normals out of the body
+  Master master;
+  std::span<const std::string> symmetry;  ///< planes "x", "y", "z" on which that coordinate is 0
+};
+
+/// Taken where the specification says 0.
+struct ContactDefaults {
+  double penalty;    ///< α_A, MPa/mm
+  double depth;      ///< mm
+  double reach = 0;  ///< how far the search looks, mm; larger than any motion of an increment. 0: twice the depth
+};
+
+/// Frictionless contact of the owned nodes of one surface with a master (formulation, section 5). Per node and master piece, with
+/// the reference tributary area A0, the gap G and the trial pressure τ = p − α_A G:
+///     potential A0/(2 α_A) max(0, τ)²,  residual −A0 max(0, τ) D,  tangent A0 (α_A D Dᵀ − max(0, τ) H)
+/// The multiplier p is 0 unless the specification gives a tolerance. Nodes that both surfaces share make no pairs.
+///
+/// Pairs are a function of the state, of the rigid body's places and of what commit() has left. Each node's H waits until its pair
+/// has been the same in two linearisations; a node that keeps changing gets its pair held and a smoothed pressure until the
+/// increment ends (set_progress begins one).
+class ContactTerm final : public Term {
+ public:
+  ContactTerm(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides, const Comm& comm);
+
+  void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override;
+  void linearize(const State& state) override;
+  void add_action(std::span<const double> dx, std::span<double> force) const override;
+  void visit(const ContributionVisitor& visitor) const override;
+
+  void begin_step(int step, const State& state) override;
+  bool revise(const State& state) override;
+  void set_progress(double s) override;
+  void freeze() override;
+  void commit(const State& state) override;
+  void roll_back() override;
+
+  /// N·mm
+  double potential(const State& state) const;
+  ContactFigures figures(const State& state) const;
+  /// In the order of slave().nodes().
+  std::vector<ContactNode> nodes(const State& state) const;
+  const SlaveSurface& slave() const { return slave_; }
+  const Augmentation& augmentation() const { return augmentation_; }
+  const ContactMemory& memory() const { return committed_; }
+  int searches() const { return search_.searches(); }
+
+  /// Nodes farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
+  Overlap overlaps(const State& start, double tolerance) const;
+  /// Lets the gap count from where each node is at the start; that fades linearly over the step that follows.
+  void resolve(const State& start);
+
+ private:
+  struct Touch {
+    int slave, slot, triangle;
+    Pair pair;
+  };
+  struct Found {
+    std::vector<double> key;       // where the surfaces are
+    std::vector<Touch> touches;    // by slave node, then piece
+    std::vector<double> distance;  // per slave node
+    SlaveSurface::Shape shape;
+  };
+
+  std::vector<double> surfaces(const State& state) const;
+  const Found& found(const State& state) const;
+  Found find(const State& state, const SearchLimits& limits, bool remembered) const;
+  std::optional<Selection> held(const MasterSurface& master, const Vec3<double>& x, int slot) const;
+  double gap(const Touch& touch) const;
+  ContactPressure pressure(const Touch& touch) const;
+  double penetration(const Found& found) const;
+  double violation(const Found& found) const;
+  bool smoothed(int slot) const;
+  void begin_increment();
+  void watch(const std::vector<int>& now);
+
+  Comm comm_;
+  Master master_;
+  SlaveSurface slave_;
+  std::vector<double> area0_;
+  double penalty_, tolerance_, fade_ = 1;
+  SearchLimits limits_;
+  ContactMemory committed_, current_;
+  Augmentation augmentation_;
+
+  // per slot; active triangles of the last two linearisations of this increment, −1: not active
+  std::vector<int> last_, before_, changes_, held_;
+  bool linearized_ = false;
+  std::vector<int> tangent_nodes_;  // one per block, or four
+  std::vector<double> tangent_;
+
+  mutable GlobalSearch search_;
+  mutable Found found_;
+};
+
+}  // namespace bulbus

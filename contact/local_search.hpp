@@ -1,0 +1,50 @@
+#pragma once
+#include <span>
+
+#include "contact/facets.hpp"
+#include "contact/pair.hpp"
+
+namespace bulbus {
+
+/// A master surface where it is now. Numbers of triangles are the same on every rank: they break ties.
+struct MasterSurface {
+  const Facets& facets;
+  std::span<const double> places;
+  Triangle corners(int triangle) const;
+};
+
+/// Where the line x + d N meets a triangle's plane. With A = x1 − x, B = x2 − x, C = x3 − x the weights of the meeting point are
+///     w1 = N·(B×C), w2 = N·(C×A), w3 = N·(A×B) over their sum, and d = A·(B×C) over it
+struct Crossing {
+  bool facing = false;            ///< N·n < 0: the triangle looks at the slave; nothing else is given if not
+  std::array<double, 3> weights;
+  double distance;                ///< d; negative where the node is behind the plane
+  bool inside() const;            ///< edges belong to both sides
+};
+Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle& corners);
+
+/// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative weight.
+/// −1 at a rim, at a triangle that looks away, or after 20 steps.
+int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start);
+
+struct SearchLimits {
+  double depth;  ///< a node deeper than this behind a triangle is on another side of the body, mm
+  double reach;  ///< farthest place of the surface that counts, along the line or straight, mm
+};
+
+struct Selection {
+  int triangle = -1;  ///< −1: none, the node is free
+  double distance;    ///< to the surface, as far as known; reach if nothing is near
+};
+
+/// The triangle whose plane keeps the node out.
+/// 1. The one that the slave's normal line meets: found by tracking from `start` (−1: none), on whose right side the node is
+///    known to have been, so that `depth` does not count; otherwise the nearest one among the candidates.
+/// 2. Where the line meets none, or only one that the node is in front of, the node may still be inside: in a concave corner, or
+///    where the line slips past a rim. The nearest point of the surface decides, behind an edge or a corner by the sum of the normals
+///    around it (angle-weighted). A rim itself stops nothing.
+/// `candidates`: ascending; all triangles within reach of x.
+Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start,
+                 std::span<const int> candidates, const SearchLimits& limits);
+
+}  // namespace bulbus

@@ -1,0 +1,23 @@
+#include "contact/master.hpp"
+
+#include <algorithm>
+
+namespace bulbus {
+
+Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles.size()) {
+  for (const auto& t : faces_.triangles) nodes_.insert(nodes_.end(), t.begin(), t.end());
+  std::sort(nodes_.begin(), nodes_.end());
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+}
+
+Master::Master(std::shared_ptr<const RigidSurface> surface)
+    : surface_(std::move(surface)),
+      pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),
+      piece_(surface_->facets.triangles.size()) {
+  for (std::size_t k = 0; k < surface_->parts.size(); ++k)
+    std::fill_n(piece_.begin() + surface_->parts[k].first_triangle, surface_->parts[k].triangles, static_cast<int>(k));
+}
+
+MasterSurface Master::at(const State& state) const { return {facets(), surface_ ? surface_->places : state.x}; }
+
+}  // namespace bulbus

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+
+#include "contact/local_search.hpp"
+#include "contact/rigid_surface.hpp"
+
+namespace bulbus {
+
+/// The side that nodes are kept out of: faces of the mesh (one piece), or the parts of a rigid body, each a master of its own.
+class Master {
+ public:
+  /// Corners are local nodes; all triangles on every rank that has slave nodes, in the same order.
+  explicit Master(Facets faces);
+  explicit Master(std::shared_ptr<const RigidSurface> surface);
+
+  bool rigid() const { return surface_ != nullptr; }
+  const Facets& facets() const { return surface_ ? surface_->facets : faces_; }
+  int pieces() const { return pieces_; }
+  int piece_of(int triangle) const { return piece_[triangle]; }
+  MasterSurface at(const State& state) const;
+  /// The mesh nodes of its corners, ascending; none of a rigid body.
+  const std::vector<int>& nodes() const { return nodes_; }
+
+ private:
+  Facets faces_;
+  std::shared_ptr<const RigidSurface> surface_;
+  int pieces_ = 1;
+  std::vector<int> piece_, nodes_;
+};
+
+}  // namespace bulbus
