@@ -117,7 +117,7 @@ Skin skin_of(const RodShape& rod, const std::string& key) {
   }
   for (int i = 0; i < rod.facets; ++i) {
     const int a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % rod.facets);
-    skin.triangles.insert(skin.triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}, {below, b, a}, {above, a + 1, b + 1}});
+    for (const auto& t : {std::array{a, b, b + 1}, {a, b + 1, a + 1}, {below, b, a}, {above, a + 1, b + 1}}) skin.triangles.push_back(t);
   }
   return skin;
 }
@@ -144,16 +144,16 @@ Skin sweep(const Section& section, const ArcSpec& arc, double from, double to, c
   for (int k = 0; k < stations - ring; ++k)
     for (const auto& [axial, radial] : section) skin.add(frame.place(from + (to - from) * k / arc.facets, axial, radial));
   const int points = skin.size();
-  // axis, radius and the direction of azimuth are right-handed
+  // axis × radius is against the azimuth: a counter-clockwise section looks back from the first end
   for (int k = 0; k < arc.facets; ++k)
     for (int i = 0; i < n; ++i) {
       const int a = n * k + i, b = n * k + (i + 1) % n, c = (a + n) % points, d = (b + n) % points;
-      skin.triangles.insert(skin.triangles.end(), {{a, c, d}, {a, d, b}});
+      for (const auto& t : {std::array{a, c, d}, {a, d, b}}) skin.triangles.push_back(t);
     }
   if (arc.caps && !ring)
     for (const auto& [a, b, c] : triangulate(section)) {
       const int end = n * arc.facets;
-      skin.triangles.insert(skin.triangles.end(), {{a, c, b}, {end + a, end + b, end + c}});
+      for (const auto& t : {std::array{a, b, c}, {end + a, end + c, end + b}}) skin.triangles.push_back(t);
     }
   return skin;
 }
