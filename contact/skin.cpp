@@ -24,24 +24,13 @@ Vec3<double> direction(const Point& v, const std::string& key) {
   return unit(v);
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-Skin surface_of(const Mesh& mesh, const std::string& name, const std::string& key) {
-  const auto found = mesh.surfaces.find(name);
-  if (found == mesh.surfaces.end()) {
-    std::vector<std::string> known;
-    for (const auto& [k, faces] : mesh.surfaces) known.push_back(k);
-    const std::string near = nearest(name, known);
-    throw scene_error(key + ".surface", "the file has no surface '" + name + "'", near.empty() ? "Name one of its physical surfaces." : "Did you mean '" + near + "'?");
-  }
+Skin surface_of(const std::vector<Quad>& faces, const std::vector<Point>& points) {
   Skin skin;
   std::map<int, int> number;
-  for (std::array<int, 3> t : split(found->second).triangles) {
+  for (std::array<int, 3> t : split(faces).triangles) {
     for (int& corner : t) {
       const auto [entry, fresh] = number.emplace(corner, skin.size());
-      if (fresh) skin.add(mesh.points[corner]);
+      if (fresh) skin.add(points[corner]);
       corner = entry->second;
     }
     skin.triangles.push_back(t);
@@ -49,18 +38,40 @@ Skin surface_of(const Mesh& mesh, const std::string& name, const std::string& ke
   return skin;
 }
 
+Facets facets_of(const Skin& skin, const std::string& path) {
+  try {
+    return make_facets(skin.triangles);
+  } catch (const InputError& fault) {
+    throw input_error(path, 0, fault.what(), "");
+  }
+}
+
 void require_closed(const Skin& skin, const std::string& path) {
-  const Facets facets = make_facets(skin.triangles);
+  const Facets facets = facets_of(skin, path);
+  const auto text = [&](int p) {
+    return "(" + std::to_string(skin.points[3 * p]) + ", " + std::to_string(skin.points[3 * p + 1]) + ", " +
+           std::to_string(skin.points[3 * p + 2]) + ")";
+  };
   for (std::size_t t = 0; t < facets.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i)
-      if (facets.neighbours[t][i] < 0) {
-        const double *a = &skin.points[3 * facets.triangles[t][(i + 1) % 3]], *b = &skin.points[3 * facets.triangles[t][(i + 2) % 3]];
-        const auto text = [](const double* p) { return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + ")"; };
-        throw input_error(path, 0, "the surface is open: nothing continues it across its edge from " + text(a) + " to " + text(b), "Close it.");
-      }
+      if (const auto& corner = facets.triangles[t]; facets.neighbours[t][i] < 0)
+        throw input_error(path, 0,
+                          "the surface is open: nothing continues it across its edge from " +
+                              text(corner[(i + 1) % 3]) + " to " + text(corner[(i + 2) % 3]),
+                          "Close it.");
 }
 
 }  // namespace
+
+const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& surface, const std::string& key) {
+  if (const auto found = mesh.surfaces.find(surface); found != mesh.surfaces.end() && !found->second.empty())
+    return found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, faces] : mesh.surfaces) known.push_back(name);
+  const std::string near = nearest(surface, known);
+  throw scene_error(key + ".surface", "the mesh has no surface '" + surface + "'",
+                    near.empty() ? "Name one of its surfaces." : "Did you mean '" + near + "'?");
+}
 
 double enclosed_volume(std::span<const double> points, std::span<const std::array<int, 3>> triangles) {
   const auto at = [&](int p) { return Vec3<double>{points[3 * p], points[3 * p + 1], points[3 * p + 2]}; };
@@ -124,8 +135,9 @@ Skin skin_of(const RodShape& rod, const std::string& key) {
 
 Skin skin_of(const BodyFile& file, const std::string& key) {
   Skin skin;
-  if (ends_with(file.path, ".msh")) {
-    skin = surface_of(read_gmsh(file.path), file.surface, key);
+  if (file.path.ends_with(".msh") || !file.surface.empty()) {
+    const Mesh mesh = read_gmsh(file.path);
+    skin = surface_of(faces_of(mesh, file.surface, key), mesh.points);
   } else {
     skin = read_stl(file.path);
     require_closed(skin, file.path);

@@ -17,13 +17,16 @@ struct Skin {
   int size() const { return static_cast<int>(points.size() / 3); }
   /// Returns the number of the new point.
   int add(const Point& p) {
-    points.insert(points.end(), p.begin(), p.end());
+    for (double c : p) points.push_back(c);
     return size() - 1;
   }
 };
 
 /// ⅙ Σ x1·(x2 × x3), mm³: the volume if the surface is closed, negative if it is inside out.
 double enclosed_volume(std::span<const double> points, std::span<const std::array<int, 3>> triangles);
+
+/// A surface of a mesh. Throws InputError that blames `key`.surface, with the nearest name, if there is none.
+const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& surface, const std::string& key);
 
 Skin skin_of(const PlaneShape& shape, const std::string& key);
 /// An octahedron whose faces are cut into facets² triangles, blown up: corners lie on the sphere.

@@ -8,6 +8,7 @@
 #include "contact/facets.hpp"
 #include "contact/meridians.hpp"
 #include "contact/plane_section.hpp"
+#include "contact/skin.hpp"
 #include "core/mesh/embed.hpp"
 #include "core/problem/closed_surface.hpp"
 
@@ -15,15 +16,6 @@ namespace bulbus {
 namespace {
 
 using Edge = std::array<int, 2>;
-
-const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& name, const std::string& key) {
-  const auto found = mesh.surfaces.find(name);
-  if (found != mesh.surfaces.end() && !found->second.empty()) return found->second;
-  std::vector<std::string> known;
-  for (const auto& [k, faces] : mesh.surfaces) known.push_back(k);
-  const std::string near = nearest(name, known);
-  throw scene_error(key + ".surface", "the mesh has no surface '" + name + "'", near.empty() ? "Name one of its surfaces." : "Did you mean '" + near + "'?");
-}
 
 SuturePoint point_of(const std::map<int, double>& weights, const Point& place) {
   SuturePoint s{.place = place};

@@ -56,7 +56,7 @@ class SutureTerm final : public Term {
   };
   struct Bite {
     Patch owned;  // the force acts on these
-    Patch near;   // the tangent on these: all that one rank, which has most of the weight, holds; empty on the others
+    Patch near;   // the tangent on these, on one rank: where ghosts of all the others reach it is exact, else symmetric still
     std::array<bool, 3> on_plane{};
     double share = 1;
     CuttingPlane plane{};

@@ -152,7 +152,7 @@ struct BodyFile {
   template <class V>
   void describe(V&& v) {
     v("path", path, About{"STL file (text or binary), or Gmsh file of 8-node hexahedra"}.needed());
-    v("surface", surface, About{"physical surface of the Gmsh file"});
+    v("surface", surface, About{"physical surface of the Gmsh file (.msh)"});
     v("scale", scale, About{"mm per unit of length of the file"}.positive());
   }
 };
@@ -195,8 +195,8 @@ struct RigidBodySpec {
   }
 };
 
-/// Motion of a rigid body over a step, reached linearly by its end: all parts turn, then shift, then close each along its own
-/// direction. A body that a step does not move stays.
+/// Motion of a rigid body over a step, reached linearly by its end: all parts turn together, shift together and close each along
+/// its own direction, as that was at the start of the step. A body that a step does not move stays.
 struct MoveSpec {
   std::string body, from = "here";
   Point translate{0, 0, 0};
@@ -208,8 +208,8 @@ struct MoveSpec {
     v("translate", translate, About{"shift reached at the end of the step", Quantity::length});
     v("rotate", rotate, About{"rigid rotation of all parts together"});
     v("close", close, About{"way of every part along its own direction", Quantity::length});
-    v("from", from, About{"the motion counts from where the body is (`here`), or from where each part first meets the surface "
-                          "that it is in contact with (`touch`)"}.one_of({"here", "touch"}));
+    v("from", from, About{"the motion counts from where the body is (`here`), or from where each part, coming from outside along "
+                          "its way, first meets a slave of its contacts (`touch`)"}.one_of({"here", "touch"}));
   }
 };
 
