@@ -6,10 +6,6 @@
 namespace bulbus {
 namespace {
 
-double turn(const Point2& a, const Point2& b, const Point2& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 double size_of(std::span<const Point2> points) {
   double size = 0;
   for (const Point2& p : points) size = std::max(size, std::hypot(p[0] - points[0][0], p[1] - points[0][1]));
@@ -26,8 +22,7 @@ bool inside_or_on(std::span<const Point2> hull, const Point2& S) {
   return true;
 }
 
-}  // namespace
-
+// Andrew's monotone chain: counter-clockwise, without collinear corners.
 std::vector<Point2> convex_hull(std::vector<Point2> points) {
   std::ranges::sort(points);
   if (points.empty()) return {};
@@ -36,7 +31,8 @@ std::vector<Point2> convex_hull(std::vector<Point2> points) {
   const auto chain = [&](auto begin, auto end) {
     const std::size_t start = hull.size();
     for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), *p) <= tolerance) hull.pop_back();
+      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), *p) <= tolerance)
+        hull.pop_back();
       hull.push_back(*p);
     }
     hull.pop_back();  // the other chain begins there
@@ -45,6 +41,8 @@ std::vector<Point2> convex_hull(std::vector<Point2> points) {
   chain(points.rbegin(), points.rend());
   return hull.size() < 3 ? std::vector<Point2>{} : hull;
 }
+
+}  // namespace
 
 std::vector<Point2> outline(const RigidSurface& body, const CuttingPlane& plane) {
   std::vector<Point2> points;
@@ -68,7 +66,8 @@ std::optional<Tangent> outer_tangent(std::span<const Point2> hull, const Point2&
       if (sine < -1e-12 || (sine < 1e-12 && far < reach)) T = p;
     }
     const double length = std::hypot(T[0] - S[0], T[1] - S[1]);
-    const Point2 d{(T[0] - S[0]) / length, (T[1] - S[1]) / length}, away{side * d[1], -side * d[0]};  // away from the hull
+    const Point2 d{(T[0] - S[0]) / length, (T[1] - S[1]) / length},
+        away{side * d[1], -side * d[0]};  // away from the hull
     if (const double out = away[0] * middle[0] + away[1] * middle[1]; !best || out > outwards) {
       best = {T, d, length};
       outwards = out;

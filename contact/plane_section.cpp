@@ -6,8 +6,9 @@
 namespace bulbus {
 namespace {
 
-std::vector<CutSegment> cut(std::span<const double> points, std::span<const double> height, std::span<const std::array<int, 3>> triangles,
-                            const CuttingPlane& plane, bool zero_in_front) {
+std::vector<CutSegment> cut(std::span<const double> points, std::span<const double> height,
+                            std::span<const std::array<int, 3>> triangles, const CuttingPlane& plane,
+                            bool zero_in_front) {
   const auto front = [&](int p) { return height[p] > 0 || (zero_in_front && height[p] == 0); };
   const auto at = [&](int p) { return plane.flat({points[3 * p], points[3 * p + 1], points[3 * p + 2]}); };
   std::vector<CutSegment> segments;
@@ -29,7 +30,8 @@ std::vector<CutSegment> cut(std::span<const double> points, std::span<const doub
 
 }  // namespace
 
-std::vector<CutSegment> cut(std::span<const double> points, std::span<const std::array<int, 3>> triangles, const CuttingPlane& plane) {
+std::vector<CutSegment> cut(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
+                            const CuttingPlane& plane) {
   std::vector<double> height(points.size() / 3);
   double size = 0;
   for (std::size_t p = 0; p < height.size(); ++p) {

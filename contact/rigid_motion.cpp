@@ -20,13 +20,8 @@ Vec3<double> turned(const Mat3<double>& R, const Vec3<double>& v) {
 // A frame that looks along the direction: two coordinates across it and the way along it.
 struct View {
   Vec3<double> u, v, d;
-  explicit View(const Vec3<double>& direction) : d(direction) {
-    const int least = static_cast<int>(std::min_element(d.begin(), d.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - d.begin());
-    Vec3<double> e{0, 0, 0};
-    e[least] = 1;
-    u = unit(cross(e, d));
-    v = cross(d, u);
-  }
+  explicit View(const Vec3<double>& direction)
+      : u(across(direction)[0]), v(across(direction)[1]), d(direction) {}
   Vec3<double> operator()(const double* x) const {
     const Vec3<double> p{x[0], x[1], x[2]};
     return {dot(u, p), dot(v, p), dot(d, p)};
@@ -39,7 +34,8 @@ double area2(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c
 
 }  // namespace
 
-double way_to_touch(const RigidSurface& surface, const RigidSurface::Part& part, const Vec3<double>& direction, std::span<const double> points) {
+double way_to_touch(const RigidSurface& surface, const RigidSurface::Part& part,
+                    const Vec3<double>& direction, std::span<const double> points) {
   const View view(direction);
   std::vector<Vec3<double>> seen;
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) seen.push_back(view(&points[i]));
@@ -53,7 +49,8 @@ double way_to_touch(const RigidSurface& surface, const RigidSurface::Part& part,
     const auto [bottom, top] = std::minmax({c[0][1], c[1][1], c[2][1]});
     const double size = std::max(high - low, top - bottom), slack = 1e-12 * size * size;
     if (area <= slack) continue;  // only facets that face the way meet anything first
-    for (auto p = std::ranges::lower_bound(seen, low - 1e-12 * size, {}, [](const Vec3<double>& q) { return q[0]; });
+    for (auto p = std::ranges::lower_bound(seen, low - 1e-12 * size, {},
+                                           [](const Vec3<double>& q) { return q[0]; });
          p != seen.end() && (*p)[0] <= high + 1e-12 * size; ++p) {
       const double a = area2(*p, c[1], c[2]), b = area2(c[0], *p, c[2]), e = area - a - b;
       if (a < -slack || b < -slack || e < -slack) continue;
@@ -74,28 +71,37 @@ void RigidMotion::set_poses(std::vector<Pose> poses) {
   place();
 }
 
-Vec3<double> RigidMotion::inwards(std::size_t part) const { return turned(start_[part].rotation, surface_->parts[part].inwards); }
+Vec3<double> RigidMotion::inwards(std::size_t part) const {
+  return turned(start_[part].rotation, surface_->parts[part].inwards);
+}
 
 void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key) {
   for (const auto& part : surface_->parts)
     if (move.close != 0 && norm(part.inwards) == 0)
-      throw scene_error(key + ".close", "'" + surface_->name + "' has no direction to close along", "Give the body a `direction`, or use `translate`.");
-  if (move.rotate && !(norm(move.rotate->axis) > 0)) throw scene_error(key + ".rotate.axis", "the axis is zero", "Give a vector with a length.");
+      throw scene_error(key + ".close", "'" + surface_->name + "' has no direction to close along",
+                        "Give the body a `direction`, or use `translate`.");
+  if (move.rotate && !(norm(move.rotate->axis) > 0))
+    throw scene_error(key + ".rotate.axis", "the axis is zero", "Give a vector with a length.");
   if (move.from == "touch") bring_to_touch(move, slaves, key);
   course_ = {move.rotate, move.translate, move.close};
   set_progress(0);
 }
 
-void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> slaves, const std::string& key) {
+void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> slaves,
+                                 const std::string& key) {
   for (std::size_t p = 0; p < start_.size(); ++p) {
     const bool shifts = move.close == 0 && norm(move.translate) > 0;
     const Vec3<double> d = shifts ? unit(move.translate) : inwards(p);
     if (!(norm(d) > 0))
-      throw scene_error(key + ".from", "'" + surface_->name + "' has no direction in which to come to touch", "Give the move a `translate`, or the body a `direction`.");
+      throw scene_error(key + ".from", "'" + surface_->name + "' has no direction in which to come to touch",
+                        "Give the move a `translate`, or the body a `direction`.");
     const double way = way_to_touch(*surface_, surface_->parts[p], d, slaves);
     if (!std::isfinite(way))
-      throw scene_error(key + ".from", "part " + std::to_string(p) + " of '" + surface_->name + "' meets no node of the surfaces it is in contact with",
-                        "Place the body so that its way leads to them, and name them as slaves of a contact with it.");
+      throw scene_error(
+          key + ".from",
+          "part " + std::to_string(p) + " of '" + surface_->name +
+              "' meets no node of the surfaces it is in contact with",
+          "Place the body so that its way leads to them, and name them as slaves of a contact with it.");
     start_[p].shift = start_[p].shift + (way - clearance) * d;
   }
 }

@@ -10,15 +10,6 @@
 namespace bulbus {
 namespace {
 
-// Two directions that make a right-handed frame with the unit vector n.
-std::array<Vec3<double>, 2> across(const Vec3<double>& n) {
-  const int least = std::abs(n[0]) < std::abs(n[1]) ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2) : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
-  Vec3<double> a{0, 0, 0};
-  a[least] = 1;
-  const Vec3<double> u = unit(cross(a, n));
-  return {u, cross(n, u)};
-}
-
 Vec3<double> direction(const Point& v, const std::string& key) {
   if (!(norm(v) > 0)) throw scene_error(key, "a direction is zero", "Give a vector with a length.");
   return unit(v);
@@ -84,7 +75,8 @@ Skin skin_of(const PlaneShape& plane, const std::string& key) {
   const auto [u, v] = across(direction(plane.normal, key + ".normal"));
   const double h = plane.size / 2;
   Skin skin;
-  for (const auto& [a, b] : {std::pair{-h, -h}, {h, -h}, {h, h}, {-h, h}}) skin.add(plane.point + a * u + b * v);
+  for (const auto& [a, b] : {std::pair{-h, -h}, {h, -h}, {h, h}, {-h, h}})
+    skin.add(plane.point + a * u + b * v);
   skin.triangles = {{0, 1, 2}, {0, 2, 3}};
   return skin;
 }
@@ -119,7 +111,8 @@ Skin skin_of(const RodShape& rod, const std::string& key) {
   const Vec3<double> axis = direction(rod.axis, key + ".axis");
   const auto [u, v] = across(axis);
   Skin skin;
-  const int below = skin.add(rod.center + (-rod.length / 2) * axis), above = skin.add(rod.center + (rod.length / 2) * axis);
+  const int below = skin.add(rod.center + (-rod.length / 2) * axis),
+            above = skin.add(rod.center + (rod.length / 2) * axis);
   for (int i = 0; i < rod.facets; ++i) {
     const double phi = 2 * std::numbers::pi * i / rod.facets;
     const Vec3<double> r = rod.radius * (std::cos(phi) * u + std::sin(phi) * v);
@@ -128,7 +121,8 @@ Skin skin_of(const RodShape& rod, const std::string& key) {
   }
   for (int i = 0; i < rod.facets; ++i) {
     const int a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % rod.facets);
-    for (const auto& t : {std::array{a, b, b + 1}, {a, b + 1, a + 1}, {below, b, a}, {above, a + 1, b + 1}}) skin.triangles.push_back(t);
+    for (const auto& t : {std::array{a, b, b + 1}, {a, b + 1, a + 1}, {below, b, a}, {above, a + 1, b + 1}})
+      skin.triangles.push_back(t);
   }
   return skin;
 }
@@ -142,7 +136,8 @@ Skin skin_of(const BodyFile& file, const std::string& key) {
     skin = read_stl(file.path);
     require_closed(skin, file.path);
     if (!(enclosed_volume(skin.points, skin.triangles) > 0))
-      throw input_error(file.path, 0, "the body is inside out: its triangles turn their normals inwards", "Turn all triangles and save the file again.");
+      throw input_error(file.path, 0, "the body is inside out: its triangles turn their normals inwards",
+                        "Turn all triangles and save the file again.");
   }
   for (double& c : skin.points) c *= file.scale;
   return skin;
@@ -154,7 +149,8 @@ Skin sweep(const Section& section, const ArcSpec& arc, double from, double to, c
   const bool ring = to - from >= 360 - 1e-9;
   Skin skin;
   for (int k = 0; k < stations - ring; ++k)
-    for (const auto& [axial, radial] : section) skin.add(frame.place(from + (to - from) * k / arc.facets, axial, radial));
+    for (const auto& [axial, radial] : section)
+      skin.add(frame.place(from + (to - from) * k / arc.facets, axial, radial));
   const int points = skin.size();
   // axis × radius is against the azimuth: a counter-clockwise section looks back from the first end
   for (int k = 0; k < arc.facets; ++k)

@@ -34,7 +34,8 @@ Skin skin_of(const SphereShape& shape);
 Skin skin_of(const RodShape& shape, const std::string& key);
 Skin skin_of(const BodyFile& file, const std::string& key);
 
-/// One part of an arc, between two azimuths (degrees). Corners lie on the circles that those of the section run through.
+/// One part of an arc, between two azimuths (degrees). Corners lie on the circles that those of the section
+/// run through.
 Skin sweep(const Section& section, const ArcSpec& arc, double from, double to, const std::string& key);
 
 }  // namespace bulbus

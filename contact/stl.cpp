@@ -17,7 +17,8 @@
 namespace bulbus {
 namespace {
 
-constexpr std::size_t header = 80, facet = 50;  // bytes of a binary file: 12 floats and two bytes per triangle
+constexpr std::size_t header = 80,
+                      facet = 50;  // bytes of a binary file: 12 floats and two bytes per triangle
 
 class Collector {
  public:
@@ -82,7 +83,8 @@ class TextReader {
     if (!collector_.add(corners)) fail("a corner is not finite");
   }
   bool at_end() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) line_ += text_[at_++] == '\n';
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
+      line_ += text_[at_++] == '\n';
     return at_ == text_.size();
   }
   std::string word() {
@@ -92,7 +94,8 @@ class TextReader {
     return text_.substr(start, at_ - start);
   }
   void expect(const char* wanted) {
-    if (const std::string w = word(); w != wanted) fail(fmt::format("expected {}, found '{:.40}'", wanted, w));
+    if (const std::string w = word(); w != wanted)
+      fail(fmt::format("expected {}, found '{:.40}'", wanted, w));
   }
   double real() {
     const std::string w = word();
@@ -100,10 +103,12 @@ class TextReader {
     double value = 0;
     const auto [end, fault] = std::from_chars(first, w.data() + w.size(), value);
     if (fault != std::errc() || end != w.data() + w.size()) fail(fmt::format("'{:.40}' is no number", w));
-    return value + 0.;  // −0 is 0: they are one corner
+    return value;
   }
   void skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
-  [[noreturn]] void fail(const std::string& what) const { throw input_error(path_, line_, what, "Save the STL file again."); }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw input_error(path_, line_, what, "Save the STL file again.");
+  }
 
   const std::string &path_, &text_;
   std::size_t at_ = 0;
@@ -126,8 +131,10 @@ Skin read_binary(const std::string& path, const std::string& bytes, std::uint32_
     std::array<float, 12> raw;  // normal and three corners
     std::memcpy(raw.data(), bytes.data() + header + sizeof count + facet * t, sizeof raw);
     std::array<std::array<double, 3>, 3> corners;
-    for (int i = 0; i < 9; ++i) corners[i / 3][i % 3] = raw[3 + i] + 0.f;
-    if (!collector.add(corners)) throw input_error(path, 0, fmt::format("triangle {}: a corner is not finite", t + 1), "Save the STL file again.");
+    for (int i = 0; i < 9; ++i) corners[i / 3][i % 3] = raw[3 + i];
+    if (!collector.add(corners))
+      throw input_error(path, 0, fmt::format("triangle {}: a corner is not finite", t + 1),
+                        "Save the STL file again.");
   }
   return collector.take();
 }
@@ -137,10 +144,14 @@ Skin read_binary(const std::string& path, const std::string& bytes, std::uint32_
 Skin read_stl(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw input_error(path, 0, "cannot read the STL file", "Check the path; it is relative to the scene file.");
+  if (!file)
+    throw input_error(path, 0, "cannot read the STL file",
+                      "Check the path; it is relative to the scene file.");
   const auto count = binary_count(bytes);
   if (!count && bytes.compare(0, 5, "solid") != 0)
-    throw input_error(path, 0, "is neither a text STL file, which begins with 'solid', nor a binary one, whose size fits its number of triangles",
+    throw input_error(path, 0,
+                      "is neither a text STL file, which begins with 'solid', nor a binary one, whose size "
+                      "fits its number of triangles",
                       "Save the STL file again.");
   Skin skin = count ? read_binary(path, bytes, *count) : TextReader(path, bytes).read();
   if (skin.triangles.empty()) throw input_error(path, 0, "has no triangles", "Save the STL file again.");

@@ -51,8 +51,8 @@ class Meridian {
     }
     return best;
   }
-  /// The point at a length along the curve from a spot, through end 0 or 1 of its segment; `left` of the length lies beyond the
-  /// curve's end.
+  /// The point at a length along the curve from a spot, through end 0 or 1 of its segment; `left` of the
+  /// length lies beyond the curve's end.
   Point2 walk(Spot from, int end, double& left) const {
     for (std::size_t steps = 0; steps <= segments_.size(); ++steps) {
       const Point2& to = segments_[from.segment].ends[end];
@@ -73,7 +73,9 @@ class Meridian {
     return from.p;  // once around a closed curve
   }
   /// The end of a segment on the side of the smaller axial place.
-  int lower_end(int segment) const { return segments_[segment].ends[0][0] < segments_[segment].ends[1][0] ? 0 : 1; }
+  int lower_end(int segment) const {
+    return segments_[segment].ends[0][0] < segments_[segment].ends[1][0] ? 0 : 1;
+  }
 
  private:
   std::vector<CutSegment> segments_;
@@ -91,14 +93,17 @@ std::array<Point, 2> points_on_meridian(const Mesh& mesh, const SutureSpec& spec
   const Meridian meridian(cut(places, split(faces_of(mesh, spec.surface, key)).triangles, plane));
   const auto middle = meridian.at(spec.pair->axial);
   if (middle.segment < 0)
-    throw scene_error(key + ".pair", "the meridian does not meet '" + spec.surface + "' at this axial place", "Check azimuth, axial and surface.");
+    throw scene_error(key + ".pair", "the meridian does not meet '" + spec.surface + "' at this axial place",
+                      "Check azimuth, axial and surface.");
   std::array<Point, 2> points;
   const int lower = meridian.lower_end(middle.segment);
   for (int i = 0; i < 2; ++i) {
     double left = spec.pair->spacing / 2;
     points[i] = plane.lift(meridian.walk(middle, i == 0 ? lower : 1 - lower, left));
     if (left > 0)
-      throw scene_error(key + ".pair.spacing", "'" + spec.surface + "' ends " + std::to_string(left) + " mm before a point", "Give a smaller spacing, or another place.");
+      throw scene_error(key + ".pair.spacing",
+                        "'" + spec.surface + "' ends " + std::to_string(left) + " mm before a point",
+                        "Give a smaller spacing, or another place.");
   }
   return points;
 }
@@ -116,7 +121,8 @@ SuturePoint bite(const Mesh& mesh, const std::vector<Quad>& faces, const Point& 
     const int m = radius > 0 ? std::clamp(static_cast<int>(std::ceil(10 * size / radius)), 1, 100) : 1;
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < m; ++j) {
-        const double s = (i + .5) / m, t = (j + .5) / m, N[4] = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+        const double s = (i + .5) / m, t = (j + .5) / m,
+                     N[4] = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
         const Point x = N[0] * c[0] + N[1] * c[1] + N[2] * c[2] + N[3] * c[3];
         if (norm(x - middle) > radius) continue;
         const Point a = mix(c[1] - c[0], c[2] - c[3], t), b = mix(c[3] - c[0], c[2] - c[1], s);
@@ -129,17 +135,21 @@ SuturePoint bite(const Mesh& mesh, const std::vector<Quad>& faces, const Point& 
   return point_of(weights, middle);
 }
 
-std::vector<SuturePoint> suture_points(const Mesh& mesh, const SutureSpec& spec, std::span<const std::string> symmetry, const std::string& key) {
+std::vector<SuturePoint> suture_points(const Mesh& mesh, const SutureSpec& spec,
+                                       std::span<const std::string> symmetry, const std::string& key) {
   spec.validate();
   std::vector<SuturePoint> points;
   if (spec.pair)
-    for (const Point& p : points_on_meridian(mesh, spec, key)) points.push_back(bite(mesh, faces_of(mesh, spec.surface, key), p, spec.bite));
-  for (const Point& p : spec.points) points.push_back(bite(mesh, faces_of(mesh, spec.surface, key), p, spec.bite));
+    for (const Point& p : points_on_meridian(mesh, spec, key))
+      points.push_back(bite(mesh, faces_of(mesh, spec.surface, key), p, spec.bite));
+  for (const Point& p : spec.points)
+    points.push_back(bite(mesh, faces_of(mesh, spec.surface, key), p, spec.bite));
   for (const std::string& set : spec.sets) {
     std::map<int, double> weights;
     Point mean{0, 0, 0};
     const auto nodes = nodes_of(mesh, set);
-    if (nodes.empty()) throw scene_error(key + ".sets", "the node set '" + set + "' is empty", "Name a set with nodes.");
+    if (nodes.empty())
+      throw scene_error(key + ".sets", "the node set '" + set + "' is empty", "Name a set with nodes.");
     for (int n : nodes) {
       weights[n] = 1;
       mean = mean + 1. / static_cast<double>(nodes.size()) * mesh.points[n];

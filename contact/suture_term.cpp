@@ -6,12 +6,14 @@
 namespace bulbus {
 namespace {
 
-Vec3<double> in_plane(const CuttingPlane& plane, const Point2& v) { return v[0] * plane.along + v[1] * plane.away; }
+Vec3<double> in_plane(const CuttingPlane& plane, const Point2& v) {
+  return v[0] * plane.along + v[1] * plane.away;
+}
 
 }  // namespace
 
-SutureTerm::SutureTerm(const LocalMesh& mesh, const std::vector<SuturePoint>& points, std::shared_ptr<const RigidSurface> body,
-                       const SutureSpec& spec, std::string key)
+SutureTerm::SutureTerm(const LocalMesh& mesh, const std::vector<SuturePoint>& points,
+                       std::shared_ptr<const RigidSurface> body, const SutureSpec& spec, std::string key)
     : mesh_(mesh),
       body_(std::move(body)),
       frame_(spec.meridians, key),
@@ -46,17 +48,20 @@ std::vector<Vec3<double>> SutureTerm::places(const State& state) const {
   std::vector<double> sum(3 * bites_.size());
   for (std::size_t b = 0; b < bites_.size(); ++b)
     for (std::size_t i = 0; i < bites_[b].owned.nodes.size(); ++i)
-      for (int c = 0; c < 3; ++c) sum[3 * b + c] += bites_[b].owned.weights[i] * state.x[3 * bites_[b].owned.nodes[i] + c];
+      for (int c = 0; c < 3; ++c)
+        sum[3 * b + c] += bites_[b].owned.weights[i] * state.x[3 * bites_[b].owned.nodes[i] + c];
   mesh_.comm.sum(sum);
   std::vector<Vec3<double>> S(bites_.size());
   for (std::size_t b = 0; b < bites_.size(); ++b)
-    for (int c = 0; c < 3; ++c) S[b][c] = bites_[b].on_plane[c] ? 0 : sum[3 * b + c];  // with its image it lies on the plane
+    for (int c = 0; c < 3; ++c)
+      S[b][c] = bites_[b].on_plane[c] ? 0 : sum[3 * b + c];  // with its image it lies on the plane
   return S;
 }
 
 CuttingPlane SutureTerm::plane_through(const Vec3<double>& S) const {
   const bool meridian = norm(generator_) == 0;
-  const Vec3<double> r = S - frame_.center, off = meridian ? frame_.axis : unit(generator_), away = unit(r - dot(r, off) * off);
+  const Vec3<double> r = S - frame_.center, off = meridian ? frame_.axis : unit(generator_),
+                     away = unit(r - dot(r, off) * off);
   const Vec3<double> normal = meridian ? cross(frame_.axis, away) : off;
   return {meridian ? frame_.center : frame_.center + dot(r, off) * off, normal, cross(away, normal), away};
 }
@@ -85,7 +90,9 @@ void SutureTerm::begin_step(int, const State& state) {
   update(state);
   for (std::size_t b = 0; b < bites_.size(); ++b)
     if (norm(strings_[b].direction) == 0)
-      throw scene_error(key_, "point " + std::to_string(b) + " has no tangent to the outline of '" + body_->name + "': it lies inside, or its plane misses the body",
+      throw scene_error(key_,
+                        "point " + std::to_string(b) + " has no tangent to the outline of '" + body_->name +
+                            "': it lies inside, or its plane misses the body",
                         "Move the point out from under the body, or the body to the point.");
 }
 
@@ -103,7 +110,8 @@ void SutureTerm::freeze() {
   set_progress(1);
 }
 
-void SutureTerm::add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const {
+void SutureTerm::add_residual(const State& state, std::span<double> force,
+                              std::span<double> magnitude) const {
   if (now_ == 0) return;
   const auto S = follow_ ? places(state) : std::vector<Vec3<double>>{};
   for (std::size_t b = 0; b < bites_.size(); ++b) {
@@ -143,7 +151,8 @@ void SutureTerm::add_action(std::span<const double> dx, std::span<double> force)
       for (int c = 0; c < 3; ++c) dS[c] += near.weights[i] * dx[3 * near.nodes[i] + c];
     for (std::size_t i = 0; i < near.nodes.size(); ++i)
       for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < 3; ++k) force[3 * near.nodes[i] + c] += near.weights[i] * stiffness_[b](c, k) * dS[k];
+        for (int k = 0; k < 3; ++k)
+          force[3 * near.nodes[i] + c] += near.weights[i] * stiffness_[b](c, k) * dS[k];
   }
 }
 
@@ -156,7 +165,8 @@ void SutureTerm::visit(const ContributionVisitor& visitor) const {
     std::vector<double> K(n * n);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
-        K[n * i + j] = near.weights[i / 3] * near.weights[j / 3] * stiffness_[b](static_cast<int>(i % 3), static_cast<int>(j % 3));
+        K[n * i + j] = near.weights[i / 3] * near.weights[j / 3] *
+                       stiffness_[b](static_cast<int>(i % 3), static_cast<int>(j % 3));
     visitor(near.nodes, K);
   }
 }

@@ -12,11 +12,13 @@
 
 namespace bulbus {
 
-/// The strings of one suture (formulation, section 6): each of its points S = Σ w x is pulled with the force F d, d = (T − S)/|T − S|,
-/// along the outer tangent to the outline of a rigid body in the plane through S. Residual of a node: −F d w.
+/// The strings of one suture (formulation, section 6): each of its points S = Σ w x is pulled with the force
+/// F d, d = (T − S)/|T − S|, along the outer tangent to the outline of a rigid body in the plane through S.
+/// Residual of a node: −F d w.
 ///
-/// Plane and direction are those of the last converged increment. A suture that follows keeps the plane only: d then depends on S,
-/// with the tangent (F/ℓ)(I − d dᵀ) in the plane. This is exact although T moves: along d, to first order.
+/// Plane and direction are those of the last converged increment. A suture that follows keeps the plane only:
+/// d then depends on S, with the tangent (F/ℓ)(I − d dᵀ) in the plane. This is exact although T moves: along
+/// d, to first order.
 ///
 /// Where a point has come to lie inside the outline or on it, its last direction stays.
 class SutureTerm final : public Term {
@@ -28,9 +30,10 @@ class SutureTerm final : public Term {
     bool lost = false;                   ///< S is inside the outline: the direction is an older one
   };
 
-  /// `mesh` stays where it is; `body` is moved elsewhere. `key` is the path of the spec in the scene. Collective. Throws InputError.
-  SutureTerm(const LocalMesh& mesh, const std::vector<SuturePoint>& points, std::shared_ptr<const RigidSurface> body, const SutureSpec& spec,
-             std::string key);
+  /// `mesh` stays where it is; `body` is moved elsewhere. `key` is the path of the spec in the scene.
+  /// Collective. Throws InputError.
+  SutureTerm(const LocalMesh& mesh, const std::vector<SuturePoint>& points,
+             std::shared_ptr<const RigidSurface> body, const SutureSpec& spec, std::string key);
 
   /// Force per point at the end of the coming step, N, reached linearly. To be called before begin_step().
   void sew(double force) { end_ = force; }
@@ -56,7 +59,8 @@ class SutureTerm final : public Term {
   };
   struct Bite {
     Patch owned;  // the force acts on these
-    Patch near;   // the tangent on these, on one rank: where ghosts of all the others reach it is exact, else symmetric still
+    Patch near;   // the tangent on these, on one rank: where ghosts of all the others reach it is exact, else
+                  // symmetric still
     std::array<bool, 3> on_plane{};
     double share = 1;
     CuttingPlane plane{};

@@ -12,8 +12,8 @@ namespace bulbus {
 
 /// What a scene says of rigid bodies that it moves itself, and of the sutures that run over them.
 
-/// Meridian planes through an axis. Azimuth is in degrees from `zero` towards zero × axis: with the defaults 0 is superior
-/// (+y), 90 lateral (+x), 180 inferior (−y).
+/// Meridian planes through an axis. Azimuth is in degrees from `zero` towards zero × axis: with the defaults
+/// 0 is superior (+y), 90 lateral (+x), 180 inferior (−y).
 struct Meridians {
   Point center{0, 0, 0}, axis{0, 0, 1}, zero{0, 1, 0};
   template <class V>
@@ -101,10 +101,13 @@ struct SweptShape {
   ArcSpec arc;
   template <class V>
   void describe(V&& v) {
-    v("section", section, About{"corners [axial, radial] in mm, counter-clockwise with the axis to the right and the radius up"}.needed());
+    v("section", section,
+      About{"corners [axial, radial] in mm, counter-clockwise with the axis to the right and the radius up"}
+          .needed());
     v("at", at, About{"[axial, radial] place of the section's origin, mm"});
     v("spline", spline, About{"join the corners by a closed cubic spline instead of straight lines"});
-    v("points", points, About{"points that the spline is cut into, the corners among them"}.between(3, 10000));
+    v("points", points,
+      About{"points that the spline is cut into, the corners among them"}.between(3, 10000));
     arc.describe(v);
   }
 };
@@ -191,12 +194,15 @@ struct RigidBodySpec {
       }
     });
     if (count == 0) throw input_error("the rigid body has no shape", "give one of " + all);
-    if (count > 1) throw input_error("the rigid body has " + std::to_string(count) + " shapes: " + given, "keep exactly one of " + all);
+    if (count > 1)
+      throw input_error("the rigid body has " + std::to_string(count) + " shapes: " + given,
+                        "keep exactly one of " + all);
   }
 };
 
-/// Motion of a rigid body over a step, reached linearly by its end: all parts turn together, shift together and close each along
-/// its own direction, as that was at the start of the step. A body that a step does not move stays.
+/// Motion of a rigid body over a step, reached linearly by its end: all parts turn together, shift together
+/// and close each along its own direction, as that was at the start of the step. A body that a step does not
+/// move stays.
 struct MoveSpec {
   std::string body, from = "here";
   Point translate{0, 0, 0};
@@ -208,19 +214,22 @@ struct MoveSpec {
     v("translate", translate, About{"shift reached at the end of the step", Quantity::length});
     v("rotate", rotate, About{"rigid rotation of all parts together"});
     v("close", close, About{"way of every part along its own direction", Quantity::length});
-    v("from", from, About{"the motion counts from where the body is (`here`), or from where each part, coming from outside along "
-                          "its way, first meets a slave of its contacts (`touch`)"}.one_of({"here", "touch"}));
+    v("from", from,
+      About{"the motion counts from where the body is (`here`), or from where each part, coming from outside "
+            "along its way, first meets a slave of its contacts (`touch`)"}
+          .one_of({"here", "touch"}));
   }
 };
 
-/// Strings that pull points of the tissue along the tangents to the outline of a body (formulation, section 6).
+/// Strings that pull points of the tissue along the tangents to the outline of a body.
 struct SutureSpec {
   struct Pair {
     double azimuth = 0, spacing = 8.9, axial = 0;
     template <class V>
     void describe(V&& v) {
       v("azimuth", azimuth, About{"azimuth of the meridian, degrees"}.between(-360, 360));
-      v("spacing", spacing, About{"length of the undeformed meridian between the two points", Quantity::length}.positive());
+      v("spacing", spacing,
+        About{"length of the undeformed meridian between the two points", Quantity::length}.positive());
       v("axial", axial, About{"axial place of the middle between them", Quantity::length});
     }
   };
@@ -237,19 +246,29 @@ struct SutureSpec {
     v("body", body, About{"the rigid body whose outline the string runs over"}.needed());
     v("surface", surface, About{"surface of the mesh that `pair` and `points` lie on"});
     v("pair", pair, About{"two points on a meridian"});
-    v("points", points, About{"one or two places, moved to the nearest point of the surface", Quantity::length});
+    v("points", points,
+      About{"one or two places, moved to the nearest point of the surface", Quantity::length});
     v("sets", sets, About{"one or two node sets: each is one point, its nodes share the force equally"});
-    v("bite", bite, About{"area over which the force of a point is spread; 0: at the point alone", Quantity::area}.at_least(0));
-    v("follow", follow, About{"the direction follows the tissue within an increment; otherwise it is that of the last one"});
-    v("generator", generator, About{"normal of the outline's plane; zero: the meridian plane through the point"});
+    v("bite", bite,
+      About{"area over which the force of a point is spread; 0: at the point alone", Quantity::area}.at_least(
+          0));
+    v("follow", follow,
+      About{"the direction follows the tissue within an increment; otherwise it is that of the last one"});
+    v("generator", generator,
+      About{"normal of the outline's plane; zero: the meridian plane through the point"});
     meridians.describe(v);
   }
   /// Throws InputError unless the points are given in exactly one way.
   void validate() const {
     const int ways = (pair ? 1 : 0) + (points.empty() ? 0 : 1) + (sets.empty() ? 0 : 1);
-    if (ways != 1) throw input_error("the points of the suture are given in " + std::to_string(ways) + " ways", "give exactly one of pair, points, sets");
-    if (points.size() > 2 || sets.size() > 2) throw input_error("a suture has more than two points", "make two sutures of it");
-    if (sets.empty() && surface.empty()) throw input_error("the suture has no surface", "add 'surface: ...', the surface of the mesh that its points lie on");
+    if (ways != 1)
+      throw input_error("the points of the suture are given in " + std::to_string(ways) + " ways",
+                        "give exactly one of pair, points, sets");
+    if (points.size() > 2 || sets.size() > 2)
+      throw input_error("a suture has more than two points", "make two sutures of it");
+    if (sets.empty() && surface.empty())
+      throw input_error("the suture has no surface",
+                        "add 'surface: ...', the surface of the mesh that its points lie on");
   }
 };
 

@@ -4,7 +4,9 @@
 
 namespace bulbus {
 
-inline RigidSurface body(const RigidBodySpec& spec) { return make_rigid_surface("b", spec, "rigid_bodies.b"); }
+inline RigidSurface body(const RigidBodySpec& spec) {
+  return make_rigid_surface("b", spec, "rigid_bodies.b");
+}
 
 /// A triangle of a body where it is now.
 struct Facet {
@@ -29,7 +31,8 @@ inline double winding(const RigidSurface& b, const Vec3<double>& x) {
     std::array<Vec3<double>, 3> r;
     for (int i = 0; i < 3; ++i) r[i] = f.corners[i] - x;
     const double a = norm(r[0]), c = norm(r[1]), d = norm(r[2]);
-    sum += std::atan2(dot(r[0], cross(r[1], r[2])), a * c * d + dot(r[0], r[1]) * d + dot(r[1], r[2]) * a + dot(r[2], r[0]) * c);
+    sum += std::atan2(dot(r[0], cross(r[1], r[2])),
+                      a * c * d + dot(r[0], r[1]) * d + dot(r[1], r[2]) * a + dot(r[2], r[0]) * c);
   }
   return sum / (2 * std::acos(-1.));
 }

@@ -13,7 +13,9 @@ namespace {
 
 using std::numbers::pi;
 
-std::shared_ptr<RigidSurface> shared(const RigidBodySpec& spec) { return std::make_shared<RigidSurface>(body(spec)); }
+std::shared_ptr<RigidSurface> shared(const RigidBodySpec& spec) {
+  return std::make_shared<RigidSurface>(body(spec));
+}
 
 RigidBodySpec two_arcs() {
   BandShape band;
@@ -28,8 +30,12 @@ MoveSpec closing(double way, const std::string& from = "here") {
   return m;
 }
 
-Vec3<double> place(const RigidSurface& b, int p) { return {b.places[3 * p], b.places[3 * p + 1], b.places[3 * p + 2]}; }
-Vec3<double> drawn(const RigidSurface& b, int p) { return {b.reference[3 * p], b.reference[3 * p + 1], b.reference[3 * p + 2]}; }
+Vec3<double> place(const RigidSurface& b, int p) {
+  return {b.places[3 * p], b.places[3 * p + 1], b.places[3 * p + 2]};
+}
+Vec3<double> drawn(const RigidSurface& b, int p) {
+  return {b.reference[3 * p], b.reference[3 * p + 1], b.reference[3 * p + 2]};
+}
 
 void expect_near(const Vec3<double>& a, const Vec3<double>& b, double tolerance = 1e-12) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance);
@@ -42,12 +48,14 @@ TEST(Motion, PartsCloseEachItsOwnWay) {
   for (double s : {0., .25, 1.}) {
     motion.set_progress(s);
     for (const auto& part : b->parts)
-      for (int p = part.first_point; p < part.first_point + part.points; ++p) expect_near(place(*b, p), drawn(*b, p) + 2 * s * part.inwards);
+      for (int p = part.first_point; p < part.first_point + part.points; ++p)
+        expect_near(place(*b, p), drawn(*b, p) + 2 * s * part.inwards);
   }
   EXPECT_GT(norm(b->parts[0].inwards - b->parts[1].inwards), .4);
 }
 
-// Step 1 turns all parts by 90° about an axis through (1, 2, 0); step 2 closes along the turned directions; step 3 is at rest.
+// Step 1 turns all parts by 90° about an axis through (1, 2, 0); step 2 closes along the turned directions;
+// step 3 is at rest.
 TEST(Motion, StepsFollowOneAnother) {
   const auto b = shared(two_arcs());
   RigidMotion motion(b);
@@ -55,16 +63,20 @@ TEST(Motion, StepsFollowOneAnother) {
   turn.rotate = RotationSpec{{0, 0, 3}, {1, 2, 0}, pi / 2};
   turn.translate = {0, 0, 5};
   motion.begin(turn, {}, "");
-  const auto turned = [](const Vec3<double>& x) { return Vec3<double>{1 - (x[1] - 2), 2 + (x[0] - 1), x[2] + 5}; };
+  const auto turned = [](const Vec3<double>& x) {
+    return Vec3<double>{1 - (x[1] - 2), 2 + (x[0] - 1), x[2] + 5};
+  };
   motion.set_progress(.3);
   motion.freeze();
-  for (int p = 0; p < static_cast<int>(b->places.size() / 3); ++p) expect_near(place(*b, p), turned(drawn(*b, p)));
+  for (int p = 0; p < static_cast<int>(b->places.size() / 3); ++p)
+    expect_near(place(*b, p), turned(drawn(*b, p)));
   motion.begin(closing(1), {}, "");
   motion.set_progress(.7);
   motion.set_progress(.5);  // the increment was cut
   for (const auto& part : b->parts)
     for (int p = part.first_point; p < part.first_point + part.points; ++p)
-      expect_near(place(*b, p), turned(drawn(*b, p)) + .5 * Vec3<double>{-part.inwards[1], part.inwards[0], 0});
+      expect_near(place(*b, p),
+                  turned(drawn(*b, p)) + .5 * Vec3<double>{-part.inwards[1], part.inwards[0], 0});
   motion.freeze();
   const auto end = b->places;
   motion.set_progress(.2);
@@ -91,7 +103,8 @@ TEST(Motion, RotationIsARotationHalfwayToo) {
 
 TEST(Touch, PlaneComesToTheNearestNode) {
   const RigidSurface b = body({.plane = PlaneShape{{0, 0, 10}, {0, 0, -1}, 8}});
-  const std::vector<double> points{1, 1, 2, -2, 3, 4.5, 0, 5, 9, 0, 0, -3};  // the highest one is beside the sheet
+  const std::vector<double> points{1, 1, 2, -2, 3, 4.5,
+                                   0, 5, 9, 0,  0, -3};  // the highest one is beside the sheet
   EXPECT_NEAR(way_to_touch(b, b.parts[0], {0, 0, -1}, points), 5.5, 1e-12);
   const std::vector<double> behind{0, 0, 12};
   EXPECT_NEAR(way_to_touch(b, b.parts[0], {0, 0, -1}, behind), -2, 1e-12);
@@ -107,7 +120,8 @@ TEST(Touch, RodOnASphereOfNodes) {
   double way = INFINITY;
   for (std::size_t p = 0; p < points.size(); p += 3) {
     points[p + 1] += shift;
-    if (std::abs(points[p + 1]) < R) way = std::min(way, z - std::sqrt(R * R - points[p + 1] * points[p + 1]) - points[p + 2]);
+    if (std::abs(points[p + 1]) < R)
+      way = std::min(way, z - std::sqrt(R * R - points[p + 1] * points[p + 1]) - points[p + 2]);
   }
   const RigidSurface rod = body({.cylinder = RodShape{{0, 0, z}, {1, 0, 0}, R, 20, 3000}});
   EXPECT_NEAR(way_to_touch(rod, rod.parts[0], {0, 0, -1}, points), way, 2e-6);

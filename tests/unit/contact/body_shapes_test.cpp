@@ -35,7 +35,9 @@ std::string refusal(Build build) {
   return "accepted";
 }
 
-std::vector<std::vector<double>> square(double half) { return {{-half, -half}, {half, -half}, {half, half}, {-half, half}}; }
+std::vector<std::vector<double>> square(double half) {
+  return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+}
 
 RigidBodySpec swept(std::vector<std::vector<double>> section, ArcSpec arc = {}) {
   SweptShape s;
@@ -53,7 +55,8 @@ TEST(Shapes, SphereIsClosedAndItsVolumeConverges) {
     const RigidSurface b = body({.sphere = SphereShape{{1, 2, 3}, 2, 8 << i}});
     EXPECT_TRUE(closed(b));
     EXPECT_EQ(b.facets.triangles.size(), 8u * (8 << i) * (8 << i));
-    for (std::size_t p = 0; p < b.places.size(); p += 3) EXPECT_NEAR(std::hypot(b.places[p] - 1, b.places[p + 1] - 2, b.places[p + 2] - 3), 2, 1e-12);
+    for (std::size_t p = 0; p < b.places.size(); p += 3)
+      EXPECT_NEAR(std::hypot(b.places[p] - 1, b.places[p + 1] - 2, b.places[p + 2] - 3), 2, 1e-12);
     error[i] = 4. / 3 * pi * 8 - volume(b);
     EXPECT_GT(error[i], 0);
   }
@@ -210,7 +213,8 @@ TEST(Shapes, SplinePassesThroughItsCornersSmoothly) {
   const Section s = periodic_spline(corners, 1200);
   EXPECT_NEAR(static_cast<double>(s.size()), 1200, 12);
   for (const Point2& c : corners) EXPECT_TRUE(std::ranges::find(s, c) != s.end());
-  for (const Point2& p : s) EXPECT_NEAR(std::hypot(p[0], p[1] - 12), 3, 6e-3);  // of the circle that the corners lie on
+  for (const Point2& p : s)
+    EXPECT_NEAR(std::hypot(p[0], p[1] - 12), 3, 6e-3);  // of the circle that the corners lie on
   double sharpest = 0, flattest = 1;
   for (std::size_t i = 0, n = s.size(); i < n; ++i) {
     const Point2 &a = s[i], &b = s[(i + 1) % n], &c = s[(i + 2) % n];
@@ -224,7 +228,8 @@ TEST(Shapes, SplinePassesThroughItsCornersSmoothly) {
 }
 
 TEST(Shapes, HollowSectionsAreCutIntoEars) {
-  const Section s{{0, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 2}, {2, 2}, {1, 2}, {1, 3}, {0, 3}};  // a U with a corner on a straight edge
+  const Section s{{0, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 2},
+                  {2, 2}, {1, 2}, {1, 3}, {0, 3}};  // a U with a corner on a straight edge
   double area = 0;
   const auto ears = triangulate(s);
   EXPECT_EQ(ears.size(), s.size() - 2);
@@ -240,20 +245,29 @@ TEST(Shapes, WrongSectionsAreRefused) {
   std::ranges::reverse(reversed);
   EXPECT_NE(refusal([&] { body(swept(reversed)); }).find("rigid_bodies.b.swept.section|"), std::string::npos);
   EXPECT_NE(refusal([&] { body(swept(reversed)); }).find("inside out"), std::string::npos);
-  EXPECT_NE(refusal([] { body(swept({{0, 0}, {3, 2}, {3, 0}, {0, 2}})); }).find("crosses itself"), std::string::npos);
+  EXPECT_NE(refusal([] {
+              body(swept({{0, 0}, {3, 2}, {3, 0}, {0, 2}}));
+            }).find("crosses itself"),
+            std::string::npos);
   EXPECT_NE(refusal([] { body(swept(square(10.5))); }).find("axis"), std::string::npos);
-  EXPECT_NE(refusal([] { body(swept({{0, 0}, {1, 0}, {1, 0}, {0, 1}})); }).find("coincide"), std::string::npos);
+  EXPECT_NE(refusal([] {
+              body(swept({{0, 0}, {1, 0}, {1, 0}, {0, 1}}));
+            }).find("coincide"),
+            std::string::npos);
   EXPECT_NE(refusal([] { body(swept({{0, 0}, {1, 0}})); }).find("encloses nothing"), std::string::npos);
   EXPECT_NE(refusal([] { body(swept({{0, 0}, {1, 0, 2}, {1, 1}})); }).find("two numbers"), std::string::npos);
   EXPECT_NE(refusal([] { body(swept(square(1), {.from = 90, .to = 0})); }).find("spans"), std::string::npos);
-  EXPECT_NE(refusal([] { body({.band = BandShape{.edge_radius = .4}}); }).find("edge_radius"), std::string::npos);
-  EXPECT_NE(refusal([] { body({.tire = TireShape{.inner_radius_of_curvature = 2}}); }).find("contradict"), std::string::npos);
+  EXPECT_NE(refusal([] { body({.band = BandShape{.edge_radius = .4}}); }).find("edge_radius"),
+            std::string::npos);
+  EXPECT_NE(refusal([] { body({.tire = TireShape{.inner_radius_of_curvature = 2}}); }).find("contradict"),
+            std::string::npos);
   EXPECT_EQ(refusal([] { body(swept(square(1))); }), "accepted");
 }
 
 TEST(Shapes, ExactlyOneShape) {
   EXPECT_NE(refusal([] { body({}); }).find("no shape"), std::string::npos);
-  EXPECT_NE(refusal([] { body({.sphere = SphereShape{}, .band = BandShape{}}); }).find("sphere and band"), std::string::npos);
+  EXPECT_NE(refusal([] { body({.sphere = SphereShape{}, .band = BandShape{}}); }).find("sphere and band"),
+            std::string::npos);
 }
 
 TEST(Shapes, SurfaceOfAGmshFile) {

@@ -17,7 +17,8 @@ CuttingPlane meridian(double azimuth) {
   return {f.center, cross(f.axis, f.radius(azimuth)), f.axis, f.radius(azimuth)};
 }
 
-RigidBodySpec swept(std::vector<std::vector<double>> section, std::vector<double> at, double from, double to) {
+RigidBodySpec swept(std::vector<std::vector<double>> section, std::vector<double> at, double from,
+                    double to) {
   SweptShape s;
   s.section = std::move(section);
   s.at = std::move(at);
@@ -49,7 +50,8 @@ TEST(Tangent, OfACircleAgainstClosedForm) {
 }
 
 TEST(Tangent, OfARectangleIsToItsOuterCorner) {
-  const auto hull = outline(body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(20));
+  const auto hull =
+      outline(body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(20));
   const double chord = std::cos(2.5 * pi / 180);  // 20° is a station of 5°
   EXPECT_EQ(hull.size(), 4u);
   for (double side : {-1., 1.}) {
@@ -59,7 +61,8 @@ TEST(Tangent, OfARectangleIsToItsOuterCorner) {
     EXPECT_NEAR(t->touch[0], side * 3.5, 1e-12);
     EXPECT_NEAR(t->touch[1], 14.75, 1e-9);
   }
-  const auto between = outline(body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(22.5));
+  const auto between =
+      outline(body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(22.5));
   EXPECT_NEAR(outer_tangent(between, {-4.45, 11.1})->touch[1], 14.75 * chord, 1e-9);
 }
 
@@ -121,7 +124,8 @@ TEST(Outline, InThePlaneInWhichTheBodyEnds) {
 TEST(Outline, FollowsTheBody) {
   RigidSurface b = body(swept({{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}, {0, 12}, -10, 35));
   for (std::size_t p = 2; p < b.places.size(); p += 3) b.places[p] += 3;
-  for (const Point2& p : outline(b, meridian(0))) EXPECT_TRUE(std::abs(p[0] - 2) < 1e-12 || std::abs(p[0] - 4) < 1e-12);
+  for (const Point2& p : outline(b, meridian(0)))
+    EXPECT_TRUE(std::abs(p[0] - 2) < 1e-12 || std::abs(p[0] - 4) < 1e-12);
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ std::string text_of(const RigidSurface& b, bool turn = false) {
   for (int t = 0; t < static_cast<int>(b.facets.triangles.size()); ++t) {
     const Facet f(b, t);
     out << "  facet normal 0 0 0\n    outer loop\n";
-    for (int i : {0, turn ? 2 : 1, turn ? 1 : 2}) out << "      vertex " << f.corners[i][0] << ' ' << f.corners[i][1] << ' ' << f.corners[i][2] << '\n';
+    for (int i : {0, turn ? 2 : 1, turn ? 1 : 2})
+      out << "      vertex " << f.corners[i][0] << ' ' << f.corners[i][1] << ' ' << f.corners[i][2] << '\n';
     out << "    endloop\n  endfacet\n";
   }
   out << "endsolid  of a name\n";
@@ -63,7 +64,8 @@ TEST_F(Stl, TextKeepsTrianglesAndMergesCorners) {
   const Skin s = read_stl(path);
   EXPECT_EQ(s.triangles.size(), ball().facets.triangles.size());
   EXPECT_EQ(s.points.size(), ball().places.size());
-  EXPECT_DOUBLE_EQ(enclosed_volume(s.points, s.triangles), enclosed_volume(ball().places, ball().facets.triangles));
+  EXPECT_DOUBLE_EQ(enclosed_volume(s.points, s.triangles),
+                   enclosed_volume(ball().places, ball().facets.triangles));
 }
 
 TEST_F(Stl, BinaryIsToldByItsSize) {
@@ -71,7 +73,8 @@ TEST_F(Stl, BinaryIsToldByItsSize) {
   const Skin s = read_stl(path);
   EXPECT_EQ(s.triangles.size(), ball().facets.triangles.size());
   EXPECT_EQ(s.points.size(), ball().places.size());
-  EXPECT_NEAR(enclosed_volume(s.points, s.triangles), enclosed_volume(ball().places, ball().facets.triangles), 1e-5);
+  EXPECT_NEAR(enclosed_volume(s.points, s.triangles), enclosed_volume(ball().places, ball().facets.triangles),
+              1e-5);
 }
 
 TEST_F(Stl, SeveralSolidsAreOneSurface) {
@@ -81,14 +84,17 @@ TEST_F(Stl, SeveralSolidsAreOneSurface) {
 }
 
 TEST_F(Stl, NegativeZeroIsZero) {
-  write("solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n"
-        "facet normal 0 0 1 outer loop vertex -0 0 -0.0 vertex 0 1 0 vertex -1 0 0 endloop endfacet\nendsolid\n");
+  write(
+      "solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n"
+      "facet normal 0 0 1 outer loop vertex -0 0 -0.0 vertex 0 1 0 vertex -1 0 0 endloop "
+      "endfacet\nendsolid\n");
   EXPECT_EQ(read_stl(path).size(), 4);
 }
 
 TEST_F(Stl, TrianglesWithoutAreaOfEqualCornersAreLeftOut) {
-  write("solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n"
-        "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 1 0 endloop endfacet\nendsolid\n");
+  write(
+      "solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n"
+      "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 1 0 endloop endfacet\nendsolid\n");
   EXPECT_EQ(read_stl(path).triangles.size(), 1u);
 }
 
@@ -103,7 +109,8 @@ TEST_F(Stl, FaultsNameTheLine) {
   EXPECT_NE(broken("outer", "inner").find("body.stl:3: expected outer, found 'inner'"), std::string::npos);
   EXPECT_NE(broken("vertex 1", "vertex one").find("body.stl:4: 'one"), std::string::npos);
   EXPECT_NE(broken("endloop", "vertex 1 2 3").find("body.stl:7: expected endloop"), std::string::npos);
-  EXPECT_NE(broken("facet normal 0", "facet normal nan").find("accepted"), std::string::npos);  // normals are not used
+  EXPECT_NE(broken("facet normal 0", "facet normal nan").find("accepted"),
+            std::string::npos);  // normals are not used
   EXPECT_NE(broken("vertex 1", "vertex nan").find("finite"), std::string::npos);
   write(text.substr(0, text.find("vertex") + 6));
   EXPECT_NE(refusal().find("too early"), std::string::npos);

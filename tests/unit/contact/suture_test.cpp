@@ -27,7 +27,9 @@ SutureSpec pair_at(double azimuth) {
 struct SuturePoints : testing::Test {
   Mesh mesh = generate(ShellShape{.inner = 11, .outer = 12, .n = 24, .layers = 1, .part = "half"});
   std::vector<std::string> symmetry{"x"};
-  std::vector<SuturePoint> points(const SutureSpec& spec) const { return suture_points(mesh, spec, symmetry, "sutures.s"); }
+  std::vector<SuturePoint> points(const SutureSpec& spec) const {
+    return suture_points(mesh, spec, symmetry, "sutures.s");
+  }
   std::string fault(const SutureSpec& spec) const {
     try {
       points(spec);
@@ -79,7 +81,8 @@ TEST_F(SuturePoints, BiteIsTheMeanOverItsCircle) {
   EXPECT_NEAR(sum, 1, 1e-14);
   EXPECT_LT(norm(mean - p.place), .03);
   // a linear field's second moment over a disc is r²/2, and the interpolation adds to it on cells of .39 mm
-  for (std::size_t i = 0; i < p.nodes.size(); ++i) spread += p.weights[i] * dot(mesh.points[p.nodes[i]] - mean, mesh.points[p.nodes[i]] - mean);
+  for (std::size_t i = 0; i < p.nodes.size(); ++i)
+    spread += p.weights[i] * dot(mesh.points[p.nodes[i]] - mean, mesh.points[p.nodes[i]] - mean);
   EXPECT_NEAR(spread, 1 / (2 * pi), .08);
 }
 
@@ -138,10 +141,13 @@ struct Suture : testing::Test {
   Mesh mesh = generate(ShellShape{.inner = 11, .outer = 12, .n = 8, .layers = 1, .part = "half"});
   std::vector<std::string> symmetry{"x"};
   LocalMesh local = distribute(mesh, std::vector<int>(mesh.hexes.size(), 0), Comm());
-  std::shared_ptr<RigidSurface> tire = std::make_shared<RigidSurface>(body({.tire = TireShape{.radius = 12.1}}));
+  std::shared_ptr<RigidSurface> tire =
+      std::make_shared<RigidSurface>(body({.tire = TireShape{.radius = 12.1}}));
   State state{.x = local.X};
 
-  SutureTerm term(SutureSpec spec) const { return {local, suture_points(mesh, spec, symmetry, "sutures.s"), tire, spec, "sutures.s"}; }
+  SutureTerm term(SutureSpec spec) const {
+    return {local, suture_points(mesh, spec, symmetry, "sutures.s"), tire, spec, "sutures.s"};
+  }
   SutureTerm pulling(SutureSpec spec, double force) {
     SutureTerm t = term(spec);
     t.sew(force);
@@ -316,7 +322,8 @@ TEST_F(Suture, OutlineMayBeTakenAcrossAnotherGenerator) {
   spec.bite = 0;
   const SutureTerm t = pulling(spec, .1);
   const auto& s = t.strings()[0];
-  const double D = std::hypot(s.S[0], 13.5 - s.S[1]), angle = std::atan2(13.5 - s.S[1], -s.S[0]) - std::asin(1 / D);
+  const double D = std::hypot(s.S[0], 13.5 - s.S[1]),
+               angle = std::atan2(13.5 - s.S[1], -s.S[0]) - std::asin(1 / D);
   EXPECT_NEAR(s.direction[0], std::cos(angle), 1e-3);
   EXPECT_NEAR(s.direction[1], std::sin(angle), 1e-3);
   EXPECT_NEAR(s.direction[2], 0, 1e-12);
