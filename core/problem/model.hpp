@@ -6,6 +6,7 @@
 
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/problem/rigid_spec.hpp"
 
 namespace bulbus {
 
@@ -77,16 +78,7 @@ struct FixSpec {
 /// Prescribed displacement of a set. A plain number is reached linearly by the end of the step; a formula in X, Y, Z (mm,
 /// reference place), s (0 to 1 over the step) and t (steps done + s) is taken as it stands.
 struct DisplaceSpec {
-  struct Rotation {
-    Point axis{0, 0, 1}, center{0, 0, 0};
-    double angle = 0;
-    template <class V>
-    void describe(V&& v) {
-      v("axis", axis, About{"direction of the axis"});
-      v("center", center, About{"a point of the axis", Quantity::length});
-      v("angle", angle, About{"angle reached at the end of the step", Quantity::angle}.needed());
-    }
-  };
+  using Rotation = RotationSpec;
   std::string set;
   std::optional<std::string> x, y, z, radial, by;
   Point axis{0, 0, 1}, center{0, 0, 0}, along{0, 0, 0};

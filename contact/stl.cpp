@@ -1,0 +1,161 @@
+#include "contact/stl.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr std::size_t header = 80,
+                      facet = 50;  // bytes of a binary file: 12 floats and two bytes per triangle
+
+class Collector {
+ public:
+  /// False if a coordinate is not finite.
+  bool add(const std::array<std::array<double, 3>, 3>& corners) {
+    std::array<int, 3> t;
+    for (int i = 0; i < 3; ++i) {
+      for (double c : corners[i])
+        if (!std::isfinite(c)) return false;
+      const auto [entry, fresh] = number_.emplace(corners[i], static_cast<int>(number_.size()));
+      if (fresh) skin_.add(corners[i]);
+      t[i] = entry->second;
+    }
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) skin_.triangles.push_back(t);
+    return true;
+  }
+  Skin take() { return std::move(skin_); }
+
+ private:
+  Skin skin_;
+  std::map<std::array<double, 3>, int> number_;
+};
+
+class TextReader {
+ public:
+  TextReader(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+
+  Skin read() {
+    expect("solid");
+    bool in_solid = true;
+    for (skip_line(); in_solid;) {
+      const std::string w = word();
+      if (w == "facet") {
+        read_facet();
+      } else if (w == "endsolid") {
+        skip_line();
+        in_solid = !at_end();
+        if (in_solid) {
+          expect("solid");
+          skip_line();
+        }
+      } else {
+        fail(fmt::format("expected facet or endsolid, found '{:.40}'", w));
+      }
+    }
+    return collector_.take();
+  }
+
+ private:
+  void read_facet() {
+    expect("normal");
+    for (int c = 0; c < 3; ++c) real();
+    expect("outer");
+    expect("loop");
+    std::array<std::array<double, 3>, 3> corners;
+    for (auto& corner : corners) {
+      expect("vertex");
+      for (double& c : corner) c = real();
+    }
+    expect("endloop");
+    expect("endfacet");
+    if (!collector_.add(corners)) fail("a corner is not finite");
+  }
+  bool at_end() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
+      line_ += text_[at_++] == '\n';
+    return at_ == text_.size();
+  }
+  std::string word() {
+    if (at_end()) fail("the file ends too early");
+    const std::size_t start = at_;
+    while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+    return text_.substr(start, at_ - start);
+  }
+  void expect(const char* wanted) {
+    if (const std::string w = word(); w != wanted)
+      fail(fmt::format("expected {}, found '{:.40}'", wanted, w));
+  }
+  double real() {
+    const std::string w = word();
+    const char* first = w.data() + (w[0] == '+');
+    double value = 0;
+    const auto [end, fault] = std::from_chars(first, w.data() + w.size(), value);
+    if (fault != std::errc() || end != w.data() + w.size()) fail(fmt::format("'{:.40}' is no number", w));
+    return value;
+  }
+  void skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw input_error(path_, line_, what, "Save the STL file again.");
+  }
+
+  const std::string &path_, &text_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+  Collector collector_;
+};
+
+// A text file may be called solid, a binary one too: only the size tells.
+std::optional<std::uint32_t> binary_count(const std::string& bytes) {
+  std::uint32_t count = 0;
+  if (bytes.size() < header + sizeof count) return {};
+  std::memcpy(&count, bytes.data() + header, sizeof count);
+  if (bytes.size() != header + sizeof count + facet * count) return {};
+  return count;
+}
+
+Skin read_binary(const std::string& path, const std::string& bytes, std::uint32_t count) {
+  Collector collector;
+  for (std::uint32_t t = 0; t < count; ++t) {
+    std::array<float, 12> raw;  // normal and three corners
+    std::memcpy(raw.data(), bytes.data() + header + sizeof count + facet * t, sizeof raw);
+    std::array<std::array<double, 3>, 3> corners;
+    for (int i = 0; i < 9; ++i) corners[i / 3][i % 3] = raw[3 + i];
+    if (!collector.add(corners))
+      throw input_error(path, 0, fmt::format("triangle {}: a corner is not finite", t + 1),
+                        "Save the STL file again.");
+  }
+  return collector.take();
+}
+
+}  // namespace
+
+Skin read_stl(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file)
+    throw input_error(path, 0, "cannot read the STL file",
+                      "Check the path; it is relative to the scene file.");
+  const auto count = binary_count(bytes);
+  if (!count && bytes.compare(0, 5, "solid") != 0)
+    throw input_error(path, 0,
+                      "is neither a text STL file, which begins with 'solid', nor a binary one, whose size "
+                      "fits its number of triangles",
+                      "Save the STL file again.");
+  Skin skin = count ? read_binary(path, bytes, *count) : TextReader(path, bytes).read();
+  if (skin.triangles.empty()) throw input_error(path, 0, "has no triangles", "Save the STL file again.");
+  return skin;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,275 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/error.hpp"
+#include "core/base/parameters.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace bulbus {
+
+/// What a scene says of rigid bodies that it moves itself, and of the sutures that run over them.
+
+/// Meridian planes through an axis. Azimuth is in degrees from `zero` towards zero × axis: with the defaults
+/// 0 is superior (+y), 90 lateral (+x), 180 inferior (−y).
+struct Meridians {
+  Point center{0, 0, 0}, axis{0, 0, 1}, zero{0, 1, 0};
+  template <class V>
+  void describe(V&& v) {
+    v("center", center, About{"a point of the axis: axial places count from here", Quantity::length});
+    v("axis", axis, About{"direction of the axis"});
+    v("zero", zero, About{"direction of azimuth 0; azimuth grows towards zero x axis"});
+  }
+};
+
+/// Rigid rotation from the place at the start of a step.
+struct RotationSpec {
+  Point axis{0, 0, 1}, center{0, 0, 0};
+  double angle = 0;
+  template <class V>
+  void describe(V&& v) {
+    v("axis", axis, About{"direction of the axis"});
+    v("center", center, About{"a point of the axis", Quantity::length});
+    v("angle", angle, About{"angle reached at the end of the step", Quantity::angle}.needed());
+  }
+};
+
+/// A square sheet; the body is behind it.
+struct PlaneShape {
+  Point point{0, 0, 0}, normal{0, 0, 1};
+  double size = 50;
+  template <class V>
+  void describe(V&& v) {
+    v("point", point, About{"middle of the sheet", Quantity::length});
+    v("normal", normal, About{"normal out of the body"});
+    v("size", size, About{"edge", Quantity::length}.positive());
+  }
+};
+
+struct SphereShape {
+  Point center{0, 0, 0};
+  double radius = 1;
+  int facets = 16;
+  template <class V>
+  void describe(V&& v) {
+    v("center", center, About{"centre", Quantity::length});
+    v("radius", radius, About{"radius", Quantity::length}.positive());
+    v("facets", facets, About{"facets along a quarter of a great circle"}.between(1, 1000));
+  }
+};
+
+/// Its corners lie on the circle.
+struct RodShape {
+  Point center{0, 0, 0}, axis{0, 0, 1};
+  double radius = 1, length = 10;
+  int facets = 64;
+  template <class V>
+  void describe(V&& v) {
+    v("center", center, About{"middle of the axis", Quantity::length});
+    v("axis", axis, About{"direction of the axis"});
+    v("radius", radius, About{"radius", Quantity::length}.positive());
+    v("length", length, About{"length", Quantity::length}.positive());
+    v("facets", facets, About{"facets around"}.between(3, 10000));
+  }
+};
+
+/// The arc along which a section is swept, cut into parts that may move each its own way.
+struct ArcSpec {
+  Meridians meridians;
+  double from = 0, to = 180;
+  int parts = 1, facets = 24;
+  bool caps = true;
+  template <class V>
+  void describe(V&& v) {
+    meridians.describe(v);
+    v("from", from, About{"azimuth of the first end, degrees"}.between(-360, 360));
+    v("to", to, About{"azimuth of the last end, degrees"}.between(-360, 720));
+    v("parts", parts, About{"arcs of equal length"}.between(1, 3600));
+    v("facets", facets, About{"facets along each arc"}.between(1, 10000));
+    v("caps", caps, About{"close the ends of the arcs"});
+  }
+};
+
+/// A closed section swept about an axis.
+struct SweptShape {
+  std::vector<std::vector<double>> section;
+  std::vector<double> at{0, 0};
+  bool spline = false;
+  int points = 64;
+  ArcSpec arc;
+  template <class V>
+  void describe(V&& v) {
+    v("section", section,
+      About{"corners [axial, radial] in mm, counter-clockwise with the axis to the right and the radius up"}
+          .needed());
+    v("at", at, About{"[axial, radial] place of the section's origin, mm"});
+    v("spline", spline, About{"join the corners by a closed cubic spline instead of straight lines"});
+    v("points", points,
+      About{"points that the spline is cut into, the corners among them"}.between(3, 10000));
+    arc.describe(v);
+  }
+};
+
+/// Encircling band: a rectangle with rounded edges.
+struct BandShape {
+  double width = 2, thickness = .75, edge_radius = .2, radius = 12, axial = 0;
+  int edge_facets = 4;
+  ArcSpec arc;
+  template <class V>
+  void describe(V&& v) {
+    v("width", width, About{"width along the axis", Quantity::length}.positive());
+    v("thickness", thickness, About{"radial thickness", Quantity::length}.positive());
+    v("edge_radius", edge_radius, About{"radius of the four edges", Quantity::length}.positive());
+    v("radius", radius, About{"radius of the inner face, as drawn", Quantity::length}.positive());
+    v("axial", axial, About{"axial place of its middle", Quantity::length});
+    v("edge_facets", edge_facets, About{"facets around each edge"}.between(1, 1000));
+    arc.describe(v);
+  }
+};
+
+/// Silicone tire: inner face concave towards the sclera, outer face flat.
+struct TireShape {
+  double width = 7, crown = 2.75, edge_radius = .5, inner_radius_of_curvature = 12, radius = 12, axial = 0;
+  int edge_facets = 4, face_facets = 12;
+  ArcSpec arc{.to = 45};
+  template <class V>
+  void describe(V&& v) {
+    v("width", width, About{"width along the axis", Quantity::length}.positive());
+    v("crown", crown, About{"radial thickness in the middle of the section", Quantity::length}.positive());
+    v("edge_radius", edge_radius, About{"radius of the four edges", Quantity::length}.positive());
+    v("inner_radius_of_curvature", inner_radius_of_curvature,
+      About{"radius of the inner face in the meridian plane", Quantity::length}.positive());
+    v("radius", radius, About{"radius of the inner face's middle, as drawn", Quantity::length}.positive());
+    v("axial", axial, About{"axial place of its middle", Quantity::length});
+    v("edge_facets", edge_facets, About{"facets around each edge"}.between(1, 1000));
+    v("face_facets", face_facets, About{"facets across the inner face"}.between(1, 1000));
+    arc.describe(v);
+  }
+};
+
+struct BodyFile {
+  std::string path, surface;
+  double scale = 1;
+  template <class V>
+  void describe(V&& v) {
+    v("path", path, About{"STL file (text or binary), or Gmsh file of 8-node hexahedra"}.needed());
+    v("surface", surface, About{"physical surface of the Gmsh file (.msh)"});
+    v("scale", scale, About{"mm per unit of length of the file"}.positive());
+  }
+};
+
+/// A rigid body that the scene moves: exactly one shape.
+struct RigidBodySpec {
+  std::optional<PlaneShape> plane;
+  std::optional<SphereShape> sphere;
+  std::optional<RodShape> cylinder;
+  std::optional<SweptShape> swept;
+  std::optional<BandShape> band;
+  std::optional<TireShape> tire;
+  std::optional<BodyFile> file;
+  Point direction{0, 0, 0};
+  template <class V>
+  void describe(V&& v) {
+    v("plane", plane, About{"a square sheet"});
+    v("sphere", sphere, About{"a ball"});
+    v("cylinder", cylinder, About{"a round rod"});
+    v("swept", swept, About{"a section swept about an axis"});
+    v("band", band, About{"an encircling band"});
+    v("tire", tire, About{"a silicone tire"});
+    v("file", file, About{"a surface from a file"});
+    v("direction", direction,
+      About{"direction of `close`; zero: against the radius of each arc's middle, along a plane's normal"});
+  }
+  /// Throws InputError unless exactly one shape is given.
+  void validate() const {
+    RigidBodySpec copy = *this;
+    std::string given, all;
+    int count = 0;
+    copy.describe([&](const char* key, auto& member, const About&) {
+      if constexpr (!std::is_same_v<decltype(member), Point&>) {
+        all += (all.empty() ? "" : ", ") + std::string(key);
+        if (member) given += (count++ ? " and " : "") + std::string(key);
+      }
+    });
+    if (count == 0) throw input_error("the rigid body has no shape", "give one of " + all);
+    if (count > 1)
+      throw input_error("the rigid body has " + std::to_string(count) + " shapes: " + given,
+                        "keep exactly one of " + all);
+  }
+};
+
+/// Motion of a rigid body over a step, reached linearly by its end: all parts turn together, shift together
+/// and close each along its own direction, as that was at the start of the step. A body that a step does not
+/// move stays.
+struct MoveSpec {
+  std::string body, from = "here";
+  Point translate{0, 0, 0};
+  std::optional<RotationSpec> rotate;
+  double close = 0;
+  template <class V>
+  void describe(V&& v) {
+    v("body", body, About{"the rigid body"}.needed());
+    v("translate", translate, About{"shift reached at the end of the step", Quantity::length});
+    v("rotate", rotate, About{"rigid rotation of all parts together"});
+    v("close", close, About{"way of every part along its own direction", Quantity::length});
+    v("from", from,
+      About{"the motion counts from where the body is (`here`), or from where each part, coming from outside "
+            "along its way, first meets a slave of its contacts (`touch`)"}
+          .one_of({"here", "touch"}));
+  }
+};
+
+/// Strings that pull points of the tissue along the tangents to the outline of a body.
+struct SutureSpec {
+  struct Pair {
+    double azimuth = 0, spacing = 8.9, axial = 0;
+    template <class V>
+    void describe(V&& v) {
+      v("azimuth", azimuth, About{"azimuth of the meridian, degrees"}.between(-360, 360));
+      v("spacing", spacing,
+        About{"length of the undeformed meridian between the two points", Quantity::length}.positive());
+      v("axial", axial, About{"axial place of the middle between them", Quantity::length});
+    }
+  };
+  std::string body, surface;
+  std::optional<Pair> pair;
+  std::vector<Point> points;
+  std::vector<std::string> sets;
+  Meridians meridians;
+  Point generator{0, 0, 0};
+  double bite = 1;
+  bool follow = false;
+  template <class V>
+  void describe(V&& v) {
+    v("body", body, About{"the rigid body whose outline the string runs over"}.needed());
+    v("surface", surface, About{"surface of the mesh that `pair` and `points` lie on"});
+    v("pair", pair, About{"two points on a meridian"});
+    v("points", points,
+      About{"one or two places, moved to the nearest point of the surface", Quantity::length});
+    v("sets", sets, About{"one or two node sets: each is one point, its nodes share the force equally"});
+    v("bite", bite,
+      About{"area over which the force of a point is spread; 0: at the point alone", Quantity::area}.at_least(
+          0));
+    v("follow", follow,
+      About{"the direction follows the tissue within an increment; otherwise it is that of the last one"});
+    v("generator", generator,
+      About{"normal of the outline's plane; zero: the meridian plane through the point"});
+    meridians.describe(v);
+  }
+  /// Throws InputError unless the points are given in exactly one way.
+  void validate() const {
+    const int ways = (pair ? 1 : 0) + (points.empty() ? 0 : 1) + (sets.empty() ? 0 : 1);
+    if (ways != 1)
+      throw input_error("the points of the suture are given in " + std::to_string(ways) + " ways",
+                        "give exactly one of pair, points, sets");
+    if (points.size() > 2 || sets.size() > 2)
+      throw input_error("a suture has more than two points", "make two sutures of it");
+    if (sets.empty() && surface.empty())
+      throw input_error("the suture has no surface",
+                        "add 'surface: ...', the surface of the mesh that its points lie on");
+  }
+};
+
+}  // namespace bulbus
