@@ -22,6 +22,7 @@ Mesh mesh_of(const Scene& scene, const Comm& comm) {
 // Prescribed displacements are carried along, so that each step starts where the one before leaves its sets.
 void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
   Problem problem(mesh, model, comm);
+  const auto operation = Operation::attach(problem, mesh);
   const ProbeSet probes(problem);
   State state = problem.initial_state();
   std::vector<double> held(state.x.size());
@@ -39,7 +40,9 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
   const Mesh mesh = mesh_of(scene, comm);
   rehearse(mesh, scene.model, comm);
-  return {std::make_unique<Problem>(mesh, scene.model, comm), quality(mesh)};
+  Prepared prepared{std::make_unique<Problem>(mesh, scene.model, comm), nullptr, quality(mesh)};
+  prepared.operation = Operation::attach(*prepared.problem, mesh);
+  return prepared;
 }
 
 }  // namespace bulbus

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/scene.hpp"
+#include "contact/operation.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/problem/problem.hpp"
 
@@ -11,6 +12,7 @@ namespace bulbus {
 /// A problem that is ready to march, and what is known of its mesh.
 struct Prepared {
   std::unique_ptr<Problem> problem;
+  std::shared_ptr<const Operation> operation;
   std::vector<RegionQuality> quality;
 };
 

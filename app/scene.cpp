@@ -23,10 +23,13 @@ Entry tree_of(const std::string& text, const std::string& path, const std::vecto
   return root;
 }
 
-void place_mesh_file(MeshSource& mesh, const std::string& scene) {
-  if (!mesh.file) return;
+// Relative files count from the folder of the scene.
+void place_files(Scene& scene, const std::string& path) {
   namespace fs = std::filesystem;
-  mesh.file = (fs::absolute(scene).parent_path() / *mesh.file).lexically_normal().string();
+  const auto place = [&](std::string& file) { file = (fs::absolute(path).parent_path() / file).lexically_normal().string(); };
+  if (scene.mesh.file) place(*scene.mesh.file);
+  for (auto& [name, body] : scene.model.rigid_bodies)
+    if (body.file) place(body.file->path);
 }
 
 template <class Range>
@@ -50,7 +53,7 @@ Scene parse_scene(const std::string& text, const std::string& path,
   for (const std::string& assignment : overrides) apply_override(root, assignment);
   Scene scene;
   reader::read_struct(root, "", scene);
-  place_mesh_file(scene.mesh, path);
+  place_files(scene, path);
   return scene;
 }
 

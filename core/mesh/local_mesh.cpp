@@ -34,9 +34,9 @@ void sort_unique(std::vector<int>& v) {
   v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
-// Per rank, the Mesh nodes that its hexahedra and bars touch but that others own.
+// Per rank, the Mesh nodes that its hexahedra, bars and shared surfaces touch but that others own.
 std::vector<std::vector<int>> ghosts_by_rank(const Mesh& mesh, std::span<const int> rank_of_hex,
-                                             const std::vector<int>& owner, int size) {
+                                             const std::vector<int>& owner, int size, const std::set<std::string>& shared) {
   std::vector<std::vector<int>> ghosts(size);
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
     for (int n : mesh.hexes[h])
@@ -46,6 +46,11 @@ std::vector<std::vector<int>> ghosts_by_rank(const Mesh& mesh, std::span<const i
       for_each_node(bar, [&](int n) {
         if (owner[n] != rank_of(bar, owner)) ghosts[rank_of(bar, owner)].push_back(n);
       });
+  for (const std::string& name : shared)
+    for (const Quad& q : mesh.surfaces.at(name))
+      for (int n : q)
+        for (int r = 0; r < size; ++r)
+          if (owner[n] != r) ghosts[r].push_back(n);
   for (auto& g : ghosts) sort_unique(g);
   return ghosts;
 }
@@ -149,10 +154,10 @@ void take_bars(const Mesh& mesh, const std::vector<int>& owner, const std::vecto
 
 }  // namespace
 
-LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm) {
+LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm, const std::set<std::string>& shared) {
   const int me = comm.rank();
   const Numbering n = renumber(node_owners(mesh, rank_of_hex), comm.size());
-  const auto ghosts = ghosts_by_rank(mesh, rank_of_hex, n.owner, comm.size());
+  const auto ghosts = ghosts_by_rank(mesh, rank_of_hex, n.owner, comm.size(), shared);
 
   std::vector<int> input, local(mesh.points.size(), -1);
   for (int i = 0; i < static_cast<int>(mesh.points.size()); ++i)
@@ -174,6 +179,11 @@ LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const C
   }
   take_hexes(mesh, rank_of_hex, local, m);
   take_surfaces(mesh, rank_of_hex, local, m);
+  for (const std::string& name : shared)
+    for (Quad q : mesh.surfaces.at(name)) {
+      for (int& node : q) node = local[node];
+      m.shared[name].push_back(q);
+    }
   take_bars(mesh, n.owner, local, m);
   return m;
 }
@@ -192,6 +202,7 @@ std::vector<int> LocalMesh::local(std::span<const int> mesh_nodes) const {
 std::size_t LocalMesh::bytes() const {
   std::size_t total = bytes_of(X) + bytes_of(number) + bytes_of(input_node) + bytes_of(hexes) + bytes_of(input_hex);
   for (const auto& [name, faces] : surfaces) total += bytes_of(faces);
+  for (const auto& [name, faces] : shared) total += bytes_of(faces);
   for (const auto& [name, group] : bars) total += bytes_of(group);
   return total;
 }

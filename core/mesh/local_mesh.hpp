@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct LocalMesh {
   long long first_hex = 0, all_hexes = 0;
   std::vector<std::string> region_names;
   std::map<std::string, std::vector<Quad>> surfaces;  ///< faces of this rank's hexahedra
+  std::map<std::string, std::vector<Quad>> shared;    ///< all faces of surfaces that every rank asked for, in the Mesh's order
   std::map<std::string, std::vector<Bar>> bars;       ///< each bar on one rank
   std::map<std::string, std::vector<int>> input_bar;  ///< index of each in the Mesh's group
   Halo halo;
@@ -38,7 +40,8 @@ struct LocalMesh {
   std::size_t bytes() const;
 };
 
-/// Takes this rank's part; `rank_of_hex` as from partition(). Collective.
-LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm);
+/// Takes this rank's part; `rank_of_hex` as from partition(). Every rank gets the nodes of the surfaces `shared` at least as
+/// ghosts. Collective.
+LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm, const std::set<std::string>& shared = {});
 
 }  // namespace bulbus

@@ -6,6 +6,7 @@
 
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/problem/contact_spec.hpp"
 #include "core/problem/rigid_spec.hpp"
 
 namespace bulbus {
@@ -133,6 +134,8 @@ struct StepSpec {
   std::map<std::string, double> add;
   std::vector<DisplaceSpec> displace;
   std::vector<LoadSpec> loads;
+  std::vector<MoveSpec> move;
+  std::map<std::string, double> sew;
   std::vector<std::string> release;
   template <class V>
   void describe(V&& v) {
@@ -145,6 +148,8 @@ struct StepSpec {
                         Quantity::volume});
     v("displace", displace, About{"prescribed displacements"});
     v("loads", loads, About{"pressures on surfaces, forces on nodes"});
+    v("move", move, About{"motions of rigid bodies"});
+    v("sew", sew, About{"sutures, and the force per point of the whole eye reached at the end of the step", Quantity::force});
     v("release", release, About{"sets whose prescribed displacement and surfaces or sets whose load ends here"});
   }
 };
@@ -177,6 +182,9 @@ struct Model {
   std::map<std::string, LiquidSpec> liquids;
   std::vector<std::string> symmetry;
   std::vector<FixSpec> fix;
+  std::map<std::string, RigidBodySpec> rigid_bodies;
+  std::vector<ContactSpec> contacts;
+  std::map<std::string, SutureSpec> sutures;
   std::vector<StepSpec> steps;
   std::vector<ProbeSpec> probes;
   template <class V>
@@ -187,6 +195,9 @@ struct Model {
     v("symmetry", symmetry, About{"planes through the origin that cut the model: its nodes on them stay there, and figures "
                                   "report the whole"}.one_of({"x", "y", "z"}));
     v("fix", fix, About{"directions that never move"});
+    v("rigid_bodies", rigid_bodies, About{"bodies that the scene moves: band, tire, plane, ..."});
+    v("contacts", contacts, About{"pairs of surfaces that may touch"});
+    v("sutures", sutures, About{"strings that pull the tissue over a rigid body"});
     v("steps", steps, About{"the history"}.needed());
     v("probes", probes, About{"figures to record"});
   }

@@ -11,7 +11,7 @@
 namespace bulbus {
 
 Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm)
-    : model_(model), mesh_(distribute(mesh, partition(mesh, comm.size()), comm)) {
+    : model_(model), mesh_(distribute(mesh, partition(mesh, comm.size()), comm, contact_surfaces(mesh, model))) {
   validate(mesh, model);
   for (std::size_t i = 0; i < model.symmetry.size(); ++i) multiplicity_ *= 2;
   for (const std::string& set : sets_in_use(mesh, model)) sets_[set] = mesh_.local(bulbus::nodes_of(mesh, set));
@@ -32,6 +32,7 @@ std::vector<std::shared_ptr<Term>> Problem::terms() const {
   std::vector<std::shared_ptr<Term>> all;
   for (const auto& [name, term] : bars_) all.push_back(term);
   for (const auto& [name, term] : loads_) all.push_back(term);
+  all.insert(all.end(), added_.begin(), added_.end());
   return all;
 }
 
@@ -41,7 +42,7 @@ bool Problem::symmetric() const {
 
 void Problem::set_progress(double s, State& state) {
   s_ = s;
-  for (const auto& [name, load] : loads_) load->set_progress(s);
+  for (const auto& term : terms()) term->set_progress(s);
   for (std::size_t i = 0; i < liquids_.size(); ++i) {
     liquids_[i].set_progress(s);
     if (!liquids_[i].coupled()) state.P[i] = liquids_[i].given(s);
@@ -50,8 +51,14 @@ void Problem::set_progress(double s, State& state) {
 
 void Problem::end_step() {
   dofs_->freeze();
-  for (const auto& [name, load] : loads_) load->freeze();
+  for (const auto& term : terms()) term->freeze();
   for (Liquid& l : liquids_) l.freeze();
+}
+
+bool Problem::revise(const State& state) {
+  bool again = false;
+  for (const auto& term : terms()) again |= term->revise(state);
+  return again;
 }
 
 Residual Problem::residual(const State& state) const {

@@ -54,6 +54,8 @@ class Problem {
   /// Symmetry images: figures of the whole are this many times the model's (1, 2, 4, 8).
   int multiplicity() const { return multiplicity_; }
   bool symmetric() const;
+  /// A term from a floor above; it acts, and hears of steps, after those added before it.
+  void add(std::shared_ptr<Term> term) { added_.push_back(std::move(term)); }
   /// Local nodes of a set, surface or region.
   std::vector<int> nodes_of(const std::string& set) const;
 
@@ -63,6 +65,8 @@ class Problem {
   /// Loads, given pressures and added liquid follow the part s of the step done.
   void set_progress(double s, State& state);
   void end_step();
+  /// Asks every term whether Newton, which has converged, has to go on. Collective.
+  bool revise(const State& state);
   double progress() const { return s_; }
 
   /// Collective.
@@ -92,6 +96,7 @@ class Problem {
   std::vector<Liquid> liquids_;
   std::map<std::string, std::shared_ptr<BarsTerm>> bars_;
   std::map<std::string, std::shared_ptr<Load>> loads_;
+  std::vector<std::shared_ptr<Term>> added_;
   std::vector<std::vector<int>> region_nodes_;  // owned free nodes of each solid region
   std::vector<double> region_floor_;            // smallest force that counts, N
   int multiplicity_ = 1, step_ = -1;

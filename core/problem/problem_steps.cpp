@@ -49,6 +49,7 @@ void Problem::begin_step(int step, const State& start) {
     for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
   });
   begin_liquids(spec, step, start);
+  for (const auto& term : terms()) term->begin_step(step, start);
   s_ = 0;
 }
 

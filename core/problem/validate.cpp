@@ -142,6 +142,28 @@ std::set<std::string> sets_in_use(const Mesh& mesh, const Model& model) {
   return names;
 }
 
+std::set<std::string> contact_surfaces(const Mesh& mesh, const Model& model) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const ContactSpec& c = model.contacts[i];
+    const std::string key = "contacts." + std::to_string(i);
+    check_surface(mesh, c.slave, key + ".slave");
+    names.insert(c.slave);
+    if (c.slave == c.master)
+      throw scene_error(key + ".master", "contact '" + c.name + "' names surface '" + c.slave + "' twice",
+                        "Give the two sides as two surfaces: nodes that touch their own surface are not looked for.");
+    if (model.rigid_bodies.contains(c.master)) continue;
+    if (!mesh.surfaces.contains(c.master)) {
+      auto known_masters = names_of(mesh.surfaces);
+      for (const auto& [name, body] : model.rigid_bodies) known_masters.push_back(name);
+      throw scene_error(key + ".master", "there is no surface or rigid body '" + c.master + "'", known(c.master, known_masters));
+    }
+    check_surface(mesh, c.master, key + ".master");
+    names.insert(c.master);
+  }
+  return names;
+}
+
 void validate(const Mesh& mesh, const Model& model) {
   check_regions(mesh, model);
   for (const auto& [name, group] : mesh.bars)

@@ -16,6 +16,10 @@ void validate(const Mesh& mesh, const Model& model);
 /// Names of all node sets, surfaces and regions that the model refers to as sets of nodes, and of all regions.
 std::set<std::string> sets_in_use(const Mesh& mesh, const Model& model);
 
+/// Surfaces of the mesh that take part in contact: every rank needs all of their nodes. Throws InputError for a contact whose
+/// surfaces do not exist, are empty or are the same.
+std::set<std::string> contact_surfaces(const Mesh& mesh, const Model& model);
+
 /// All terms c_rs of a region.
 std::vector<Polynomial::Term> terms_of(const RegionSpec& spec);
 

@@ -102,22 +102,29 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   double size = 0;
   for (double v : problem.mesh().X) size = std::max(size, std::abs(v));
   const double held_tolerance = 1e-12 * problem.comm().max(size);
+  Residual r;
+  const auto balance = [&] {
+    const auto scope = meters.clock.measure("residual");
+    r = problem.residual(state);
+    return report.balance = problem.balance(r);
+  };
+  int last = settings.max_iterations;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
-    Residual r;
-    {
-      const auto scope = meters.clock.measure("residual");
-      r = problem.residual(state);
-      now.balance = report.balance = problem.balance(r);
-    }
+    now.balance = balance();
     now.held = problem.dofs().defect(state, progress, held);
     if (!finite(now.balance)) return fail(Outcome::not_finite);
-    const double missing = excess(now.balance, settings);
+    double missing = excess(now.balance, settings);
     if (missing <= 1 && now.held <= held_tolerance) {
-      if (observer) observer(now);
-      return report;
+      if (!problem.revise(state)) {
+        if (observer) observer(now);
+        return report;
+      }
+      last = number + settings.max_iterations;
+      now.balance = balance();
+      missing = excess(now.balance, settings);
     }
-    if (number == settings.max_iterations) return fail(Outcome::too_many_iterations);
+    if (number == last) return fail(Outcome::too_many_iterations);
     {
       const auto scope = meters.clock.measure("linearisation");
       system.linearize(state, r);

@@ -1,0 +1,190 @@
+#include "contact/operation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/layer.hpp"
+#include "contact/rigid_shapes.hpp"
+#include "contact/suture_points.hpp"
+#include "core/base/error.hpp"
+#include "core/problem/validate.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double stiffness_ratio = 30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
+constexpr double part_of_size = 0.03;   // default reach in diagonals of the model
+
+double diagonal(const Mesh& mesh) {
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) {
+    const auto [low, high] = std::ranges::minmax_element(mesh.points, {}, [c](const Point& p) { return p[c]; });
+    sum += std::pow((*high)[c] - (*low)[c], 2);
+  }
+  return std::sqrt(sum);
+}
+
+double shear_modulus(const Mesh& mesh, const Model& model, const Layer& layer) {
+  double mu = 0;
+  for (int r : layer.regions) {
+    const RegionSpec& spec = model.regions.at(mesh.region_names[r]);
+    if (!spec.rigid) mu = std::max(mu, initial_shear_modulus(make_material(terms_of(spec))));
+  }
+  return mu;
+}
+
+std::string known(const std::string& word, const std::vector<std::string>& names, const std::string& remedy) {
+  const std::string guess = nearest(word, names);
+  return guess.empty() ? remedy : "Did you mean '" + guess + "'?";
+}
+
+template <class Map>
+std::vector<std::string> keys(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+// A body that a step brings to touch is out of reach until then.
+void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& move, double distance) {
+  auto poses = motion.poses();
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    const bool shifts = move.close == 0 && norm(move.translate) > 0;
+    const Vec3<double> d = shifts ? move.translate : body.parts[p].inwards;
+    const double length = norm(d);
+    for (int c = 0; c < 3; ++c) poses[p].shift[c] -= length > 0 ? distance * d[c] / length : 0;
+  }
+  motion.set_poses(std::move(poses));
+}
+
+}  // namespace
+
+std::shared_ptr<Operation> Operation::attach(Problem& problem, const Mesh& mesh) {
+  std::shared_ptr<Operation> operation(new Operation(problem, mesh));
+  if (!operation->bodies_.empty() || !operation->contacts_.empty()) problem.add(operation);
+  for (const Contact& c : operation->contacts_) problem.add(c.term);
+  for (const auto& [name, suture] : operation->sutures_) problem.add(suture);
+  return operation;
+}
+
+Operation::Operation(Problem& problem, const Mesh& mesh) : problem_(problem) {
+  const Model& model = problem.model();
+  problem.comm().together([&] {
+    for (const auto& [name, spec] : model.rigid_bodies) {
+      bodies_[name] = std::make_shared<RigidSurface>(make_rigid_surface(name, spec, "rigid_bodies." + name));
+      motions_.emplace(name, bodies_[name]);
+    }
+    for (std::size_t k = 0; k < model.steps.size(); ++k)
+      for (std::size_t i = 0; i < model.steps[k].move.size(); ++i)
+        if (const std::string& body = model.steps[k].move[i].body; !bodies_.contains(body))
+          throw scene_error(fmt::format("steps.{}.move.{}.body", k, i), "there is no rigid body '" + body + "'",
+                            known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+    for (std::size_t k = 0; k < model.steps.size(); ++k)
+      for (const auto& [name, force] : model.steps[k].sew)
+        if (!model.sutures.contains(name))
+          throw scene_error(fmt::format("steps.{}.sew.{}", k, name), "there is no suture '" + name + "'",
+                            known(name, keys(model.sutures), "Describe it under `sutures`."));
+  });
+  for (std::size_t i = 0; i < model.contacts.size(); ++i)
+    add_contact(mesh, model.contacts[i], "contacts." + std::to_string(i));
+  for (const auto& [name, spec] : model.sutures) add_suture(mesh, name, spec);
+  for (auto& [name, motion] : motions_) {
+    const MoveSpec* first = nullptr;
+    for (const StepSpec& step : model.steps)
+      for (const MoveSpec& move : step.move)
+        if (!first && move.body == name) first = &move;
+    if (first && first->from == "touch") keep_away(motion, *bodies_[name], *first, 2 * diagonal(mesh));
+  }
+}
+
+void Operation::add_contact(const Mesh& mesh, const ContactSpec& spec, const std::string& key) {
+  const LocalMesh& local = problem_.mesh();
+  const Model& model = problem_.model();
+  for (const Contact& other : contacts_)
+    if (other.spec.name == spec.name)
+      throw scene_error(key + ".name", "two contacts are named '" + spec.name + "'", "Give each its own name.");
+  const auto body = bodies_.find(spec.master);
+  Layer layer = layer_under(mesh, mesh.surfaces.at(spec.slave));
+  double mu = shear_modulus(mesh, model, layer), thickness = layer.thickness;
+  if (body == bodies_.end()) {
+    layer = layer_under(mesh, mesh.surfaces.at(spec.master));
+    mu = std::max(mu, shear_modulus(mesh, model, layer));
+    thickness = std::min(thickness, layer.thickness);
+  }
+  const double penalty = spec.penalty > 0 ? spec.penalty : stiffness_ratio * mu / thickness;
+  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(mesh)};
+  const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
+                           body == bodies_.end() ? Master(split(local.shared.at(spec.master))) : Master(body->second), model.symmetry};
+  const auto term = std::make_shared<ContactTerm>(spec, defaults, sides, problem_.comm());
+  if (problem_.comm().sum(static_cast<int>(term->slave().nodes().size())) == 0)
+    throw scene_error(key + ".slave", "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave + "' are nodes of '" + spec.master + "' too",
+                      "Give the two sides nodes of their own.");
+  contacts_.push_back({spec, term, body == bodies_.end() ? nullptr : body->second, penalty, thickness});
+}
+
+void Operation::add_suture(const Mesh& mesh, const std::string& name, const SutureSpec& spec) {
+  const std::string key = "sutures." + name;
+  const auto body = bodies_.find(spec.body);
+  if (body == bodies_.end())
+    throw scene_error(key + ".body", "there is no rigid body '" + spec.body + "'", known(spec.body, keys(bodies_), "Describe it under `rigid_bodies`."));
+  std::vector<SuturePoint> points;
+  problem_.comm().together([&] { points = suture_points(mesh, spec, problem_.model().symmetry, key); });
+  sutures_[name] = std::make_shared<SutureTerm>(problem_.mesh(), points, body->second, spec, key);
+}
+
+const Operation::Contact& Operation::contact(const std::string& name, const std::string& key) const {
+  std::vector<std::string> names;
+  for (const Contact& c : contacts_) {
+    if (c.spec.name == name) return c;
+    names.push_back(c.spec.name);
+  }
+  throw scene_error(key, "there is no contact '" + name + "'", known(name, names, "Describe it under `contacts`."));
+}
+
+// Current places of all nodes that may touch a body, of all ranks.
+std::vector<double> Operation::slaves_of(const std::string& body, const State& state) const {
+  std::vector<double> mine;
+  for (const Contact& c : contacts_)
+    if (c.spec.master == body)
+      for (int n : c.term->slave().nodes()) mine.insert(mine.end(), &state.x[3 * n], &state.x[3 * n] + 3);
+  return problem_.comm().gather(std::span<const double>(mine));
+}
+
+void Operation::start_contacts(const State& start) {
+  for (const Contact& c : contacts_) {
+    if (c.spec.start == "resolve") {
+      c.term->resolve(start);
+      continue;
+    }
+    const Overlap o = c.term->overlaps(start, 1e-4 * c.thickness);
+    problem_.comm().together([&] {
+      if (o.nodes > 0)
+        throw scene_error("contacts", fmt::format("contact '{}' starts with {} of its nodes inside '{}', the deepest by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g})",
+                                                  c.spec.name, o.nodes, c.spec.master, o.depth, o.place[0], o.place[1], o.place[2]),
+                          "Draw the two apart, or say `start: resolve`.");
+    });
+  }
+}
+
+void Operation::begin_step(int step, const State& start) {
+  const StepSpec& spec = problem_.model().steps.at(step);
+  for (std::size_t i = 0; i < spec.move.size(); ++i) {
+    const auto slaves = slaves_of(spec.move[i].body, start);
+    motions_.at(spec.move[i].body).begin(spec.move[i], slaves, fmt::format("steps.{}.move.{}", step, i));
+  }
+  for (const auto& [name, force] : spec.sew) sutures_.at(name)->sew(force);
+  set_progress(0);
+  if (step == 0) start_contacts(start);
+}
+
+void Operation::set_progress(double s) {
+  for (auto& [name, motion] : motions_) motion.set_progress(s);
+}
+
+void Operation::freeze() {
+  for (auto& [name, motion] : motions_) motion.freeze();
+}
+
+}  // namespace bulbus

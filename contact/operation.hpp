@@ -1,0 +1,56 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/contact_term.hpp"
+#include "contact/rigid_motion.hpp"
+#include "contact/suture_term.hpp"
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+
+/// What a model says of rigid bodies, contacts and sutures, attached to its problem. Itself the first of their terms, without
+/// forces: in each step it moves the bodies and hands the sutures their force.
+class Operation final : public Term {
+ public:
+  struct Contact {
+    ContactSpec spec;
+    std::shared_ptr<ContactTerm> term;
+    std::shared_ptr<const RigidSurface> body;  ///< of a rigid master
+    double penalty, thickness;                 ///< MPa/mm; thinner layer of the two, mm
+  };
+
+  /// Adds its terms to the problem; a model without any of the three has none. Throws InputError. Collective.
+  static std::shared_ptr<Operation> attach(Problem& problem, const Mesh& mesh);
+
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  const std::map<std::string, std::shared_ptr<SutureTerm>>& sutures() const { return sutures_; }
+  const std::map<std::string, std::shared_ptr<RigidSurface>>& bodies() const { return bodies_; }
+  /// Throws InputError with the key if there is none.
+  const Contact& contact(const std::string& name, const std::string& key) const;
+
+  void add_residual(const State&, std::span<double>, std::span<double>) const override {}
+  void linearize(const State&) override {}
+  void add_action(std::span<const double>, std::span<double>) const override {}
+  void visit(const ContributionVisitor&) const override {}
+  void begin_step(int step, const State& start) override;
+  void set_progress(double s) override;
+  void freeze() override;
+
+ private:
+  Operation(Problem& problem, const Mesh& mesh);
+  void add_contact(const Mesh& mesh, const ContactSpec& spec, const std::string& key);
+  void add_suture(const Mesh& mesh, const std::string& name, const SutureSpec& spec);
+  void start_contacts(const State& start);
+  std::vector<double> slaves_of(const std::string& body, const State& state) const;
+
+  Problem& problem_;
+  std::map<std::string, std::shared_ptr<RigidSurface>> bodies_;
+  std::map<std::string, RigidMotion> motions_;
+  std::vector<Contact> contacts_;
+  std::map<std::string, std::shared_ptr<SutureTerm>> sutures_;
+};
+
+}  // namespace bulbus
