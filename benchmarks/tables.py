@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 """Markdown tables from the JSON files of the benchmarks.
 
-    tables.py [FILE ...]        default: every file of results/ beside this script
+    tables.py [FILE ...]    prints them; default: every file of results/ beside this script
+    tables.py --write       puts those of results/ into README.md and docs/benchmarks.md, between their markers
+    tables.py --check       fails if the pages say anything else
 """
 import json
 import pathlib
 import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
 
 # program -> list of tables; a table: where its rows are, its columns as (heading, key)
 TABLES = {
@@ -25,7 +29,12 @@ TABLES = {
     "from_dump": [("rows", [("file", "file"), ("unknowns", "unknowns"), ("method", "method"), ("iterations", "iterations"),
                             ("set-up s", "setup_s"), ("solve s", "solve_s"), ("MB", "mb"), ("residual", "residual"),
                             ("failure", "reason")])],
+    "contact_search": [("rows", [("slave nodes", "nodes"), ("triangles", "triangles"), ("candidates per node", "candidates_per_node"),
+                                 ("global search, ns per node", "global_ns_per_node"), ("slave normals", "normals_ns_per_node"),
+                                 ("local search", "local_ns_per_node"), ("tracked", "tracked_ns_per_node")])],
 }
+SUMMARY = [("n", "n"), ("unknowns", "unknowns"), ("solver", "method"), ("linear solves", "linear_solves"),
+           ("one linear solve, s", "linear_s"), ("whole run, s", "total_s"), ("peak memory, MB", "peak_mb")]
 
 
 def value(row, key):
@@ -58,6 +67,37 @@ def tables(path):
     return "\n\n".join(parts)
 
 
-if __name__ == "__main__":
-    files = [pathlib.Path(a) for a in sys.argv[1:]] or sorted((pathlib.Path(__file__).parent / "results").glob("*.json"))
-    print("\n\n".join(tables(f) for f in files))
+def recorded():
+    return sorted((HERE / "results").glob("*.json"))
+
+
+def all_tables(files):
+    return "\n\n".join(tables(f) for f in files)
+
+
+def summary():
+    return table(json.loads((HERE / "results/direct_vs_iterative.json").read_text())["rows"], SUMMARY)
+
+
+def pages():
+    """Path, text as it is and text as it should be of every page with tables."""
+    for name, block in [("README.md", summary()), ("docs/benchmarks.md", all_tables(recorded()))]:
+        path = HERE.parent / name
+        text = path.read_text()
+        begin, end = "<!-- tables: begin -->", "<!-- tables: end -->"
+        yield path, text, text.split(begin)[0] + begin + "\n\n" + block + "\n\n" + end + text.split(end)[1]
+
+
+def main(arguments):
+    if arguments == ["--write"]:
+        for path, _, right in pages():
+            path.write_text(right)
+    elif arguments == ["--check"]:
+        stale = [path.name for path, text, right in pages() if text != right]
+        if stale:
+            sys.exit(f"{', '.join(stale)}: not what benchmarks/results says; run benchmarks/tables.py --write")
+    else:
+        print(all_tables([pathlib.Path(a) for a in arguments] or recorded()))
+
+
+main(sys.argv[1:])
