@@ -21,7 +21,14 @@ Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm)
   hold_fixed();
 }
 
-std::vector<int> Problem::nodes_of(const std::string& set) const { return sets_.at(set); }
+std::vector<int> Problem::nodes_of(const std::string& set) const {
+  if (const auto found = sets_.find(set); found != sets_.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [name, nodes] : sets_) names.push_back(name);
+  const std::string near = nearest(set, names);
+  throw input_error("no hold, load or probe of the model names the set '" + set + "'",
+                    near.empty() ? "name it in one of them" : "did you mean '" + near + "'?");
+}
 
 State Problem::initial_state() const {
   return {mesh_.X, std::vector<double>(mesh_.hexes.size()), std::vector<double>(liquids_.size()),

@@ -56,7 +56,7 @@ class Problem {
   bool symmetric() const;
   /// A term from a floor above; it acts, and hears of steps, after those added before it.
   void add(std::shared_ptr<Term> term) { added_.push_back(std::move(term)); }
-  /// Local nodes of a set, surface or region.
+  /// Local nodes of a region, or of a set or surface that the model refers to as nodes. Throws InputError for others.
   std::vector<int> nodes_of(const std::string& set) const;
 
   State initial_state() const;

@@ -9,8 +9,6 @@
 namespace bulbus {
 namespace {
 
-double zero(double) { return 0; }
-
 Vec3<double> unit(Vec3<double> v) {
   const double length = norm(v);
   for (double& c : v) c /= length;

@@ -183,6 +183,13 @@ TEST(Release, OfNothingIsAnError) {
   }
 }
 
+TEST(ProblemSets, UnnamedOnesAreRefused) {
+  const Scene scene = stretched_block(1, "0.1");
+  Problem p(scene.mesh, scene.model, world());
+  EXPECT_FALSE(p.nodes_of("zmax").empty());
+  EXPECT_THROW(p.nodes_of("outside"), InputError);
+}
+
 // ---- prescribed displacements: where the defect leads to ----
 
 State obeyed(const Problem& p, State s, double progress) {
