@@ -17,7 +17,8 @@ double inner(std::span<const double> a, std::span<const double> b, const Comm& c
 
 }  // namespace
 
-// The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½).
+// The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½). They stand for an indefinite D
+// too: T is then symmetric up to signs, and its eigenvalues may be complex.
 Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, const Comm& comm) {
   const std::size_t n = A.size();
   std::vector<double> r(n), z(n), p(n), q(n);
@@ -28,13 +29,13 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   p = z;
   double rz = inner(r, z, comm), beta = 0, alpha = 1;
   std::vector<double> diagonal, off;
-  for (int k = 0; k < steps && rz > 0; ++k) {
+  for (int k = 0; k < steps && rz != 0; ++k) {
     A.apply(p, q);
     const double before = alpha, pq = inner(p, q, comm);
     if (pq == 0 || !std::isfinite(pq)) break;
     alpha = rz / pq;
     diagonal.push_back(1 / alpha + (k > 0 ? beta / before : 0));
-    if (k > 0) off.push_back(std::sqrt(beta) / std::abs(before));
+    if (k > 0) off.push_back(std::copysign(std::sqrt(std::abs(beta)) / before, beta));
     for (std::size_t i = 0; i < n; ++i) r[i] -= alpha * q[i];
     D.apply(r, z);
     const double next = inner(r, z, comm);
@@ -46,9 +47,9 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(diagonal.size(), diagonal.size());
   for (std::size_t k = 0; k < diagonal.size(); ++k) {
     T(k, k) = diagonal[k];
-    if (k > 0) T(k, k - 1) = T(k - 1, k) = off[k - 1];
+    if (k > 0) T(k, k - 1) = std::abs(off[k - 1]), T(k - 1, k) = off[k - 1];
   }
-  const Eigen::VectorXd e = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(T, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd e = Eigen::EigenSolver<Eigen::MatrixXd>(T, false).eigenvalues().real();
   return {e.minCoeff(), e.maxCoeff()};
 }
 

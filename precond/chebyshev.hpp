@@ -26,7 +26,8 @@ class Chebyshev final : public Preconditioner {
   mutable std::vector<double> r_, z_, d_;
 };
 
-/// Extreme eigenvalues of D⁻¹A as Lanczos sees them after `steps` steps from a fixed random vector. Collective.
+/// Extreme real parts of the eigenvalues of D⁻¹A as Lanczos sees them after `steps` steps from a fixed random vector; neither A nor
+/// D needs to be definite. Collective.
 struct Spectrum {
   double smallest, largest;
 };
