@@ -92,7 +92,7 @@ class KrylovSolver final : public LinearSolver {
     LinearReport r{k.converged, k.reason, k.iterations, k.initial > 0 ? k.final / k.initial : 0, -1, k.history};
     r.blocks = std::move(blocks);
     if (settings_.record_spectrum) r.spectrum = preconditioner_->displacement_spectrum();
-    if (!r.ok) r.reason = "flexible GMRES: " + r.reason;
+    if (!r.ok) r.reason = "GMRES: " + r.reason;
     return r;
   }
 

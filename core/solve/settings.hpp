@@ -5,7 +5,7 @@
 
 namespace bulbus {
 
-/// The linear solver: flexible GMRES on the bordered, augmented system, or MUMPS on the bordered one.
+/// The linear solver: GMRES on the bordered, augmented system, or MUMPS on the bordered one.
 struct LinearSettings {
   std::string method = "iterative";
   std::string displacement = "hybrid";
@@ -16,7 +16,7 @@ struct LinearSettings {
   bool record_krylov = false, record_spectrum = false;
   template <class V>
   void describe(V&& v) {
-    v("method", method, About{"flexible GMRES or the direct solver MUMPS"}.one_of({"iterative", "direct"}));
+    v("method", method, About{"GMRES or the direct solver MUMPS"}.one_of({"iterative", "direct"}));
     v("displacement", displacement,
       About{"preconditioner of the displacement block"}.one_of(
           {"hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
