@@ -4,7 +4,7 @@
 
 namespace bulbus {
 
-/// The slave nodes that this rank owns, gaps up to Contact::farthest; found once per snapshot. Collective.
+/// The slave nodes that this rank owns, gaps up to Contact::farthest; found once per snapshot.
 const std::vector<ContactNode>& nodes_of(const Operation::Contact& contact, Snapshot& snapshot);
 
 /// What the slave nodes of this rank do to the master.

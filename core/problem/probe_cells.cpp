@@ -86,8 +86,9 @@ ProbeSet::Figure mises_around(const Problem& problem, const ProbeSpec& spec, std
 ProbeSet::Figure volume_ratio(const Problem& problem, const ProbeSpec& spec) {
   return [cells = cells_of(problem, spec), kind = spec.statistic](Snapshot& s) {
     const auto V0 = s.problem.solid().reference_volumes();
+    const auto& volume = s.residual().volume;  // collective: also on a rank without these cells
     std::vector<double> ratios;
-    for (int h : cells) ratios.push_back(1 + s.residual().volume[h] / V0[h]);
+    for (int h : cells) ratios.push_back(1 + volume[h] / V0[h]);
     return statistic(s.problem.comm(), kind, ratios);
   };
 }

@@ -12,8 +12,9 @@ namespace {
 Vec3<double> at(std::span<const double> v, int n) { return {v[3 * n], v[3 * n + 1], v[3 * n + 2]}; }
 
 Resultant resultant(Snapshot& s, std::span<const int> nodes) {
+  const auto& force = s.residual().force;  // collective: also on a rank without these nodes
   Resultant own;
-  for (int n : nodes) own.add(at(s.state.x, n), at(s.residual().force, n));
+  for (int n : nodes) own.add(at(s.state.x, n), at(force, n));
   return whole(s.problem, own);
 }
 
