@@ -13,8 +13,10 @@ namespace fs = std::filesystem;
 
 bool is_record(const std::string& name) {
   static const std::set<std::string> known{"summary.json",  "history.csv", "krylov.csv",
-                                           "resolved.yaml", "run.log",     "result.vtkhdf.series"};
-  return known.contains(name) || (name.starts_with("result_") && name.ends_with(".vtkhdf"));
+                                           "resolved.yaml", "run.log",     "result.vtkhdf.series",
+                                           "bodies.pvd"};
+  return known.contains(name) || (name.starts_with("result_") && name.ends_with(".vtkhdf")) ||
+         (name.starts_with("bodies_") && name.ends_with(".vtp"));
 }
 
 void remove_records(const std::string& folder) {

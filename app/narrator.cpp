@@ -71,9 +71,15 @@ void Narrator::increment_done(const Increment& i, const State&) {
         surplus));
 }
 
-void Narrator::probes(const ProbeSet& probes, const std::vector<double>& values) {
+void Narrator::contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings) {
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    log_.info(fmt::format("    contact {}: {} nodes touch, largest penetration {:.3g} mm", contacts[k].spec.name,
+                          standings[k].touching, standings[k].penetration));
+}
+
+void Narrator::probes(const ProbeSet& probes, const ProbeValues& values) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), values[i], probes.unit(i)));
+    if (values[i]) log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), *values[i], probes.unit(i)));
 }
 
 }  // namespace bulbus

@@ -1,6 +1,7 @@
 #pragma once
+#include "contact/operation_figures.hpp"
 #include "core/io/log.hpp"
-#include "core/problem/probes.hpp"
+#include "core/problem/probe_record.hpp"
 #include "core/solve/march.hpp"
 
 namespace bulbus {
@@ -16,7 +17,8 @@ class Narrator final : public MarchObserver {
   void newton_iteration(const NewtonIteration& i) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
-  void probes(const ProbeSet& probes, const std::vector<double>& values);
+  void contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings);
+  void probes(const ProbeSet& probes, const ProbeValues& values);
 
  private:
   double elapsed() const { return Clock::now() - start_; }

@@ -1,7 +1,7 @@
 #include "app/prepare.hpp"
 
+#include "contact/operation_probes.hpp"
 #include "core/base/error.hpp"
-#include "core/problem/probes.hpp"
 
 namespace bulbus {
 namespace {
@@ -23,7 +23,7 @@ Mesh mesh_of(const Scene& scene, const Comm& comm) {
 void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
   Problem problem(mesh, model, comm);
   const auto operation = Operation::attach(problem, mesh);
-  const ProbeSet probes(problem);
+  const ProbeSet probes(problem, operation_probes(operation));
   State state = problem.initial_state();
   std::vector<double> held(state.x.size());
   for (std::size_t k = 0; k < model.steps.size(); ++k) {

@@ -1,5 +1,7 @@
 #include "app/recorder.hpp"
 
+#include "contact/operation_probes.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -12,14 +14,16 @@ std::vector<std::string> history_columns(const ProbeSet& probes) {
 
 }  // namespace
 
-Recorder::Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log,
+Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
                    Meters& meters)
-    : problem_(problem),
+    : problem_(*prepared.problem),
+      operation_(prepared.operation),
       meters_(meters),
-      narrator_(log, problem),
-      probes_(problem),
-      results_(scene.output, folder) {
-  if (problem.comm().rank() != 0) return;
+      narrator_(log, problem_),
+      probes_(problem_, operation_probes(operation_)),
+      record_(probes_),
+      results_(scene.output, operation_, folder) {
+  if (problem_.comm().rank() != 0) return;
   history_.emplace(folder + "/history.csv", history_columns(probes_));
   if (scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum)
     krylov_.emplace(folder + "/krylov.csv",
@@ -71,16 +75,24 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   ++steps_.back().increments;
   increments_ = increment.number;
   Snapshot snapshot(problem_, state);
-  values_ = probes_.values(snapshot);
+  if (increment.progress == 1) record_.step_ended(increment.step, snapshot);
+  take(snapshot);
   if (history_) append_history(increment);
   narrator_.increment_done(increment, state);
+  narrator_.contacts(operation_->contacts(), contacts_);
   narrator_.probes(probes_, values_);
   results_.increment_done(increment.number, increment.time, snapshot);
 }
 
+void Recorder::take(Snapshot& snapshot) {
+  values_ = record_.values(snapshot);
+  contacts_.clear();
+  for (const Operation::Contact& contact : operation_->contacts()) contacts_.push_back(standing(contact, snapshot));
+}
+
 void Recorder::append_history(const Increment& i) {
   std::vector<CsvTable::Cell> row{static_cast<long long>(i.number), i.step_name, i.time};
-  row.insert(row.end(), values_.begin(), values_.end());
+  for (const auto& value : values_) row.push_back(value ? CsvTable::Cell(*value) : CsvTable::Cell(std::string()));
   row.emplace_back(static_cast<long long>(i.newton.iterations.size()));
   row.emplace_back(static_cast<long long>(i.newton.krylov_iterations()));
   row.emplace_back(static_cast<long long>(cuts_));
@@ -91,7 +103,7 @@ void Recorder::append_history(const Increment& i) {
 void Recorder::finish(const State& state) {
   const auto scope = meters_.clock.measure("records");
   Snapshot snapshot(problem_, state);
-  if (values_.size() != probes_.size()) values_ = probes_.values(snapshot);
+  if (increments_ == 0) take(snapshot);
   results_.finish(snapshot);
 }
 

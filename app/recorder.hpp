@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "app/narrator.hpp"
+#include "app/prepare.hpp"
 #include "app/result_files.hpp"
-#include "app/scene.hpp"
 #include "core/io/table.hpp"
 
 namespace bulbus {
@@ -19,7 +19,7 @@ struct StepRecord {
 /// std::runtime_error. All members that take a state are collective.
 class Recorder final : public MarchObserver {
  public:
-  Recorder(const Problem& problem, const Scene& scene, const std::string& folder, const Log& log,
+  Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
            Meters& meters);
 
   void step_begins(int step, const StepSpec& spec) override;
@@ -32,7 +32,9 @@ class Recorder final : public MarchObserver {
 
   const ProbeSet& probes() const { return probes_; }
   /// Of the last state recorded.
-  const std::vector<double>& values() const { return values_; }
+  const ProbeValues& values() const { return values_; }
+  /// The same, in the order of the contacts.
+  const std::vector<ContactStanding>& contacts() const { return contacts_; }
   const std::vector<StepRecord>& steps() const { return steps_; }
   /// Converged so far.
   int increments() const { return increments_; }
@@ -41,15 +43,19 @@ class Recorder final : public MarchObserver {
 
  private:
   void count(const NewtonReport& report);
+  void take(Snapshot& snapshot);
   void append_history(const Increment& increment);
 
   const Problem& problem_;
+  std::shared_ptr<const Operation> operation_;
   Meters& meters_;
   Narrator narrator_;
   ProbeSet probes_;
+  ProbeRecord record_;
   ResultFiles results_;
   std::optional<CsvTable> history_, krylov_;  // on rank 0
-  std::vector<double> values_;
+  ProbeValues values_;
+  std::vector<ContactStanding> contacts_;
   std::vector<StepRecord> steps_;
   int increments_ = 0, cuts_ = 0, negative_pivots_ = -1;
   double since_ = Clock::now();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/contact_fields.hpp"
 #include "app/nodal_average.hpp"
 #include "core/io/vtkhdf.hpp"
 
@@ -66,8 +67,9 @@ void add_both(const Problem& problem, Field cells, Piece& piece) {
   piece.cell_fields.push_back(std::move(cells));
 }
 
-Piece piece_of(Snapshot& s, const OutputSettings& settings, const std::vector<Point>& points) {
-  const auto wanted = [&](const char* name) { return std::ranges::count(settings.fields, name) > 0; };
+Piece piece_of(Snapshot& s, const Operation& operation, const OutputSettings& settings,
+               const std::vector<Point>& points) {
+  const auto wanted = [&](const std::string& name) { return std::ranges::count(settings.fields, name) > 0; };
   Piece piece{points, s.problem.mesh().hexes, {}, {}};
   if (wanted("displacement")) piece.point_fields.push_back(displacement(s));
   if (wanted("stress")) add_both(s.problem, stress(s), piece);
@@ -75,13 +77,20 @@ Piece piece_of(Snapshot& s, const OutputSettings& settings, const std::vector<Po
   if (wanted("pressure")) piece.cell_fields.push_back(pressure(s));
   if (wanted("pressure")) piece.cell_fields.push_back(volume_ratio(s));
   if (wanted("region")) piece.cell_fields.push_back(region(s));
+  for (Field& f : contact_fields(operation, s))
+    if (wanted(f.name)) piece.point_fields.push_back(std::move(f));
   return piece;
 }
 
 }  // namespace
 
-ResultFiles::ResultFiles(const OutputSettings& settings, const std::string& folder)
-    : settings_(settings), folder_(folder), series_(folder + "/result.vtkhdf.series") {}
+ResultFiles::ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation,
+                         const std::string& folder)
+    : settings_(settings),
+      operation_(operation),
+      folder_(folder),
+      series_(folder + "/result.vtkhdf.series"),
+      bodies_(operation, folder) {}
 
 void ResultFiles::increment_done(int number, double time, Snapshot& snapshot) {
   last_ = number;
@@ -97,8 +106,11 @@ void ResultFiles::save(Snapshot& s) {
   if (!settings_.vtk) return;
   const std::string file = fmt::format("result_{:04d}.vtkhdf", last_);
   const auto points = reference_points(s.problem.mesh());
-  write_vtkhdf(folder_ + "/" + file, piece_of(s, settings_, points), s.problem.comm());
-  if (s.problem.comm().rank() == 0) series_.add(file, time_);
+  write_vtkhdf(folder_ + "/" + file, piece_of(s, *operation_, settings_, points), s.problem.comm());
+  if (s.problem.comm().rank() == 0) {
+    series_.add(file, time_);
+    bodies_.save(last_, time_);
+  }
   saved_ = last_;
 }
 

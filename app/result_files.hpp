@@ -1,16 +1,18 @@
 #pragma once
 #include <string>
 
+#include "app/body_files.hpp"
 #include "app/scene.hpp"
 #include "core/io/series.hpp"
 #include "core/problem/probe_snapshot.hpp"
 
 namespace bulbus {
 
-/// result_0001.vtkhdf and so on with their series: each n-th converged increment, and the last.
+/// result_0001.vtkhdf and so on with their series, and the rigid bodies: each n-th converged increment, and the
+/// last.
 class ResultFiles {
  public:
-  ResultFiles(const OutputSettings& settings, const std::string& folder);
+  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation, const std::string& folder);
 
   /// Saves if it is this increment's turn. Collective. Throws std::runtime_error.
   void increment_done(int number, double time, Snapshot& snapshot);
@@ -21,8 +23,10 @@ class ResultFiles {
   void save(Snapshot& snapshot);
 
   OutputSettings settings_;
+  std::shared_ptr<const Operation> operation_;
   std::string folder_;
   Series series_;
+  BodyFiles bodies_;
   int last_ = 0, saved_ = 0;
   double time_ = 0;
 };

@@ -58,8 +58,13 @@ void measure_memory(const Problem& problem, const CoupledSystem& system, Meters&
   meters.memory.set("coupled system", system.bytes());
 }
 
-void write_end(const Log& log, const MarchReport& march, const std::string& folder, double seconds) {
+void write_end(const Log& log, const Model& model, const Recorder& recorder, const MarchReport& march,
+               const std::string& folder, double seconds) {
   log.info("");
+  for (std::size_t i = 0; i < model.probes.size(); ++i)
+    if (const auto& value = recorder.values()[i]; value && model.probes[i].kind == "closed_fraction")
+      log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *value,
+                           model.probes[i].tolerance));
   if (!march.converged) log.error("not converged: " + march.reason);
   log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
                        march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
@@ -82,7 +87,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   const Log log(out_dir + "/run.log", comm);
   write_header(log, scene, scene_path, prepared);
 
-  Recorder recorder(problem, scene, out_dir, log, meters);
+  Recorder recorder(prepared, scene, out_dir, log, meters);
   const LinearSettings& linear = scene.solver.linear;
   CoupledSystem system(problem, settings_of_system(linear));
   auto solver = make_solver(linear, meters);
@@ -95,9 +100,9 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   recorder.finish(state);
   measure_memory(problem, system, meters);
   const double seconds = Clock::now() - start;
-  const auto summary = summary_of(scene.title, problem, recorder, report, meters, seconds);
+  const auto summary = summary_of(scene.title, prepared, recorder, report, meters, seconds);
   if (comm.rank() == 0) write_json(out_dir + "/summary.json", summary);
-  write_end(log, report, out_dir, seconds);
+  write_end(log, scene.model, recorder, report, out_dir, seconds);
   return report.converged ? 0 : 1;
 }
 

@@ -13,13 +13,15 @@ namespace bulbus {
 struct OutputSettings {
   bool vtk = true;
   int every = 1;
-  std::vector<std::string> fields{"displacement", "stress", "mises", "pressure", "region"};
+  std::vector<std::string> fields{"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure",
+                                  "contact_status"};
   template <class V>
   void describe(V&& v) {
-    v("vtk", vtk, About{"write result_*.vtkhdf and their series"});
+    v("vtk", vtk, About{"write result_*.vtkhdf and their series, and the rigid bodies as bodies_*.vtp with bodies.pvd"});
     v("every", every, About{"save each n-th converged increment, and always the last"}.between(1, 1000000));
     v("fields", fields,
-      About{"what is saved"}.one_of({"displacement", "stress", "mises", "pressure", "region"}));
+      About{"what is saved; the last three where the scene has contacts: gap in mm, pressure in MPa, 1 where closed"}.one_of(
+          {"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure", "contact_status"}));
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/contact_summary.hpp"
 #include "app/version.hpp"
 
 namespace bulbus {
@@ -77,8 +78,9 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"mpi", library.substr(0, library.find_first_of(",\n"))}};
 }
 
-nlohmann::json summary_of(const std::string& title, const Problem& problem, const Recorder& recorder,
+nlohmann::json summary_of(const std::string& title, const Prepared& prepared, const Recorder& recorder,
                           const MarchReport& march, const Meters& meters, double seconds) {
+  const Problem& problem = *prepared.problem;
   const Sizes sizes = sizes_of(problem);
   json s{{"title", title},
          {"converged", march.converged},
@@ -94,9 +96,12 @@ nlohmann::json summary_of(const std::string& title, const Problem& problem, cons
          {"ranks", problem.comm().size()}};
   s["probes"] = s["units"] = s["versions"] = json::object();
   for (std::size_t i = 0; i < recorder.probes().size(); ++i) {
-    s["probes"][recorder.probes().name(i)] = recorder.values()[i];
+    const auto& value = recorder.values()[i];
+    s["probes"][recorder.probes().name(i)] = value ? json(*value) : json();
     s["units"][recorder.probes().name(i)] = recorder.probes().unit(i);
   }
+  s["contacts"] = contacts_summary(*prepared.operation, recorder.contacts());
+  s["rigid_bodies"] = bodies_summary(problem, *prepared.operation, recorder.contacts());
   if (recorder.negative_pivots() >= 0) {
     s["negative_pivots"] = recorder.negative_pivots();
     s["negative_pivots_if_stable"] = stable_pivots(problem);

@@ -7,7 +7,7 @@
 namespace bulbus {
 
 /// The final figures of a run as summary.json holds them. Collective; the same on every rank.
-nlohmann::json summary_of(const std::string& title, const Problem& problem, const Recorder& recorder,
+nlohmann::json summary_of(const std::string& title, const Prepared& prepared, const Recorder& recorder,
                           const MarchReport& march, const Meters& meters, double seconds);
 
 /// Compiler, build and libraries: name and version.

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "contact/contact_term.hpp"
+#include "contact/distances.hpp"
 
 namespace bulbus {
 
@@ -24,16 +25,20 @@ ContactFigures ContactTerm::figures(const State& state) const {
   return sum;
 }
 
-std::vector<ContactNode> ContactTerm::nodes(const State& state) const {
+std::vector<ContactNode> ContactTerm::nodes(const State& state, double farthest) const {
   const Found& f = found(state);
+  std::vector<double> places;
+  for (int n : slave_.nodes()) places.insert(places.end(), &state.x[3 * n], &state.x[3 * n] + 3);
+  const auto distance = distances(places, master_.at(state), farthest > 0 ? farthest : limits_.reach);
   std::vector<ContactNode> nodes;
-  for (std::size_t i = 0; i < f.distance.size(); ++i) nodes.push_back({slave_.nodes()[i], f.distance[i], 0, false});
+  for (std::size_t i = 0; i < distance.size(); ++i) nodes.push_back({slave_.nodes()[i], distance[i]});
   for (const Touch& t : f.touches) {
     ContactNode& n = nodes[t.slave];
-    n.gap = std::min(n.gap, t.pair.gap);
-    const double p = pressure(t).value;
-    n.pressure += p * area0_[t.slave] / f.shape.areas[t.slave];
-    n.active |= p > 0;
+    if (t.pair.gap < 0) n.gap = std::min(n.gap, t.pair.gap);
+    const double push = area0_[t.slave] * pressure(t).value;
+    n.pressure += push / f.shape.areas[t.slave];
+    for (int c = 0; c < 3; ++c) n.force[c] += push * t.pair.normal[c];
+    n.active |= push > 0;
   }
   return nodes;
 }

@@ -23,10 +23,11 @@ struct ContactFigures {
 
 /// A slave node that this rank owns.
 struct ContactNode {
-  int node;         ///< local
-  double gap;       ///< mm, negative inside; the search's reach where no master is nearer
-  double pressure;  ///< force over current tributary area, MPa
-  bool active;
+  int node;                     ///< local
+  double gap;                   ///< mm: distance to the master; negative where that keeps the node out
+  double pressure = 0;          ///< force over current tributary area, MPa
+  Vec3<double> force{0, 0, 0};  ///< on the node, N
+  bool active = false;
 };
 
 /// Slave nodes that are inside the master at the start, on one rank.

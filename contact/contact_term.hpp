@@ -55,8 +55,8 @@ class ContactTerm final : public Term {
   /// N·mm
   double potential(const State& state) const;
   ContactFigures figures(const State& state) const;
-  /// In the order of slave().nodes().
-  std::vector<ContactNode> nodes(const State& state) const;
+  /// In the order of slave().nodes(); gaps no larger than `farthest` (mm; 0: the search's reach).
+  std::vector<ContactNode> nodes(const State& state, double farthest = 0) const;
   const SlaveSurface& slave() const { return slave_; }
   const Augmentation& augmentation() const { return augmentation_; }
   const ContactMemory& memory() const { return committed_; }

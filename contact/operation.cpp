@@ -16,6 +16,7 @@ namespace {
 
 constexpr double stiffness_ratio = 30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
 constexpr double part_of_size = 0.03;   // default reach in diagonals of the model
+constexpr double farthest_gap = 0.25;   // the same of the gaps reported
 
 double diagonal(const Mesh& mesh) {
   double sum = 0;
@@ -121,7 +122,8 @@ void Operation::add_contact(const Mesh& mesh, const ContactSpec& spec, const std
   if (problem_.comm().sum(static_cast<int>(term->slave().nodes().size())) == 0)
     throw scene_error(key + ".slave", "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave + "' are nodes of '" + spec.master + "' too",
                       "Give the two sides nodes of their own.");
-  contacts_.push_back({spec, term, body == bodies_.end() ? nullptr : body->second, penalty, thickness});
+  contacts_.push_back({spec, term, body == bodies_.end() ? nullptr : body->second, penalty, thickness,
+                       farthest_gap * diagonal(mesh)});
 }
 
 void Operation::add_suture(const Mesh& mesh, const std::string& name, const SutureSpec& spec) {
@@ -131,6 +133,8 @@ void Operation::add_suture(const Mesh& mesh, const std::string& name, const Sutu
     throw scene_error(key + ".body", "there is no rigid body '" + spec.body + "'", known(spec.body, keys(bodies_), "Describe it under `rigid_bodies`."));
   std::vector<SuturePoint> points;
   problem_.comm().together([&] { points = suture_points(mesh, spec, problem_.model().symmetry, key); });
+  for (const SuturePoint& p : points)
+    for (int n : problem_.mesh().local(p.nodes)) bites_[name].push_back(n);
   sutures_[name] = std::make_shared<SutureTerm>(problem_.mesh(), points, body->second, spec, key);
 }
 
@@ -141,6 +145,22 @@ const Operation::Contact& Operation::contact(const std::string& name, const std:
     names.push_back(c.spec.name);
   }
   throw scene_error(key, "there is no contact '" + name + "'", known(name, names, "Describe it under `contacts`."));
+}
+
+const SutureTerm& Operation::suture(const std::string& name, const std::string& key) const {
+  if (const auto found = sutures_.find(name); found != sutures_.end()) return *found->second;
+  throw scene_error(key, "there is no suture '" + name + "'", known(name, keys(sutures_), "Describe it under `sutures`."));
+}
+
+std::vector<const Operation::Contact*> Operation::contacts_on(const std::string& body, const std::string& key) const {
+  if (!bodies_.contains(body))
+    throw scene_error(key, "there is no rigid body '" + body + "'", known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+  std::vector<const Contact*> found;
+  for (const Contact& c : contacts_)
+    if (c.spec.master == body) found.push_back(&c);
+  if (found.empty())
+    throw scene_error(key, "no contact has the rigid body '" + body + "' for its master", "Describe one under `contacts`.");
+  return found;
 }
 
 // Current places of all nodes that may touch a body, of all ranks.

@@ -20,6 +20,7 @@ class Operation final : public Term {
     std::shared_ptr<ContactTerm> term;
     std::shared_ptr<const RigidSurface> body;  ///< of a rigid master
     double penalty, thickness;                 ///< MPa/mm; thinner layer of the two, mm
+    double farthest;                           ///< gaps are reported up to here, a quarter of the model's diagonal, mm
   };
 
   /// Adds its terms to the problem; a model without any of the three has none. Throws InputError. Collective.
@@ -28,8 +29,13 @@ class Operation final : public Term {
   const std::vector<Contact>& contacts() const { return contacts_; }
   const std::map<std::string, std::shared_ptr<SutureTerm>>& sutures() const { return sutures_; }
   const std::map<std::string, std::shared_ptr<RigidSurface>>& bodies() const { return bodies_; }
-  /// Throws InputError with the key if there is none.
+  /// Throw InputError with the key if there is none.
   const Contact& contact(const std::string& name, const std::string& key) const;
+  const SutureTerm& suture(const std::string& name, const std::string& key) const;
+  /// The contacts whose master is the rigid body; at least one.
+  std::vector<const Contact*> contacts_on(const std::string& body, const std::string& key) const;
+  /// Local nodes, ghosts included, in which the points of a suture hold the tissue.
+  const std::vector<int>& bites(const std::string& suture) const { return bites_.at(suture); }
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
   void linearize(const State&) override {}
@@ -51,6 +57,7 @@ class Operation final : public Term {
   std::map<std::string, RigidMotion> motions_;
   std::vector<Contact> contacts_;
   std::map<std::string, std::shared_ptr<SutureTerm>> sutures_;
+  std::map<std::string, std::vector<int>> bites_;
 };
 
 }  // namespace bulbus

@@ -154,24 +154,39 @@ struct StepSpec {
   }
 };
 
-/// A figure to record at every increment. Forces, moments and volumes are of the whole model, symmetry images included.
+/// A figure to record at every increment. Forces, moments, areas and volumes are of the whole model, symmetry images included.
 struct ProbeSpec {
-  std::string name, kind, set, to, liquid, region, component = "magnitude", statistic = "mean", unit;
-  double percentile = 100;
+  std::string name, kind, set, to, liquid, region, contact, body, suture, component = "magnitude", statistic = "mean", since,
+      unit, label;
+  double percentile = 100, tolerance = 0.1, scale = 1;
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"column in history.csv and summary.json"}.needed());
     v("kind", kind,
       About{"what is recorded"}.needed().one_of({"displacement", "position", "distance", "reaction", "moment", "pressure",
-                                                 "volume", "mises", "volume_ratio", "bar_force"}));
-    v("set", set, About{"node set, surface or region (displacement, position, distance, reaction, moment)"});
+                                                 "volume", "mises", "volume_ratio", "bar_force", "contact_area",
+                                                 "contact_force", "contact_pressure", "penetration", "gap",
+                                                 "closed_fraction", "body_force", "body_moment", "suture_force",
+                                                 "suture_mises"}));
+    v("set", set, About{"node set, surface or region (displacement, position, distance, reaction, moment; mises: cells that "
+                        "touch it; gap, closed_fraction: those of the contact's slave nodes; empty: all)"});
     v("to", to, About{"the second set of a distance: mean place of `to` minus mean place of `set`"});
     v("liquid", liquid, About{"the liquid (pressure, volume)"});
     v("region", region, About{"the region (mises, volume_ratio) or group of bars (bar_force); empty: all"});
-    v("component", component, About{"of a vector"}.one_of({"x", "y", "z", "magnitude", "radial"}));
+    v("contact", contact, About{"the contact (contact_area, contact_force on its master, largest contact_pressure and "
+                                "penetration, gap, closed_fraction)"});
+    v("body", body, About{"the rigid body: what all contacts do to it (body_force, body_moment about the origin)"});
+    v("suture", suture, About{"the suture (suture_force: of one string; suture_mises: cells that touch its bites)"});
+    v("component", component, About{"of a vector; of forces, `radial` sums what points away from the z axis"}
+                                .one_of({"x", "y", "z", "magnitude", "radial"}));
     v("statistic", statistic, About{"over a set: mean, max or min"}.one_of({"mean", "max", "min"}));
     v("percentile", percentile, About{"of the cells' Mises stress, by volume; 100 is the largest"}.between(0, 100));
+    v("tolerance", tolerance, About{"a node with a smaller gap counts as closed", Quantity::length}.at_least(0));
+    v("since", since, About{"a step: the figure is the change since its end, nothing before; displacements count from the "
+                            "places there, node by node"});
+    v("scale", scale, About{"multiplies the figure"});
     v("unit", unit, About{"unit of the record, such as mmHg; empty: mm, N, MPa"});
+    v("label", label, About{"what the records call the unit instead, where `scale` changes it, such as D"});
   }
 };
 

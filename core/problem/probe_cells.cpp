@@ -22,6 +22,14 @@ std::vector<int> cells_of(const Problem& problem, const ProbeSpec& spec) {
   return cells;
 }
 
+void keep_those_at(const Problem& problem, std::span<const int> nodes, std::vector<int>& cells) {
+  std::vector<bool> named(problem.mesh().nodes());
+  for (int n : nodes) named[n] = true;
+  std::erase_if(cells, [&](int h) {
+    return std::ranges::none_of(problem.mesh().hexes[h], [&](int n) { return named[n]; });
+  });
+}
+
 struct Weighted {
   double value, weight;
 };
@@ -50,10 +58,8 @@ double percentile(const Comm& comm, std::span<const Weighted> cells, double perc
   return comm.max(found);
 }
 
-}  // namespace
-
-ProbeSet::Figure mises(const Problem& problem, const ProbeSpec& spec) {
-  return [cells = cells_of(problem, spec), percent = spec.percentile](Snapshot& s) {
+ProbeSet::Figure mises_of(std::vector<int> cells, double percent) {
+  return [cells = std::move(cells), percent](Snapshot& s) {
     const auto V0 = s.problem.solid().reference_volumes();
     std::vector<Weighted> values;
     for (int h : cells) values.push_back({s.stresses()[h].mises, V0[h]});
@@ -61,11 +67,28 @@ ProbeSet::Figure mises(const Problem& problem, const ProbeSpec& spec) {
   };
 }
 
+}  // namespace
+
+ProbeSet::Figure mises(const Problem& problem, const ProbeSpec& spec) {
+  if (!spec.set.empty()) return mises_around(problem, spec, problem.nodes_of(spec.set));
+  return mises_of(cells_of(problem, spec), spec.percentile);
+}
+
+ProbeSet::Figure mises_around(const Problem& problem, const ProbeSpec& spec, std::span<const int> nodes) {
+  auto cells = cells_of(problem, spec);
+  keep_those_at(problem, nodes, cells);
+  if (!problem.comm().any(!cells.empty()))
+    throw scene_error("set", "no deformable cell of the region touches these nodes",
+                      "Name a region that does, or leave it out.");
+  return mises_of(std::move(cells), spec.percentile);
+}
+
 ProbeSet::Figure volume_ratio(const Problem& problem, const ProbeSpec& spec) {
   return [cells = cells_of(problem, spec), kind = spec.statistic](Snapshot& s) {
     const auto V0 = s.problem.solid().reference_volumes();
+    const auto& volume = s.residual().volume;  // collective: also on a rank without these cells
     std::vector<double> ratios;
-    for (int h : cells) ratios.push_back(1 + s.residual().volume[h] / V0[h]);
+    for (int h : cells) ratios.push_back(1 + volume[h] / V0[h]);
     return statistic(s.problem.comm(), kind, ratios);
   };
 }

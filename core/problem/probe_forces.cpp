@@ -9,45 +9,13 @@
 namespace bulbus::probes {
 namespace {
 
-struct Resultant {
-  Vec3<double> force{}, moment{};
-  double radial = 0;
-};
-
-Resultant own_resultant(Snapshot& s, std::span<const int> nodes) {
-  const auto& f = s.residual().force;
-  const auto& x = s.state.x;
-  Resultant sum;
-  for (int n : nodes) {
-    const Vec3<double> F{f[3 * n], f[3 * n + 1], f[3 * n + 2]},
-        M = cross({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, F);
-    for (int c = 0; c < 3; ++c) sum.force[c] += F[c], sum.moment[c] += M[c];
-    const double r = std::hypot(x[3 * n], x[3 * n + 1]);
-    if (r > 0) sum.radial += (x[3 * n] * F[0] + x[3 * n + 1] * F[1]) / r;
-  }
-  return sum;
-}
-
-// The image in a plane has the opposite normal force; its moment, a cross product, keeps the normal component
-// only.
-void add_images(const Problem& problem, Resultant& r) {
-  for (const std::string& plane : problem.model().symmetry)
-    for (int c = 0; c < 3; ++c) {
-      const bool normal = c == axis_of(plane);
-      r.force[c] *= normal ? 0 : 2;
-      r.moment[c] *= normal ? 2 : 0;
-    }
-  r.radial *= problem.multiplicity();
-}
+Vec3<double> at(std::span<const double> v, int n) { return {v[3 * n], v[3 * n + 1], v[3 * n + 2]}; }
 
 Resultant resultant(Snapshot& s, std::span<const int> nodes) {
-  Resultant r = own_resultant(s, nodes);
-  std::array<double, 7> all{r.force[0],  r.force[1],  r.force[2], r.moment[0],
-                            r.moment[1], r.moment[2], r.radial};
-  s.problem.comm().sum(all);
-  r = {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}, all[6]};
-  add_images(s.problem, r);
-  return r;
+  const auto& force = s.residual().force;  // collective: also on a rank without these nodes
+  Resultant own;
+  for (int n : nodes) own.add(at(s.state.x, n), at(force, n));
+  return whole(s.problem, own);
 }
 
 std::size_t liquid_of(const Problem& problem, const ProbeSpec& spec) {
@@ -57,10 +25,40 @@ std::size_t liquid_of(const Problem& problem, const ProbeSpec& spec) {
 
 }  // namespace
 
+void Resultant::add(const Vec3<double>& place, const Vec3<double>& f) {
+  const Vec3<double> m = cross(place, f);
+  for (int c = 0; c < 3; ++c) force[c] += f[c], moment[c] += m[c];
+  const double r = std::hypot(place[0], place[1]);
+  if (r > 0) radial += (place[0] * f[0] + place[1] * f[1]) / r;
+}
+
+double Resultant::component(const std::string& c) const {
+  return c == "radial" ? radial : component_of(force, c);
+}
+
+// The image in a plane has the opposite normal force; its moment, a cross product, keeps the normal component
+// only.
+Resultant with_images(const Problem& problem, Resultant r) {
+  for (const std::string& plane : problem.model().symmetry)
+    for (int c = 0; c < 3; ++c) {
+      const bool normal = c == axis_of(plane);
+      r.force[c] *= normal ? 0 : 2;
+      r.moment[c] *= normal ? 2 : 0;
+    }
+  r.radial *= problem.multiplicity();
+  return r;
+}
+
+Resultant whole(const Problem& problem, const Resultant& own) {
+  std::array<double, 7> all{own.force[0],  own.force[1],  own.force[2], own.moment[0],
+                            own.moment[1], own.moment[2], own.radial};
+  problem.comm().sum(all);
+  return with_images(problem, {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}, all[6]});
+}
+
 ProbeSet::Figure reaction(const Problem& problem, const ProbeSpec& spec) {
   return [nodes = owned_nodes(problem, spec.set), c = spec.component](Snapshot& s) {
-    const Resultant r = resultant(s, nodes);
-    return c == "radial" ? r.radial : component_of(r.force, c);
+    return resultant(s, nodes).component(c);
   };
 }
 

@@ -16,7 +16,7 @@ template <class Number>
 ProbeSet::Figure over_nodes(const Problem& problem, const ProbeSpec& spec, Number number) {
   return [nodes = owned_nodes(problem, spec.set), kind = spec.statistic, number](Snapshot& s) {
     std::vector<double> numbers;
-    for (int n : nodes) numbers.push_back(number(at(s.problem.mesh().X, n), at(s.state.x, n)));
+    for (int n : nodes) numbers.push_back(number(at(s.origin, n), at(s.state.x, n)));
     return statistic(s.problem.comm(), kind, numbers);
   };
 }

@@ -1,5 +1,8 @@
 #pragma once
+#include <any>
+#include <map>
 #include <optional>
+#include <span>
 
 #include "core/problem/problem.hpp"
 
@@ -9,10 +12,13 @@ namespace bulbus {
 /// it.
 class Snapshot {
  public:
-  Snapshot(const Problem& problem, const State& state) : problem(problem), state(state) {}
+  Snapshot(const Problem& problem, const State& state)
+      : problem(problem), state(state), origin(problem.mesh().X) {}
 
   const Problem& problem;
   const State& state;
+  /// Places of the local nodes that displacements count from: the reference ones unless set otherwise.
+  std::span<const double> origin;
 
   /// Collective.
   const Residual& residual() {
@@ -24,10 +30,19 @@ class Snapshot {
     if (!stresses_) stresses_ = problem.solid().stresses(state.x, state.lambda);
     return *stresses_;
   }
+  /// What a floor above derives from the state, under the address of what it is derived by.
+  template <class Make>
+  const auto& derived(const void* by, Make make) {
+    using T = decltype(make());
+    std::any& kept = derived_[by];
+    if (!kept.has_value()) kept = make();
+    return *std::any_cast<T>(&kept);
+  }
 
  private:
   std::optional<Residual> residual_;
   std::optional<std::vector<CellStress>> stresses_;
+  std::map<const void*, std::any> derived_;
 };
 
 }  // namespace bulbus

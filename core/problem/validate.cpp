@@ -99,12 +99,17 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
   const bool needs_set = p.kind == "displacement" || p.kind == "position" || p.kind == "distance" || p.kind == "reaction" || p.kind == "moment";
   if (needs_liquid && !model.liquids.contains(p.liquid))
     throw scene_error(key + ".liquid", "there is no liquid '" + p.liquid + "'", known(p.liquid, names_of(model.liquids)));
-  if (needs_set) check_set(mesh, p.set, key + ".set");
+  if (needs_set || !p.set.empty()) check_set(mesh, p.set, key + ".set");
   if (p.kind == "distance") check_set(mesh, p.to, key + ".to");
   if (!p.region.empty() && (p.kind == "mises" || p.kind == "volume_ratio") && region_index(mesh, p.region) < 0)
     throw scene_error(key + ".region", "the mesh has no region '" + p.region + "'", known(p.region, mesh.region_names));
   if (!p.region.empty() && p.kind == "bar_force" && !model.bars.contains(p.region))
     throw scene_error(key + ".region", "there are no bars '" + p.region + "'", known(p.region, names_of(model.bars)));
+  std::vector<std::string> steps;
+  for (const StepSpec& s : model.steps)
+    if (!s.name.empty()) steps.push_back(s.name);
+  if (!p.since.empty() && std::ranges::count(steps, p.since) == 0)
+    throw scene_error(key + ".since", "there is no step '" + p.since + "'", known(p.since, steps));
 }
 
 void check_symmetry(const Mesh& mesh, const Model& model) {

@@ -1,17 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "app/command_line.hpp"
 #include "core/io/hdf5_read.hpp"
 #include "core/solve/dump.hpp"
+#include "tests/unit/app/run_scene.hpp"
 
 namespace {
 
 using namespace bulbus;
+using namespace bulbus::test;
 namespace fs = std::filesystem;
 
 // Line 11 is the first probe.
@@ -31,43 +27,6 @@ solver:
   linear: {method: direct}
   newton: {force: 1e-11, volume: 1e-11}
 )yaml";
-
-struct Ran {
-  fs::path folder;
-  int status = 0;
-  std::string err;
-  bool wrote(const std::string& file) const { return fs::exists(folder / "out" / file); }
-  nlohmann::json summary() const { return nlohmann::json::parse(text("summary.json")); }
-  std::string text(const std::string& file) const {
-    std::ifstream in(folder / "out" / file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  std::vector<std::string> lines(const std::string& file) const {
-    std::istringstream in(text(file));
-    std::vector<std::string> all;
-    for (std::string line; std::getline(in, line);) all.push_back(line);
-    return all;
-  }
-};
-
-Ran run_scene(const std::string& yaml, const std::vector<std::string>& set = {},
-              const std::string& command = "run") {
-  Ran r{fs::temp_directory_path() / "bulbus_run"};
-  fs::remove_all(r.folder);
-  fs::create_directories(r.folder);
-  std::ofstream(r.folder / "scene.yaml") << yaml;
-  std::vector<std::string> arguments{command, r.folder / "scene.yaml"};
-  if (command == "run") arguments.insert(arguments.end(), {"-o", r.folder / "out"});
-  for (const std::string& s : set) arguments.insert(arguments.end(), {"--set", s});
-  std::ostringstream out, err;
-  r.status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
-  r.err = err.str();
-  return r;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
 
 /// c10 = 1/2, stretch 1.4, a quarter of the section 1 × 1 in the model.
 TEST(Run, WritesTheAnswerAndHowItWasFound) {

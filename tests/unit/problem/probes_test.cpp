@@ -151,6 +151,32 @@ TEST(Probes, PercentilesCountVolume) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(v[i], cells[expected[i]]) << i;
 }
 
+/// Only the cells that touch the set: of four in a row, growing in stress, the last.
+TEST(Probes, StressAroundASet) {
+  ProbeSpec around = of_region("mises", "mean", 0);
+  around.set = "xmax";
+  const auto v = figures(block({0, 0, 0}, {4, 1, 1}, 4, 1, 1), {around, of_region("mises", "mean", 100), of_region("mises", "mean", 0)},
+                         [&](Problem& p, State& s) {
+                           s = mapped(p, [](Vec3<double> X) { return Vec3<double>{X[0] + .05 * X[0] * X[0], X[1], X[2]}; });
+                         });
+  EXPECT_EQ(v[0], v[1]);
+  EXPECT_GT(v[0], 2 * v[2]);
+}
+
+TEST(Probes, RefuseKindsThatNobodyOffers) {
+  Scene scene = block({0, 0, 0}, {1, 1, 1}, 2, 1, 1);
+  scene.model.probes = {probe("gap", "xmax")};
+  const Problem problem(scene.mesh, scene.model, Comm());
+  try {
+    const ProbeSet probes(problem);
+    ADD_FAILURE();
+  } catch (const InputError& fault) {
+    EXPECT_EQ(fault.key, "probes.0.kind");
+  }
+  const ProbeSet::Kind seven{Quantity::length, [](const Problem&, const ProbeSpec&) { return [](Snapshot&) { return 7.; }; }};
+  EXPECT_EQ(ProbeSet(problem, {{"gap", seven}}).values(problem, problem.initial_state())[0], 7);
+}
+
 TEST(Probes, LiquidsAndBarsAreWhole) {
   ProbeSpec bars = of_region("bar_force", "max");
   bars.unit = "mN";

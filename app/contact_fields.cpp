@@ -1,0 +1,26 @@
+#include "app/contact_fields.hpp"
+
+#include <algorithm>
+
+#include "contact/operation_figures.hpp"
+
+namespace bulbus {
+
+std::vector<Field> contact_fields(const Operation& operation, Snapshot& s) {
+  if (operation.contacts().empty()) return {};
+  const std::size_t nodes = s.problem.mesh().nodes();
+  std::vector<Field> fields{{"gap", 1, std::vector<double>(nodes, operation.contacts().front().farthest)},
+                            {"contact_pressure", 1, std::vector<double>(nodes)},
+                            {"contact_status", 1, std::vector<double>(nodes)}};
+  auto &gap = fields[0].values, &pressure = fields[1].values, &status = fields[2].values;
+  for (const Operation::Contact& contact : operation.contacts())
+    for (const ContactNode& n : nodes_of(contact, s)) {
+      gap[n.node] = std::min(gap[n.node], n.gap);
+      pressure[n.node] += n.pressure;
+      if (n.active) status[n.node] = 1;
+    }
+  for (Field& f : fields) s.problem.mesh().halo.update(f.values, 1);
+  return fields;
+}
+
+}  // namespace bulbus

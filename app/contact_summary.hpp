@@ -1,0 +1,16 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include "contact/operation_figures.hpp"
+
+namespace bulbus {
+
+/// What summary.json says of every contact. `standings` are in the order of the contacts.
+nlohmann::json contacts_summary(const Operation& operation, const std::vector<ContactStanding>& standings);
+
+/// What all contacts do to every rigid body: force (N) and moment about the origin (N mm) of the whole model, and
+/// of its parts as drawn, without symmetry images.
+nlohmann::json bodies_summary(const Problem& problem, const Operation& operation,
+                              const std::vector<ContactStanding>& standings);
+
+}  // namespace bulbus

@@ -1,0 +1,26 @@
+#pragma once
+#include "contact/operation.hpp"
+#include "core/problem/probe_figures.hpp"
+
+namespace bulbus {
+
+/// The slave nodes that this rank owns, gaps up to Contact::farthest; found once per snapshot.
+const std::vector<ContactNode>& nodes_of(const Operation::Contact& contact, Snapshot& snapshot);
+
+/// What the slave nodes of this rank do to the master.
+probes::Resultant on_master(const Operation::Contact& contact, Snapshot& snapshot);
+
+/// How a contact stands, on all ranks.
+struct ContactStanding {
+  int touching = 0;        ///< active slave nodes of the model
+  int smoothed = 0;        ///< pairs that could not decide between open and closed in the last increment
+  double area = 0;         ///< mm², symmetry images included
+  double penetration = 0;  ///< largest, mm
+  double pressure = 0;     ///< largest, MPa
+  std::vector<Wrench> on_master;  ///< per part of a rigid body, as drawn: without images
+  Augmentation augmentation;      ///< of the last increment
+};
+/// Collective.
+ContactStanding standing(const Operation::Contact& contact, Snapshot& snapshot);
+
+}  // namespace bulbus

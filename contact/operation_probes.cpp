@@ -1,0 +1,95 @@
+#include "contact/operation_probes.hpp"
+
+#include <algorithm>
+
+#include "contact/operation_figures.hpp"
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+using Contact = Operation::Contact;
+
+// A figure of how one contact stands.
+template <class Number>
+auto of_contact(std::shared_ptr<const Operation> operation, Number number) {
+  return [=](const Problem&, const ProbeSpec& spec) -> ProbeSet::Figure {
+    return [operation, number, &contact = operation->contact(spec.contact, "contact")](Snapshot& s) {
+      return number(standing(contact, s));
+    };
+  };
+}
+
+// A number of every slave node, or of those in the set, then mean, max or min.
+template <class Number>
+ProbeSet::Figure over_slaves(const Problem& problem, const Contact& contact, const std::string& set,
+                             const std::string& statistic, Number number) {
+  std::vector<bool> counts(problem.mesh().nodes(), set.empty());
+  if (!set.empty())
+    for (int n : problem.nodes_of(set)) counts[n] = true;
+  if (!problem.comm().any(std::ranges::any_of(contact.term->slave().nodes(), [&](int n) { return counts[n]; })))
+    throw scene_error("set", "no node of '" + set + "' is a slave node of contact '" + contact.spec.name + "'",
+                      "Name nodes of '" + contact.spec.slave + "' that its master does not share.");
+  return [&contact, counts, statistic, number](Snapshot& s) {
+    std::vector<double> numbers;
+    for (const ContactNode& n : nodes_of(contact, s))
+      if (counts[n.node]) numbers.push_back(number(n));
+    return probes::statistic(s.problem.comm(), statistic, numbers);
+  };
+}
+
+probes::Resultant on_body(const std::vector<const Contact*>& contacts, Snapshot& s) {
+  probes::Resultant sum;
+  for (const Contact* contact : contacts) {
+    const probes::Resultant r = on_master(*contact, s);
+    for (int c = 0; c < 3; ++c) sum.force[c] += r.force[c], sum.moment[c] += r.moment[c];
+    sum.radial += r.radial;
+  }
+  return probes::whole(s.problem, sum);
+}
+
+}  // namespace
+
+ProbeSet::Kinds operation_probes(std::shared_ptr<const Operation> operation) {
+  using Q = Quantity;
+  using Figure = ProbeSet::Figure;
+  ProbeSet::Kinds kinds;
+  kinds["contact_area"] = {Q::area, of_contact(operation, [](const ContactStanding& c) { return c.area; })};
+  kinds["contact_pressure"] = {Q::stress, of_contact(operation, [](const ContactStanding& c) { return c.pressure; })};
+  kinds["penetration"] = {Q::length, of_contact(operation, [](const ContactStanding& c) { return c.penetration; })};
+  kinds["contact_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
+    return [operation, contact = &operation->contact(spec.contact, "contact"), c = spec.component](Snapshot& s) {
+      return on_body({contact}, s).component(c);
+    };
+  }};
+  kinds["gap"] = {Q::length, [=](const Problem& problem, const ProbeSpec& spec) {
+    return over_slaves(problem, operation->contact(spec.contact, "contact"), spec.set, spec.statistic,
+                       [operation](const ContactNode& n) { return n.gap; });
+  }};
+  kinds["closed_fraction"] = {Q::number, [=](const Problem& problem, const ProbeSpec& spec) {
+    return over_slaves(problem, operation->contact(spec.contact, "contact"), spec.set, "mean",
+                       [operation, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
+  }};
+  kinds["body_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
+    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component](Snapshot& s) {
+      return on_body(on, s).component(c);
+    };
+  }};
+  kinds["body_moment"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
+    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component](Snapshot& s) {
+      return probes::component_of(on_body(on, s).moment, c);
+    };
+  }, " mm"};
+  kinds["suture_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
+    return [operation, &suture = operation->suture(spec.suture, "suture")](Snapshot&) {
+      return suture.strings().front().force;
+    };
+  }};
+  kinds["suture_mises"] = {Q::stress, [=](const Problem& problem, const ProbeSpec& spec) {
+    operation->suture(spec.suture, "suture");
+    return probes::mises_around(problem, spec, operation->bites(spec.suture));
+  }};
+  return kinds;
+}
+
+}  // namespace bulbus

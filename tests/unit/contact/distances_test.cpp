@@ -1,0 +1,30 @@
+#include "contact/distances.hpp"
+
+#include <gtest/gtest.h>
+
+#include "contact/nearest_point.hpp"
+#include "tests/support/sheets.hpp"
+
+namespace bulbus {
+namespace {
+
+TEST(Distances, AreThoseOfTheNearestTriangleHoweverFar) {
+  const auto body = cylinder(24, 1, 3);
+  const MasterSurface surface{body->facets, body->places};
+  auto points = noise_vector(3 * 200, 8);
+  for (double& p : points) p *= 6;
+  const auto found = distances(points, surface, 5);
+  int capped = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    double nearest = 5;
+    for (int t = 0; t < static_cast<int>(body->facets.triangles.size()); ++t)
+      nearest = std::min(nearest, nearest_point(at(points, static_cast<int>(i)), surface.corners(t)).distance);
+    EXPECT_EQ(found[i], nearest) << i;
+    capped += nearest == 5;
+  }
+  EXPECT_GT(capped, 5);
+  EXPECT_LT(capped, 150);
+}
+
+}  // namespace
+}  // namespace bulbus
