@@ -29,7 +29,7 @@ std::unique_ptr<LinearSolver> make_solver(const LinearSettings& linear, Meters& 
 
 std::string name_of_solver(const LinearSettings& l) {
   if (l.method == "direct") return "direct (MUMPS)";
-  return fmt::format("flexible GMRES({}), displacement block by {}, operator {}, gamma {:g}", l.restart,
+  return fmt::format("GMRES({}), displacement block by {}, operator {}, gamma {:g}", l.restart,
                      l.displacement, l.op, l.gamma);
 }
 

@@ -83,10 +83,19 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& lim
       if (!chosen) chosen = select(master, x, f.shape.normals[i], remembered ? committed_.triangle[slot] : -1, candidates, limits);
       f.distance[i] = std::min(f.distance[i], chosen->distance);
       if (chosen->triangle >= 0)
-        f.touches.push_back({i, slot, chosen->triangle, project(x, master.corners(chosen->triangle))});
+        f.touches.push_back(touch(master, x, i, slot, chosen->triangle));
     }
   }
   return f;
+}
+
+ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int slave, int slot, int triangle) {
+  Touch t{slave, slot, triangle, project(x, master.corners(triangle))};
+  if (master.normals.empty()) return t;
+  const SmoothNormal smooth = smooth_normal(t.pair, master.normals[triangle]);
+  t.pair.normal = smooth.normal;
+  t.bend = smooth.bend;
+  return t;
 }
 
 std::optional<Selection> ContactTerm::held(const MasterSurface& master, const Vec3<double>& x, int slot) const {
@@ -123,7 +132,7 @@ void ContactTerm::add_residual(const State& state, std::span<double> force, std:
 // Counts openings, closings and returns to the triangle before; a node with too many keeps its triangle.
 void ContactTerm::watch(const std::vector<int>& now) {
   for (std::size_t k = 0; k < now.size(); ++k) {
-    if (now[k] == last_[k] || !(now[k] < 0 || last_[k] < 0 || now[k] == before_[k])) continue;
+    if (now[k] == last_[k] || !(now[k] < 0 || last_[k] < 0 || (now[k] == before_[k] && !master_.smooth()))) continue;
     if (++changes_[k] <= most_changes || held_[k] >= 0) continue;
     held_[k] = now[k] >= 0 ? now[k] : last_[k];
     found_.key.clear();
@@ -143,7 +152,9 @@ void ContactTerm::linearize(const State& state) {
     const double a = area0_[t.slave] * penalty_ * p.slope;
     tangent_nodes_.push_back(slave_.nodes()[t.slave]);
     if (master_.rigid()) {
-      const auto K = rigid_tangent(t.pair, a);
+      // where the body is hollow this stiffens, and without it nodes that slide along diverge; where it bulges it waits
+      const bool quiet = linearized_ && last_[t.slot] >= 0;
+      const auto K = rigid_tangent(t.pair, a, quiet || trace(t.bend) < 0 ? -area0_[t.slave] * p.value : 0, t.bend);
       tangent_.insert(tangent_.end(), K.begin(), K.end());
     } else {
       const auto& corners = master_.facets().triangles[t.triangle];

@@ -71,6 +71,7 @@ class ContactTerm final : public Term {
   struct Touch {
     int slave, slot, triangle;
     Pair pair;
+    Mat3<double> bend{};  // of a curved rigid body
   };
   struct Found {
     std::vector<double> key;       // where the surfaces are
@@ -82,6 +83,7 @@ class ContactTerm final : public Term {
   std::vector<double> surfaces(const State& state) const;
   const Found& found(const State& state) const;
   Found find(const State& state, const SearchLimits& limits, bool remembered) const;
+  static Touch touch(const MasterSurface& master, const Vec3<double>& x, int slave, int slot, int triangle);
   std::optional<Selection> held(const MasterSurface& master, const Vec3<double>& x, int slot) const;
   double gap(const Touch& touch) const;
   ContactPressure pressure(const Touch& touch) const;

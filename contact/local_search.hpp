@@ -3,6 +3,7 @@
 
 #include "contact/facets.hpp"
 #include "contact/pair.hpp"
+#include "contact/smooth_normals.hpp"
 
 namespace bulbus {
 
@@ -10,6 +11,7 @@ namespace bulbus {
 struct MasterSurface {
   const Facets& facets;
   std::span<const double> places;
+  std::span<const CornerNormals> normals = {};  ///< of a curved surface that the triangles stand for; empty: they are flat
   Triangle corners(int triangle) const;
 };
 

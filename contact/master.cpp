@@ -18,6 +18,9 @@ Master::Master(std::shared_ptr<const RigidSurface> surface)
     std::fill_n(piece_.begin() + surface_->parts[k].first_triangle, surface_->parts[k].triangles, static_cast<int>(k));
 }
 
-MasterSurface Master::at(const State& state) const { return {facets(), surface_ ? surface_->places : state.x}; }
+MasterSurface Master::at(const State& state) const {
+  if (surface_) return {facets(), surface_->places, surface_->normals};
+  return {facets(), state.x};
+}
 
 }  // namespace bulbus

@@ -14,6 +14,7 @@ class Master {
   explicit Master(std::shared_ptr<const RigidSurface> surface);
 
   bool rigid() const { return surface_ != nullptr; }
+  bool smooth() const { return surface_ && !surface_->normals.empty(); }
   const Facets& facets() const { return surface_ ? surface_->facets : faces_; }
   int pieces() const { return pieces_; }
   int piece_of(int triangle) const { return piece_[triangle]; }

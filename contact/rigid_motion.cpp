@@ -139,6 +139,9 @@ void RigidMotion::place() {
       const Vec3<double> x = anchor + turned(now_[p].rotation, X - part.center);
       std::copy(x.begin(), x.end(), surface_->places.begin() + i);
     }
+    if (surface_->normals.empty()) continue;
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangles; ++t)
+      for (int i = 0; i < 3; ++i) surface_->normals[t][i] = turned(now_[p].rotation, surface_->reference_normals[t][i]);
   }
 }
 

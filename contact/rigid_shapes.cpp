@@ -64,6 +64,7 @@ RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& sp
     append_arcs(body, section_of(*spec.tire, key + ".tire"), spec.tire->arc, given, triangles, key + ".tire");
   body.facets = make_facets(std::move(triangles));
   body.places = body.reference;
+  body.normals = body.reference_normals = corner_normals(body.facets, body.reference);
   return body;
 }
 

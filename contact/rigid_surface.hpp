@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact/facets.hpp"
+#include "contact/smooth_normals.hpp"
 #include "core/problem/state.hpp"
 
 namespace bulbus {
@@ -21,6 +22,8 @@ struct RigidSurface {
   Facets facets;
   std::vector<double> reference;  ///< 3 per point, as drawn
   std::vector<double> places;     ///< 3 per point, where the motion has brought them
+  /// At the corners of the triangles, as drawn and as moved; empty where every triangle keeps its own normal.
+  std::vector<CornerNormals> reference_normals, normals;
   std::vector<Part> parts;
 };
 

@@ -124,7 +124,7 @@ TEST(Pair, ForcesBalanceWithTheirMoments) {
 TEST(Pair, RigidMasterLeavesTheSlavesBlock) {
   const Pair p = pair_of(some_pair(2));
   const auto K = tangent(p, 5, -3);
-  const auto R = rigid_tangent(p, 5);
+  const auto R = rigid_tangent(p, 5, 0, {});
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(R[3 * r + c], K[12 * r + c], 1e-14);
 }
