@@ -135,11 +135,7 @@ std::string make_dump(int n) {
   Meters meters;
   auto problem = half_eye(n, comm);
   State state = pressurised(*problem, settings, meters);
-  problem->begin_step(1, state);
-  problem->set_progress(.25, state);
-  const Residual r = problem->residual(state);
-  std::vector<double> held(state.x.size());
-  problem->dofs().defect(state, .25, held);
+  const auto [r, held] = first_increment(*problem, state);
   CoupledSystem system(*problem, settings.linear);
   system.linearize(state, r);
   const std::string path = std::filesystem::temp_directory_path() / ("bulbus_half_eye_" + std::to_string(n) + ".h5");

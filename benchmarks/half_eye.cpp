@@ -50,6 +50,15 @@ State pressurised(Problem& problem, const SolverSettings& settings, Meters& mete
   return state;
 }
 
+FirstIncrement first_increment(Problem& problem, State& state) {
+  constexpr double part = .25;
+  problem.begin_step(1, state);
+  problem.set_progress(part, state);
+  FirstIncrement start{problem.residual(state), std::vector<double>(state.x.size())};
+  problem.dofs().defect(state, part, start.held);
+  return start;
+}
+
 long long unknowns(const Problem& problem) {
   return 3 * problem.mesh().all_nodes + problem.mesh().all_hexes + static_cast<long long>(problem.liquids().size()) +
          6 * static_cast<long long>(problem.dofs().bodies().size());

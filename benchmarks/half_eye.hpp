@@ -13,6 +13,13 @@ std::unique_ptr<Problem> half_eye(int n, const Comm& comm);
 /// 15 mmHg, reached with the default iterative solver. Throws std::runtime_error if it is not.
 State pressurised(Problem& problem, const SolverSettings& settings, Meters& meters);
 
+/// What a Newton step of the first coupled increment (a quarter of step 1) starts from.
+struct FirstIncrement {
+  Residual residual;
+  std::vector<double> held;  ///< prescribed displacements still to be made
+};
+FirstIncrement first_increment(Problem& problem, State& pressurised);
+
 /// Of all ranks.
 long long unknowns(const Problem& problem);
 

@@ -58,11 +58,7 @@ int main(int argc, char** argv) {
     auto problem = half_eye(n, comm);
     Meters meters;
     State state = pressurised(*problem, settings, meters);
-    problem->begin_step(1, state);
-    problem->set_progress(.25, state);
-    const Residual r = problem->residual(state);
-    std::vector<double> held(state.x.size());
-    problem->dofs().defect(state, .25, held);
+    const auto [r, held] = first_increment(*problem, state);
     for (const std::string& method : chosen) {
       report["rows"].push_back(solve_by(method, *problem, state, r, held, settings.linear));
       report["rows"].back()["n"] = n;

@@ -64,7 +64,6 @@ const ContactTerm::Found& ContactTerm::found(const State& state) const {
 ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& limits, bool remembered) const {
   Found f;
   f.shape = slave_.shape(state.x);
-  f.distance.assign(slave_.nodes().size(), limits.reach);
   const MasterSurface master = master_.at(state);
   std::vector<double> points;
   for (int n : slave_.nodes())
@@ -72,7 +71,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& lim
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::ranges::all_of(points, finite) || !std::ranges::all_of(master.places, finite)) return f;
   const Candidates& near = search_.update(points, master.facets.triangles, master.places);
-  for (int i = 0; i < static_cast<int>(f.distance.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(slave_.nodes().size()); ++i) {
     const Vec3<double> x = point(points, i);
     for (auto rest = near.of(i); !rest.empty();) {
       const int piece = master_.piece_of(rest.front()), slot = i * master_.pieces() + piece;
@@ -81,9 +80,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& lim
       rest = rest.subspan(candidates.size());
       auto chosen = held(master, x, slot);
       if (!chosen) chosen = select(master, x, f.shape.normals[i], remembered ? committed_.triangle[slot] : -1, candidates, limits);
-      f.distance[i] = std::min(f.distance[i], chosen->distance);
-      if (chosen->triangle >= 0)
-        f.touches.push_back(touch(master, x, i, slot, chosen->triangle));
+      if (chosen->triangle >= 0) f.touches.push_back(touch(master, x, i, slot, chosen->triangle));
     }
   }
   return f;
@@ -129,7 +126,7 @@ void ContactTerm::add_residual(const State& state, std::span<double> force, std:
   }
 }
 
-// Counts openings, closings and returns to the triangle before; a node with too many keeps its triangle.
+// Counts openings, closings and, on flat triangles, returns to the one before; a node with too many keeps its triangle.
 void ContactTerm::watch(const std::vector<int>& now) {
   for (std::size_t k = 0; k < now.size(); ++k) {
     if (now[k] == last_[k] || !(now[k] < 0 || last_[k] < 0 || (now[k] == before_[k] && !master_.smooth()))) continue;

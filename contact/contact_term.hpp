@@ -76,7 +76,6 @@ class ContactTerm final : public Term {
   struct Found {
     std::vector<double> key;       // where the surfaces are
     std::vector<Touch> touches;    // by slave node, then piece
-    std::vector<double> distance;  // per slave node
     SlaveSurface::Shape shape;
   };
 

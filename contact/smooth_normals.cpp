@@ -4,17 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/meridians.hpp"
+
 namespace bulbus {
-namespace {
-
-Vec3<double> unit(Vec3<double> v) {
-  const double length = norm(v);
-  for (double& c : v) c /= length;
-  return v;
-}
-
-}  // namespace
-
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places, double sharpest) {
   const double least = std::cos(sharpest * std::numbers::pi / 180);
   const auto at = [&](int p) { return Vec3<double>{places[3 * p], places[3 * p + 1], places[3 * p + 2]}; };
