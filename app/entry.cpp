@@ -3,6 +3,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "core/base/error.hpp"
 
@@ -103,6 +106,13 @@ Entry parse(const std::string& text, const Source& source) {
 }  // namespace
 
 Entry parse_yaml(const std::string& text, const std::string& file) { return parse(text, {file, true}); }
+
+Entry read_yaml(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path))
+    throw input_error(path, 0, "cannot be read", "check the name of the file");
+  return parse_yaml({std::istreambuf_iterator<char>(in), {}}, path);
+}
 
 Entry parse_word(const std::string& text, const std::string& place) { return parse(text, {place, false}); }
 

@@ -5,7 +5,7 @@ namespace bulbus {
 
 /// What may be written at one place of a scene: the common source of the help and of the schema.
 struct Topic {
-  enum class Kind { truth, integer, number, text, point, group, list, map };
+  enum class Kind { truth, integer, number, text, point, group, list, map, any };
   std::string key;
   About about{""};
   Kind kind = Kind::text;
@@ -56,6 +56,7 @@ Topic outline_of(const std::string& key, const About& about, T& value) {
                  : std::same_as<T, int>    ? Kind::integer
                  : std::same_as<T, double> ? Kind::number
                  : std::same_as<T, Point>  ? Kind::point
+                 : std::same_as<T, Entry>  ? Kind::any
                                            : Kind::text;
   }
   topic.key = key;

@@ -18,7 +18,7 @@ std::vector<std::string> split(const std::string& path) {
 }
 
 std::string name_of(const Entry& item) {
-  for (const char* key : {"name", "set"})
+  for (const char* key : {"name", "set", "body"})
     if (const Entry* name = item.find(key); name && name->is(Entry::Kind::word)) return name->text;
   return "";
 }
@@ -35,7 +35,7 @@ Entry& in_list(Entry& list, const std::string& part, const Place& place) {
   }
   const std::string near = numeric ? "" : nearest(part, names);
   throw input_error(
-      place.file, 0, "no entry '" + part + "' in a list of " + std::to_string(list.items.size()),
+      place.file, place.line, "no entry '" + part + "' in a list of " + std::to_string(list.items.size()),
       near.empty() ? "entries count from 0, or go by their name" : "did you mean '" + near + "'?");
 }
 
@@ -60,9 +60,19 @@ Place place_of(const Entry& root, const std::string& path) {
     if (index >= at->items.size()) break;
     place = at->is(Entry::Kind::map) ? at->key_places[index] : at->items[index].place;
     at = &at->items[index];
-    if (at->place.line == 0) place = at->place;  // the value of an override stands behind the key of the file
+    if (at->place.file != place.file) place = at->place;  // an override, or a study: it stands behind the key of the scene
   }
   return place;
+}
+
+void set_at(Entry& root, const std::string& path, const Place& place, Entry value) {
+  Entry* at = &root;
+  for (const std::string& part : split(path)) {
+    if (part.empty())
+      throw input_error(place.file, place.line, "an empty name in the path '" + path + "'", "write path.to.key");
+    at = at->is(Entry::Kind::list) ? &in_list(*at, part, place) : &in_map(*at, part, place);
+  }
+  *at = std::move(value);
 }
 
 void apply_override(Entry& root, const std::string& assignment) {
@@ -71,14 +81,9 @@ void apply_override(Entry& root, const std::string& assignment) {
   if (equals == std::string::npos || equals == 0)
     throw input_error(place.file, 0, "not of the form path.to.key=value",
                       "such as --set steps.0.increments=4");
-  Entry* at = &root;
-  for (const std::string& part : split(assignment.substr(0, equals))) {
-    if (part.empty())
-      throw input_error(place.file, 0, "an empty name in the path", "write path.to.key=value");
-    at = at->is(Entry::Kind::list) ? &in_list(*at, part, place) : &in_map(*at, part, place);
-  }
   const std::string value = assignment.substr(equals + 1);
-  *at = value.empty() ? Entry::word("", place) : parse_word(value, place.file);
+  set_at(root, assignment.substr(0, equals), place,
+         value.empty() ? Entry::word("", place) : parse_word(value, place.file));
 }
 
 }  // namespace bulbus

@@ -24,6 +24,9 @@ void read(const Entry& entry, const std::string& key, const About& about, double
 void read(const Entry& entry, const std::string& key, const About& about, std::string& value);
 void read(const Entry& entry, const std::string& key, const About& about, Point& value);
 
+/// A member that takes any YAML.
+inline void read(const Entry& entry, const std::string&, const About&, Entry& value) { value = entry; }
+
 template <class T>
 void read_any(const Entry& entry, const std::string& key, const About& about, T& value);
 

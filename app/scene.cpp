@@ -1,8 +1,6 @@
 #include "app/scene.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "app/reader.hpp"
@@ -10,15 +8,7 @@
 namespace bulbus {
 namespace {
 
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path))
-    throw input_error(path, 0, "cannot be read", "check the name of the scene file");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-Entry tree_of(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
-  Entry root = parse_yaml(text, path);
+Entry with_overrides(Entry root, const std::vector<std::string>& overrides) {
   for (const std::string& assignment : overrides) apply_override(root, assignment);
   return root;
 }
@@ -47,25 +37,31 @@ void Scene::validate() const {
   refuse_twins(model.steps, "steps");
 }
 
-Scene parse_scene(const std::string& text, const std::string& path,
-                  const std::vector<std::string>& overrides) {
-  Entry root = parse_yaml(text, path);
-  for (const std::string& assignment : overrides) apply_override(root, assignment);
+Scene scene_of(const Entry& root, const std::string& path) {
   Scene scene;
   reader::read_struct(root, "", scene);
   place_files(scene, path);
   return scene;
 }
 
+Scene parse_scene(const std::string& text, const std::string& path,
+                  const std::vector<std::string>& overrides) {
+  return scene_of(with_overrides(parse_yaml(text, path), overrides), path);
+}
+
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_scene(text_of(path), path, overrides);
+  return scene_of(with_overrides(read_yaml(path), overrides), path);
+}
+
+InputError located(const InputError& fault, const Entry& root) {
+  if (fault.key.empty()) return fault;
+  const Place place = place_of(root, fault.key);
+  return input_error(place.file, place.line, fault.key + ": " + fault.what(), "");
 }
 
 InputError located(const InputError& fault, const std::string& path,
                    const std::vector<std::string>& overrides) {
-  if (fault.key.empty()) return fault;
-  const Place place = place_of(tree_of(text_of(path), path, overrides), fault.key);
-  return input_error(place.file, place.line, fault.key + ": " + fault.what(), "");
+  return fault.key.empty() ? fault : located(fault, with_overrides(read_yaml(path), overrides));
 }
 
 }  // namespace bulbus

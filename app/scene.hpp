@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "app/entry.hpp"
 #include "app/mesh_source.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/model.hpp"
@@ -44,8 +45,11 @@ struct Scene {
   void validate() const;
 };
 
-/// Reads a scene file, after `path.to.key=value` overrides in their order. A relative mesh.file counts from
-/// the folder of the scene and comes out absolute. Throws InputError with file, line, key, value and remedy.
+/// A scene from its YAML as data. Relative files count from the folder of `path`, the scene's, and come out
+/// absolute. Throws InputError with file, line, key, value and remedy.
+Scene scene_of(const Entry& root, const std::string& path);
+
+/// Reads a scene file, after `path.to.key=value` overrides in their order. Throws InputError.
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The same from text; `path` is the name in messages and gives the folder.
@@ -54,6 +58,7 @@ Scene parse_scene(const std::string& text, const std::string& path,
 
 /// The message of a fault that knows only its key, with the place where the scene gives that key (or the
 /// nearest map around it). A fault without a key comes back as it is.
+InputError located(const InputError& fault, const Entry& root);
 InputError located(const InputError& fault, const std::string& path,
                    const std::vector<std::string>& overrides = {});
 

@@ -57,6 +57,8 @@ json shape_of(const Topic& t) {
       return {{"type", "array"}, {"items", shape_of(t.parts[0])}};
     case Kind::map:
       return {{"type", "object"}, {"additionalProperties", shape_of(t.parts[0])}};
+    case Kind::any:
+      return json::object();
     default:
       return text_schema(t);
   }

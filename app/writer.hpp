@@ -40,6 +40,7 @@ Entry entry_of(T& value, const About& about) {
   if constexpr (kinds::Optional<T>)
     return value ? entry_of(*value, about) : Entry::empty(Entry::Kind::nothing);
   if constexpr (kinds::Map<T>) return entry_of_map(value, about);
+  if constexpr (std::same_as<T, Entry>) return value;
   Entry entry;
   if constexpr (kinds::List<T> || std::same_as<T, Point>) entry = entry_of_list(value, about);
   if constexpr (std::same_as<T, std::string>) entry = Entry::word(value);
