@@ -3,12 +3,14 @@
 
 #include "app/scene.hpp"
 #include "core/base/parallel.hpp"
+#include "core/io/log.hpp"
 
 namespace bulbus {
 
 /// Solves the scene into the folder. Returns the exit status: 0 finished, 1 not converged. Collective. Throws
 /// InputError before anything is written.
-int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm);
+int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm,
+        Log::Screen screen = Log::Screen::shown);
 
 /// Prints sizes, mesh quality and a memory estimate; solves nothing. Collective. Throws InputError.
 int check(const Scene& scene, const Comm& comm);

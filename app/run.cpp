@@ -73,7 +73,8 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
 
 }  // namespace
 
-int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm) {
+int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm,
+        Log::Screen screen) {
   const double start = Clock::now();
   Meters meters;
   Prepared prepared;
@@ -84,7 +85,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   Problem& problem = *prepared.problem;
   make_results_folder(out_dir, comm);
   if (comm.rank() == 0) write_whole(out_dir + "/resolved.yaml", resolved_yaml(scene));
-  const Log log(out_dir + "/run.log", comm);
+  const Log log(out_dir + "/run.log", comm, screen);
   write_header(log, scene, scene_path, prepared);
 
   Recorder recorder(prepared, scene, out_dir, log, meters);

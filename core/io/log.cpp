@@ -10,19 +10,20 @@
 namespace bulbus {
 namespace {
 
-std::vector<spdlog::sink_ptr> open_sinks(const std::string& path) {
-  std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stdout_sink_st>()};
+std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen screen) {
+  std::vector<spdlog::sink_ptr> sinks;
+  if (screen == Log::Screen::shown) sinks.push_back(std::make_shared<spdlog::sinks::stdout_sink_st>());
   if (!path.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, true));
   return sinks;
 }
 
 }  // namespace
 
-Log::Log(const std::string& path, const Comm& comm) {
+Log::Log(const std::string& path, const Comm& comm, Screen screen) {
   std::vector<spdlog::sink_ptr> sinks;
   bool failed = false;
   try {
-    if (comm.rank() == 0) sinks = open_sinks(path);
+    if (comm.rank() == 0) sinks = open_sinks(path, screen);
   } catch (const spdlog::spdlog_ex&) {
     failed = true;
   }

@@ -13,9 +13,10 @@ namespace bulbus {
 /// The running report: the same lines on the screen and in run.log, from rank 0; the other ranks are silent.
 class Log {
  public:
+  enum class Screen { shown, silent };
   /// Collective. Starts the file anew; an empty path means the screen only. Throws std::runtime_error on
   /// every rank if the file cannot be opened.
-  Log(const std::string& path, const Comm& comm);
+  Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown);
 
   void info(const std::string& line) const;
   /// The line behind "warning: ".
