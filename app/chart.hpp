@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace bulbus {
+
+/// Small multiples as an SVG file: panels in rows, each with its own axes, one legend for all.
+struct Chart {
+  struct Mark {
+    double x, y;
+    bool solid =
+        true;  ///< else hollow, and no line leads there; an arrow at the edge where it is far from the others
+  };
+  struct Series {
+    std::string name;
+    std::vector<Mark> marks;  ///< by rising x
+  };
+  struct Tick {
+    double at;
+    std::string text;
+  };
+  struct Panel {
+    std::string title, x_label;
+    std::vector<Tick> x_ticks;  ///< at least one
+    std::vector<Series> series;
+  };
+  std::string title, note;
+  int columns = 3;            ///< panels in a row
+  bool rows_share_y = false;  ///< one scale for all panels of a row
+  std::vector<Panel> panels;
+};
+
+/// The whole file. The legend takes its names from the first panel; there is none for a single series.
+std::string svg_of(const Chart& chart);
+
+/// Round values, a handful, that span [low, high], with as many digits as they need.
+std::vector<Chart::Tick> round_ticks(double low, double high);
+
+}  // namespace bulbus
