@@ -22,27 +22,33 @@ struct Parser {
   Arguments given;
   CLI::App app{"Bulbus: finite strains of the eye, with enclosed liquids", "bulbus"};
   CLI::App* run = app.add_subcommand("run", "solve a scene");
-  CLI::App* check = app.add_subcommand("check", "validate a scene and print its sizes; solves nothing");
+  CLI::App* study = app.add_subcommand("study", "solve a scene for all values of some of its keys");
+  CLI::App* check = app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
-  CLI::App* help = app.add_subcommand("help", "every key of a scene, or its JSON schema");
+  CLI::App* help = app.add_subcommand("help", "every key of a scene or a study, or the JSON schema of a scene");
 
   Parser() {
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("bulbus ") + version);
     for (CLI::App* command : {run, check, mesh}) {
       command->add_option("SCENE", given.scene, "scene file (YAML)")->required();
-      command
-          ->add_option("--set", given.set,
-                       "overrides, such as solver.linear.gamma=20 or steps.0.increments=4")
-          ->type_name("PATH=VALUE ...")
-          ->allow_extra_args(false);
+      add_set(command);
     }
-    run->add_option("-o", given.out, "folder of the results (default: results/ and the scene's name)")
-        ->type_name("DIR");
+    study->add_option("STUDY", given.scene, "study file (YAML)")->required();
+    add_set(study);
+    for (CLI::App* command : {run, study})
+      command->add_option("-o", given.out, "folder of the results (default: results/ and the file's name)")->type_name("DIR");
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
-    help->add_option("TOPIC", given.topic, "scene or schema")
+    help->add_option("TOPIC", given.topic, "scene, study or schema")
         ->required()
-        ->check(CLI::IsMember({"scene", "schema"}));
+        ->check(CLI::IsMember({"scene", "study", "schema"}));
+  }
+
+ private:
+  void add_set(CLI::App* command) {
+    command->add_option("--set", given.set, "overrides, such as solver.linear.gamma=20 or steps.0.increments=4")
+        ->type_name("PATH=VALUE ...")
+        ->allow_extra_args(false);
   }
 };
 
@@ -64,24 +70,37 @@ std::string results_of(const std::string& scene) {
 }
 
 // A rank that cannot see the file must not leave the others waiting.
-Scene read_together(const Arguments& given, const Comm& comm) {
-  Scene scene;
+template <class Read>
+auto read_together(const Arguments& given, const Comm& comm, Read read) {
+  decltype(read(given.scene, given.set)) content;
   std::string fault;
   try {
-    scene = read_scene(given.scene, given.set);
+    content = read(given.scene, given.set);
   } catch (const InputError& e) {
     fault = e.what();
   }
   if (comm.any(!fault.empty()))
     throw InputError(fault.empty() ? given.scene + ": cannot be read on every rank" : fault);
-  return scene;
+  return content;
 }
 
 void print_topic(const std::string& topic, std::ostream& out) {
   if (topic == "scene")
     out << scene_help();
+  else if (topic == "study")
+    out << study_help();
   else
     out << scene_schema().dump(2) << "\n";
+}
+
+bool is_a_study(const std::string& path, const std::vector<std::string>&) { return is_study(path); }
+
+void expect_fitting(const Parser& parser, bool of_a_study) {
+  const std::string& file = parser.given.scene;
+  if (*parser.study && !of_a_study)
+    throw input_error(file, 0, "is no study: it has neither 'scene' nor 'vary'", "'bulbus help study' tells what it needs");
+  if (of_a_study && (*parser.run || *parser.mesh))
+    throw input_error(file, 0, "is a study, not a scene", "solve it with 'bulbus study'");
 }
 
 int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
@@ -90,10 +109,16 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
     print_topic(given.topic, out);
     return 0;
   }
-  const Scene scene = read_together(given, comm);
+  const std::string out_dir = given.out.empty() ? results_of(given.scene) : given.out;
+  const bool of_a_study = read_together(given, comm, is_a_study);
+  expect_fitting(parser, of_a_study);
+  if (of_a_study) {
+    const Study study = read_together(given, comm, read_study);
+    return *parser.check ? check_study(study, comm) : run_study(study, out_dir, comm);
+  }
+  const Scene scene = read_together(given, comm, read_scene);
   if (*parser.check) return check(scene, comm);
-  if (*parser.run)
-    return run(scene, given.scene, given.out.empty() ? results_of(given.scene) : given.out, comm);
+  if (*parser.run) return run(scene, given.scene, out_dir, comm);
   return write_mesh(scene, given.out, comm);
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/outline.hpp"
-#include "app/scene.hpp"
+#include "app/study.hpp"
 
 namespace bulbus {
 namespace {
@@ -26,6 +26,8 @@ std::string plain_type(const Topic& t) {
       return "list of " + plain_type(t.parts[0]);
     case Kind::map:
       return "NAME: " + plain_type(t.parts[0]);
+    case Kind::any:
+      return "any value";
     default:
       return t.about.formula ? "number or formula" : t.about.choices.empty() ? "text" : "word";
   }
@@ -57,15 +59,26 @@ void write(const Topic& t, int indent, std::string& out) {
   for (const Topic& part : innermost(t).parts) write(part, indent + 2, out);
 }
 
+template <class T>
+std::string help_of(std::string introduction) {
+  for (const Topic& part : outline_of<T>("", About{""}).parts) write(part, 0, introduction);
+  return introduction;
+}
+
 }  // namespace
 
 std::string scene_help() {
-  std::string out =
+  return help_of<Scene>(
       "A scene is a YAML file. Lengths in mm, forces in N, stresses in MPa, angles in rad; a value may carry "
       "its own\n"
-      "unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and t (steps done + s).\n\n";
-  for (const Topic& part : outline_of<Scene>("", About{""}).parts) write(part, 0, out);
-  return out;
+      "unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and t (steps done + s).\n\n");
+}
+
+std::string study_help() {
+  return help_of<Study>(
+      "A study is a YAML file: a scene, and what to vary in it. Keys of the scene are paths such as\n"
+      "steps.1.increments; entries of lists count from 0, or go by their name. Runs save no result fields\n"
+      "unless `set` gives output.vtk: true.\n\n");
 }
 
 }  // namespace bulbus

@@ -36,11 +36,12 @@ fs::path folder_with(const std::string& scene) {
 TEST(CommandLine, HelpsAndTellsItsVersion) {
   const Answer help = bulbus_says({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"run", "check", "mesh", "help"})
+  for (const char* command : {"run", "study", "check", "mesh", "help"})
     EXPECT_NE(help.out.find(std::string("\n  ") + command), std::string::npos);
   EXPECT_NE(bulbus_says({"run", "--help"}).out.find("--set"), std::string::npos);
   EXPECT_EQ(bulbus_says({"--version"}).out, std::string("bulbus ") + version + "\n");
   EXPECT_NE(bulbus_says({"help", "scene"}).out.find("max_iterations"), std::string::npos);
+  EXPECT_NE(bulbus_says({"help", "study"}).out.find("one_at_a_time"), std::string::npos);
   EXPECT_EQ(bulbus_says({"help", "schema"}).out[0], '{');
 }
 

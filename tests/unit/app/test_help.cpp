@@ -2,6 +2,7 @@
 
 #include "app/help.hpp"
 #include "app/kinds.hpp"
+#include "app/study.hpp"
 #include "app/wording.hpp"
 #include "scenes.hpp"
 
@@ -27,18 +28,24 @@ void walk(T& value, See&& see) {
   }
 }
 
-TEST(Help, MentionsEveryKeyWithItsLine) {
-  const std::string help = scene_help();
-  Scene scene;
+/// The number of keys.
+template <class T>
+int expect_every_key(const std::string& help) {
+  T object;
   int keys = 0;
-  walk(scene, [&](const std::string& key, const About& about) {
+  walk(object, [&](const std::string& key, const About& about) {
     ++keys;
     const auto line = help.find(" " + key + " "), start = help.find("\n" + key + " ");
     EXPECT_TRUE(line != std::string::npos || start != std::string::npos) << key;
     EXPECT_NE(help.find(about.help), std::string::npos) << about.help;
     EXPECT_FALSE(about.help.empty()) << key;
   });
-  EXPECT_GT(keys, 100);
+  return keys;
+}
+
+TEST(Help, MentionsEveryKeyWithItsLine) {
+  EXPECT_GT(expect_every_key<Scene>(scene_help()), 100);
+  EXPECT_GT(expect_every_key<Study>(study_help()), 10);
 }
 
 std::string line_of(const std::string& help, const std::string& start) {

@@ -1,0 +1,24 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/prepare.hpp"
+#include "app/sizes.hpp"
+#include "app/study_design.hpp"
+
+namespace bulbus {
+
+int check_study(const Study& study, const Comm& comm) {
+  const auto runs = plan(study);
+  figures_of(study, runs);
+  const Log log("", comm);
+  log.info(size_text(study));
+  for (const StudyRun& run : runs)
+    of_run(study, run, [&] {
+      const Prepared prepared = prepare(run.scene, comm);
+      const long long unknowns = sizes_of(*prepared.problem).unknowns();
+      log.info(fmt::format("{}: {}; {} unknowns", run.name, words_of(study, run.levels), unknowns));
+    });
+  return 0;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/folder.hpp"
+#include "app/narrator.hpp"
+#include "app/prepare.hpp"
+#include "app/study_figure.hpp"
+#include "app/study_json.hpp"
+#include "app/version.hpp"
+#include "core/io/json_file.hpp"
+#include "core/io/text_file.hpp"
+
+namespace bulbus {
+namespace {
+
+using json = nlohmann::json;
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Whether an earlier study has solved this very scene, converged or not, with this version.
+bool is_done(const StudyRun& run, const std::string& folder) {
+  const json summary = json::parse(text_of(folder + "/summary.json"), nullptr, false);
+  return summary.is_object() && summary.value("/versions/bulbus"_json_pointer, "") == version &&
+         text_of(folder + "/resolved.yaml") == resolved_yaml(run.scene);
+}
+
+void tell(const Log& log, const std::vector<std::string>& lines) {
+  if (!lines.empty()) log.info("");
+  for (const std::string& line : lines) log.info(line);
+}
+
+StudyResults nothing_yet(const Study& study, const std::vector<StudyRun>& runs) {
+  StudyResults results;
+  for (const std::string& name : figures_of(study, runs)) results.figures.push_back({name, ""});
+  for (const StudyRun& run : runs) {
+    results.runs.push_back(run.name);
+    results.levels.push_back(run.levels);
+  }
+  results.rows.resize(runs.size());
+  return results;
+}
+
+/// Solves what is not done; rank 0 keeps the records up to date, so that a study may be stopped at any time.
+class StudyRunner {
+ public:
+  StudyRunner(const Study& study, const std::string& folder, const Comm& comm)
+      : study_(study), folder_(folder), comm_(comm), runs_(plan(study)), results_(nothing_yet(study, runs_)) {
+    for (const StudyRun& run : runs_) {
+      done_.push_back(comm.rank() == 0 && is_done(run, folder_of(run)));
+      done_.back() = comm.any(done_.back());
+      if (!done_.back()) of_run(study, run, [&] { prepare(run.scene, comm); });
+    }
+  }
+
+  int march() {
+    make_folder(folder_, comm_);
+    const Log log(folder_ + "/study.log", comm_);
+    if (!study_.title.empty()) log.info(study_.title);
+    log.info(size_text(study_));
+    int failures = 0;
+    for (std::size_t i = 0; i < runs_.size(); ++i) failures += solve(i, log);
+    tell(log, lines_of(study_, results_));
+    tell(log, lines_of(study_, results_, trends_of(study_, results_)));
+    log.info("");
+    log.info(fmt::format("{} of {} runs converged; study.csv, study.json and study.svg in {}",
+                         runs_.size() - failures, runs_.size(), folder_));
+    return failures ? 1 : 0;
+  }
+
+ private:
+  std::string folder_of(const StudyRun& run) const { return folder_ + "/" + run.name; }
+
+  // 1 if the run does not converge.
+  int solve(std::size_t i, const Log& log) {
+    const StudyRun& run = runs_[i];
+    const std::string folder = folder_of(run);
+    if (!done_[i]) {
+      log.info(fmt::format("{} of {}: {}", run.name, runs_.size(), words_of(study_, run.levels)));
+      of_run(study_, run,
+             [&] { return bulbus::run(run.scene, study_.scene, folder, comm_, Log::Screen::silent); });
+    }
+    bool failed = false;
+    if (comm_.rank() == 0) {
+      take(results_, static_cast<int>(i), json::parse(text_of(folder + "/summary.json")));
+      failed = !results_.converged(static_cast<int>(i));
+      write();
+      log.info(done_[i] ? run.name + " is there already" : ending(*results_.rows[i]) + remaining(i));
+    }
+    return comm_.any(failed) ? 1 : 0;
+  }
+
+  static std::string ending(const StudyRow& row) {
+    return "  " + (row.converged ? "converged" : "not converged: " + row.reason) + " in " +
+           duration(row.seconds);
+  }
+
+  // Runs are taken to cost the same.
+  std::string remaining(std::size_t last) const {
+    double seconds = 0;
+    for (std::size_t i = 0; i <= last; ++i) seconds += results_.rows[i]->seconds;
+    const auto left = std::count(done_.begin() + last + 1, done_.end(), false);
+    return left ? "; about " + duration(seconds / (last + 1) * left) + " to go" : "";
+  }
+
+  void write() const {
+    write_study_csv(folder_ + "/study.csv", study_, results_);
+    write_json(folder_ + "/study.json", json_of(study_, results_, trends_of(study_, results_)));
+    write_whole(folder_ + "/study.svg", svg_of(chart_of(study_, results_)));
+  }
+
+  const Study& study_;
+  std::string folder_;
+  const Comm& comm_;
+  std::vector<StudyRun> runs_;
+  StudyResults results_;
+  std::vector<bool> done_;
+};
+
+}  // namespace
+
+int run_study(const Study& study, const std::string& out_dir, const Comm& comm) {
+  return StudyRunner(study, out_dir, comm).march();
+}
+
+}  // namespace bulbus

@@ -1,0 +1,83 @@
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "app/command_line.hpp"
+#include "app/study_design.hpp"
+
+namespace bulbus::test {
+
+/// A bar that is pulled, compressed or torn; line 12 is its first probe.
+inline const std::string bar_scene = R"yaml(title: stretch
+mesh: {block: {upper: [2, 1, 1], nx: 1, ny: 1, nz: 1}}
+regions:
+  block: {c10: 0.5}
+symmetry: [y, z]
+fix: [{set: xmin, directions: [x]}]
+steps:
+  - name: stretch
+    increments: 2
+    displace: [{set: xmax, x: 0.8}]
+probes:
+  - {name: pull, kind: reaction, set: xmax, component: x, unit: mN}
+  - {name: stress, kind: mises}
+solver:
+  linear: {method: direct}
+  newton: {max_iterations: 6}
+  stepping: {smallest: 0.2}
+)yaml";
+
+/// Line 4 begins `vary`.
+inline const std::string bar_study = R"yaml(title: a bar
+scene: bar.yaml
+set: {steps.stretch.increments: 1}
+vary:
+  - {name: way, keys: [steps.stretch.displace.xmax.x], values: [.2, .4, .8], unit: mm, baseline: .4}
+  - {name: c10, keys: [regions.block.c10], values: [0.5 MPa, 1 MPa]}
+)yaml";
+
+/// A fresh folder that holds bar.yaml.
+inline std::filesystem::path bar_folder() {
+  const auto folder = std::filesystem::temp_directory_path() / "bulbus_study";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "bar.yaml") << bar_scene;
+  return folder;
+}
+
+inline Study study_from(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return study_of(parse_yaml(text, "study.yaml"), bar_folder() / "study.yaml", overrides);
+}
+
+/// A call of the command on study.yaml in a folder with bar.yaml; results in `out`.
+struct Studied {
+  std::filesystem::path folder;
+  int status;
+  std::string err;
+  bool wrote(const std::string& file) const { return std::filesystem::exists(folder / "out" / file); }
+  std::string text(const std::string& file) const {
+    std::ifstream in(folder / "out" / file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+inline Studied run_study_again(const std::string& yaml, const std::vector<std::string>& set = {},
+                               const std::string& command = "study") {
+  const auto folder = std::filesystem::temp_directory_path() / "bulbus_study";
+  std::ofstream(folder / "study.yaml") << yaml;
+  std::vector<std::string> arguments{command, folder / "study.yaml"};
+  if (command == "study") arguments.insert(arguments.end(), {"-o", folder / "out"});
+  for (const std::string& s : set) arguments.insert(arguments.end(), {"--set", s});
+  std::ostringstream out, err;
+  const int status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
+  return {folder, status, err.str()};
+}
+
+inline Studied run_a_study(const std::string& yaml, const std::vector<std::string>& set = {},
+                           const std::string& command = "study") {
+  bar_folder();
+  return run_study_again(yaml, set, command);
+}
+
+}  // namespace bulbus::test

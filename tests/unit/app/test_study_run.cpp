@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/app/run_scene.hpp"
+#include "tests/unit/app/studies.hpp"
+
+namespace {
+
+using namespace bulbus;
+using namespace bulbus::test;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// The bar stands 0.1 mm of its 2 mm, not less than nothing.
+const std::string failing = replaced(bar_study, "[.2, .4, .8]", "[\"-2.2*s\", .4]");
+
+/// W = c10 (I1 − 3) under tension: the pull on the whole section 2 × 2 is 8 c10 (l − 1/l²).
+TEST(StudyRun, WritesTableFigureAndTrends) {
+  const Studied r = run_a_study(bar_study);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const json s = json::parse(r.text("study.json"));
+  ASSERT_EQ(s["runs"].size(), 6u);
+  const double l = 1.2;
+  EXPECT_NEAR(s["runs"][3]["probes"]["pull"], 8e3 * (l - 1 / (l * l)), 1e-2);
+  for (const auto& trend : s["trends"]) EXPECT_EQ(trend["course"], "rising");
+  EXPECT_EQ(s["trends"].size(), 10u);
+  for (const char* file :
+       {"study.csv", "study.svg", "study.log", "run_006/summary.json", "run_006/history.csv"})
+    EXPECT_TRUE(r.wrote(file)) << file;
+  EXPECT_FALSE(r.wrote("run_001/result.vtkhdf.series"));
+  EXPECT_NE(r.text("study.log").find("6 of 6 runs converged"), std::string::npos);
+}
+
+TEST(StudyRun, GoesOnAfterARunThatFails) {
+  const Studied r = run_a_study(replaced(failing, "baseline: .4", "labels: [crushed, pulled]"));
+  EXPECT_EQ(r.status, 1) << r.err;
+  const json s = json::parse(r.text("study.json"));
+  ASSERT_EQ(s["runs"].size(), 4u);
+  EXPECT_EQ(s["runs"][0]["converged"], false);
+  EXPECT_NE(s["runs"][0]["reason"].get<std::string>().find("stretch"), std::string::npos);
+  EXPECT_EQ(s["runs"][3]["converged"], true);
+  EXPECT_NE(r.text("study.csv").find("run_001,crushed,0.5,false,"), std::string::npos);
+  EXPECT_NE(r.text("study.svg").find("fill=\"white\" stroke=\"#0072b2\""), std::string::npos);
+  EXPECT_NE(r.text("study.log").find("* run_001 did not converge"), std::string::npos);
+}
+
+TEST(StudyRun, TakesUpWhereItWasLeft) {
+  const Studied first = run_a_study(failing);
+  ASSERT_EQ(first.status, 1) << first.err;
+  const auto written = [&](const char* run) {
+    return fs::last_write_time(first.folder / "out" / run / "summary.json");
+  };
+  const auto kept = written("run_001"), changed = written("run_004");
+  fs::remove(first.folder / "out" / "run_003" / "summary.json");
+  const Studied again = run_study_again(replaced(failing, "1 MPa]", "2 MPa]"));
+  EXPECT_EQ(again.status, 1) << again.err;
+  EXPECT_EQ(written("run_001"), kept);
+  EXPECT_TRUE(again.wrote("run_003/summary.json"));
+  EXPECT_GT(written("run_004"), changed);
+  EXPECT_NE(again.text("study.log").find("run_001 is there already"), std::string::npos);
+  EXPECT_EQ(again.text("study.log").find("run_002 is there already"), std::string::npos);
+}
+
+TEST(StudyRun, ChecksWithoutSolving) {
+  const Studied r = run_a_study(bar_study, {}, "check");
+  EXPECT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(r.folder), fs::directory_iterator()), 2);
+}
+
+TEST(StudyRun, ReadsTheStudiesOfTheProject) {
+  for (const auto& entry : fs::directory_iterator(BULBUS_DATA "/scenes"))
+    if (entry.path().filename().string().starts_with("study_")) {
+      const Study study = read_study(entry.path());
+      EXPECT_NO_THROW(figures_of(study, plan(study))) << entry.path();
+    }
+}
+
+}  // namespace
