@@ -157,7 +157,11 @@ std::set<std::string> contact_surfaces(const Mesh& mesh, const Model& model) {
     if (c.slave == c.master)
       throw scene_error(key + ".master", "contact '" + c.name + "' names surface '" + c.slave + "' twice",
                         "Give the two sides as two surfaces: nodes that touch their own surface are not looked for.");
-    if (model.rigid_bodies.contains(c.master)) continue;
+    if (model.rigid_bodies.contains(c.master)) {
+      if (mesh.surfaces.contains(c.master))
+        throw scene_error(key + ".master", "'" + c.master + "' is both a surface of the mesh and a rigid body", "Rename the rigid body.");
+      continue;
+    }
     if (!mesh.surfaces.contains(c.master)) {
       auto known_masters = names_of(mesh.surfaces);
       for (const auto& [name, body] : model.rigid_bodies) known_masters.push_back(name);
