@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/tissues.hpp"
 
 namespace bulbus {
 namespace {
@@ -32,7 +33,8 @@ void check_regions(const Mesh& mesh, const Model& model) {
       throw scene_error("regions." + name, "material for a region '" + name + "' that the mesh does not have", known(name, mesh.region_names));
   for (const std::string& name : mesh.region_names)
     if (!model.regions.contains(name))
-      throw scene_error("regions", "region '" + name + "' of the mesh has no material", "Add `" + name + ": {c10: ...}` under `regions`.");
+      throw scene_error("regions", "region '" + name + "' of the mesh has no material",
+                        "Add `" + name + ": {c10: ...}` under `regions`" + (tissue_stiffness("paper", name) ? ", or say `materials: paper`." : "."));
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
     const double mu = initial_shear_modulus(make_material(terms_of(spec)));
