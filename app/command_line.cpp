@@ -16,6 +16,7 @@ namespace {
 struct Arguments {
   std::string scene, out, topic;
   std::vector<std::string> set;
+  bool text = false;
 };
 
 struct Parser {
@@ -40,6 +41,7 @@ struct Parser {
     run->add_option("-o", given.out, "folder of the results (default: results/ and the scene's name)")
         ->type_name("DIR");
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
+    mesh->add_flag("--text", given.text, "write MSH 2.2 text instead");
     help->add_option("TOPIC", given.topic, "scene or schema")
         ->required()
         ->check(CLI::IsMember({"scene", "schema"}));
@@ -94,7 +96,7 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
   if (*parser.check) return check(scene, comm);
   if (*parser.run)
     return run(scene, given.scene, given.out.empty() ? results_of(given.scene) : given.out, comm);
-  return write_mesh(scene, given.out, comm);
+  return write_mesh(scene, given.out, given.text ? GmshFormat{false, false} : GmshFormat{}, comm);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "app/scene.hpp"
 #include "core/base/parallel.hpp"
+#include "core/mesh/gmsh.hpp"
 
 namespace bulbus {
 
@@ -14,6 +15,6 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
 int check(const Scene& scene, const Comm& comm);
 
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
-int write_mesh(const Scene& scene, const std::string& file, const Comm& comm);
+int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);
 
 }  // namespace bulbus
