@@ -16,6 +16,7 @@ namespace {
 struct Arguments {
   std::string scene, out, topic;
   std::vector<std::string> set;
+  bool text = false;
 };
 
 struct Parser {
@@ -39,6 +40,7 @@ struct Parser {
     for (CLI::App* command : {run, study})
       command->add_option("-o", given.out, "folder of the results (default: results/ and the file's name)")->type_name("DIR");
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
+    mesh->add_flag("--text", given.text, "write MSH 2.2 text instead");
     help->add_option("TOPIC", given.topic, "scene, study or schema")
         ->required()
         ->check(CLI::IsMember({"scene", "study", "schema"}));
@@ -119,7 +121,7 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
   const Scene scene = read_together(given, comm, read_scene);
   if (*parser.check) return check(scene, comm);
   if (*parser.run) return run(scene, given.scene, out_dir, comm);
-  return write_mesh(scene, given.out, comm);
+  return write_mesh(scene, given.out, given.text ? GmshFormat{false, false} : GmshFormat{}, comm);
 }
 
 }  // namespace

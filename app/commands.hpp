@@ -4,6 +4,7 @@
 #include "app/study.hpp"
 #include "core/base/parallel.hpp"
 #include "core/io/log.hpp"
+#include "core/mesh/gmsh.hpp"
 
 namespace bulbus {
 
@@ -24,6 +25,6 @@ int run_study(const Study& study, const std::string& out_dir, const Comm& comm);
 int check_study(const Study& study, const Comm& comm);
 
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
-int write_mesh(const Scene& scene, const std::string& file, const Comm& comm);
+int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);
 
 }  // namespace bulbus

@@ -2,6 +2,7 @@
 
 #include "contact/operation_probes.hpp"
 #include "core/base/error.hpp"
+#include "core/problem/tissues.hpp"
 
 namespace bulbus {
 namespace {
@@ -39,8 +40,10 @@ void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
 Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
   const Mesh mesh = mesh_of(scene, comm);
-  rehearse(mesh, scene.model, comm);
-  Prepared prepared{std::make_unique<Problem>(mesh, scene.model, comm), nullptr, quality(mesh)};
+  Model model = scene.model;
+  add_tissues(model, mesh.region_names);
+  rehearse(mesh, model, comm);
+  Prepared prepared{std::make_unique<Problem>(mesh, model, comm), nullptr, quality(mesh)};
   prepared.operation = Operation::attach(*prepared.problem, mesh);
   return prepared;
 }

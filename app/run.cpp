@@ -51,6 +51,12 @@ void write_header(const Log& log, const Scene& scene, const std::string& scene_p
   log.info("linear solver: " + name_of_solver(scene.solver.linear));
 }
 
+// The regions that `materials` stands for come out one by one.
+Scene with_materials_of(const Problem& problem, Scene scene) {
+  scene.model = problem.model();
+  return scene;
+}
+
 void measure_memory(const Problem& problem, const CoupledSystem& system, Meters& meters) {
   meters.memory.set("mesh", problem.mesh().bytes());
   meters.memory.set("solid", problem.solid().bytes());
@@ -84,7 +90,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   }
   Problem& problem = *prepared.problem;
   make_results_folder(out_dir, comm);
-  if (comm.rank() == 0) write_whole(out_dir + "/resolved.yaml", resolved_yaml(scene));
+  if (comm.rank() == 0) write_whole(out_dir + "/resolved.yaml", resolved_yaml(with_materials_of(problem, scene)));
   const Log log(out_dir + "/run.log", comm, screen);
   write_header(log, scene, scene_path, prepared);
 

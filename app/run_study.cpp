@@ -14,6 +14,7 @@
 #include "app/version.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/text_file.hpp"
+#include "core/problem/tissues.hpp"
 
 namespace bulbus {
 namespace {
@@ -25,11 +26,28 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+// None if there is no such file, or nothing but a ruin.
+std::vector<std::string> regions_in(const std::string& resolved) {
+  try {
+    const Entry root = parse_yaml(resolved, "resolved.yaml");
+    const Entry* regions = root.find("regions");
+    return regions ? regions->keys : std::vector<std::string>();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+// resolved.yaml gives the regions that `materials` stands for one by one.
+bool is_of(const std::string& resolved, Scene scene) {
+  add_tissues(scene.model, regions_in(resolved));
+  return resolved == resolved_yaml(scene);
+}
+
 // Whether an earlier study has solved this very scene, converged or not, with this version.
 bool is_done(const StudyRun& run, const std::string& folder) {
   const json summary = json::parse(text_of(folder + "/summary.json"), nullptr, false);
   return summary.is_object() && summary.value("/versions/bulbus"_json_pointer, "") == version &&
-         text_of(folder + "/resolved.yaml") == resolved_yaml(run.scene);
+         is_of(text_of(folder + "/resolved.yaml"), run.scene);
 }
 
 void tell(const Log& log, const std::vector<std::string>& lines) {

@@ -1,13 +1,12 @@
 #include "app/commands.hpp"
 #include "core/base/error.hpp"
-#include "core/mesh/gmsh.hpp"
 
 namespace bulbus {
 
-int write_mesh(const Scene& scene, const std::string& file, const Comm& comm) {
+int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm) {
   std::string fault;
   try {
-    if (comm.rank() == 0) write_gmsh(make_mesh(scene.mesh), file);
+    if (comm.rank() == 0) write_gmsh(make_mesh(scene.mesh), file, format);
   } catch (const InputError& e) {
     fault = e.what();
   }

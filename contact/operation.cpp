@@ -48,6 +48,16 @@ std::vector<std::string> keys(const Map& map) {
   return names;
 }
 
+// The count of all nodes, and the deepest of them.
+Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
+  const std::array<double, 4> deepest{mine.depth, mine.place[0], mine.place[1], mine.place[2]};
+  const auto all = comm.gather(std::span<const double>(deepest));
+  Overlap o{.nodes = comm.sum(mine.nodes)};
+  for (std::size_t r = 0; r < all.size(); r += 4)
+    if (all[r] > o.depth) o.depth = all[r], o.place = {all[r + 1], all[r + 2], all[r + 3]};
+  return o;
+}
+
 // A body that a step brings to touch is out of reach until then.
 void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& move, double distance) {
   auto poses = motion.poses();
@@ -114,6 +124,9 @@ void Operation::add_contact(const Mesh& mesh, const ContactSpec& spec, const std
     mu = std::max(mu, shear_modulus(mesh, model, layer));
     thickness = std::min(thickness, layer.thickness);
   }
+  if (spec.penalty == 0 && mu == 0)
+    throw scene_error(key + ".penalty", "contact '" + spec.name + "' is between rigid sides only: no stiffness to choose its penalty from",
+                      "Give `penalty`, in MPa/mm.");
   const double penalty = spec.penalty > 0 ? spec.penalty : stiffness_ratio * mu / thickness;
   const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(mesh)};
   const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
@@ -173,18 +186,18 @@ std::vector<double> Operation::slaves_of(const std::string& body, const State& s
 }
 
 void Operation::start_contacts(const State& start) {
-  for (const Contact& c : contacts_) {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const Contact& c = contacts_[i];
     if (c.spec.start == "resolve") {
       c.term->resolve(start);
       continue;
     }
-    const Overlap o = c.term->overlaps(start, 1e-4 * c.thickness);
-    problem_.comm().together([&] {
-      if (o.nodes > 0)
-        throw scene_error("contacts", fmt::format("contact '{}' starts with {} of its nodes inside '{}', the deepest by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g})",
-                                                  c.spec.name, o.nodes, c.spec.master, o.depth, o.place[0], o.place[1], o.place[2]),
-                          "Draw the two apart, or say `start: resolve`.");
-    });
+    const Overlap o = of_all_ranks(c.term->overlaps(start, 1e-4 * c.thickness), problem_.comm());
+    if (o.nodes > 0)
+      throw scene_error(fmt::format("contacts.{}", i),
+                        fmt::format("contact '{}' starts with {} of its nodes inside '{}', the deepest by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g})",
+                                    c.spec.name, o.nodes, c.spec.master, o.depth, o.place[0], o.place[1], o.place[2]),
+                        "Draw the two apart, or say `start: resolve`.");
   }
 }
 

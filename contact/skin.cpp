@@ -52,6 +52,20 @@ void require_closed(const Skin& skin, const std::string& path) {
                           "Close it.");
 }
 
+Skin gmsh_body(const BodyFile& file, const std::string& key) {
+  const Mesh mesh = read_gmsh(file.path);
+  return surface_of(faces_of(mesh, file.surface, key), mesh.points);
+}
+
+Skin stl_body(const std::string& path) {
+  const Skin skin = read_stl(path);
+  require_closed(skin, path);
+  if (!(enclosed_volume(skin.points, skin.triangles) > 0))
+    throw input_error(path, 0, "the body is inside out: its triangles turn their normals inwards",
+                      "Turn all triangles and save the file again.");
+  return skin;
+}
+
 }  // namespace
 
 const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& surface, const std::string& key) {
@@ -129,15 +143,10 @@ Skin skin_of(const RodShape& rod, const std::string& key) {
 
 Skin skin_of(const BodyFile& file, const std::string& key) {
   Skin skin;
-  if (file.path.ends_with(".msh") || !file.surface.empty()) {
-    const Mesh mesh = read_gmsh(file.path);
-    skin = surface_of(faces_of(mesh, file.surface, key), mesh.points);
-  } else {
-    skin = read_stl(file.path);
-    require_closed(skin, file.path);
-    if (!(enclosed_volume(skin.points, skin.triangles) > 0))
-      throw input_error(file.path, 0, "the body is inside out: its triangles turn their normals inwards",
-                        "Turn all triangles and save the file again.");
+  try {
+    skin = file.path.ends_with(".msh") || !file.surface.empty() ? gmsh_body(file, key) : stl_body(file.path);
+  } catch (const InputError& fault) {  // the file's own faults know only the file
+    throw InputError(fault.what(), fault.key.empty() ? key + ".path" : fault.key);
   }
   for (double& c : skin.points) c *= file.scale;
   return skin;

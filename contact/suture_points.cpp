@@ -1,5 +1,7 @@
 #include "contact/suture_points.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -26,6 +28,24 @@ SuturePoint point_of(const std::map<int, double>& weights, const Point& place) {
     s.weights.push_back(w / sum);
   }
   return s;
+}
+
+std::vector<int> nodes_of_set(const Mesh& mesh, const std::string& set, const std::string& key) {
+  try {
+    if (auto nodes = nodes_of(mesh, set); !nodes.empty()) return nodes;
+  } catch (const InputError& fault) {
+    throw InputError(fault.what(), key);
+  }
+  throw scene_error(key, "the node set '" + set + "' is empty", "Name a set with nodes.");
+}
+
+// A place may be off by what the mesh rounds off, not by more than a face is long.
+void require_on(const Mesh& mesh, const std::vector<Quad>& faces, const SutureSpec& spec, std::size_t i, const std::string& key) {
+  const Embedding e = embed(mesh, faces, spec.points[i]);
+  if (e.distance <= e.size) return;
+  const Point p = position(mesh, e.point);
+  throw scene_error(fmt::format("{}.points.{}", key, i), fmt::format("the point lies {:.3g} mm off '{}'", e.distance, spec.surface),
+                    fmt::format("The nearest place on it is [{:.4g}, {:.4g}, {:.4g}].", p[0], p[1], p[2]));
 }
 
 // The curve in which a surface meets a meridian half-plane.
@@ -142,14 +162,15 @@ std::vector<SuturePoint> suture_points(const Mesh& mesh, const SutureSpec& spec,
   if (spec.pair)
     for (const Point& p : points_on_meridian(mesh, spec, key))
       points.push_back(bite(mesh, faces_of(mesh, spec.surface, key), p, spec.bite));
-  for (const Point& p : spec.points)
-    points.push_back(bite(mesh, faces_of(mesh, spec.surface, key), p, spec.bite));
+  for (std::size_t i = 0; i < spec.points.size(); ++i) {
+    const auto& faces = faces_of(mesh, spec.surface, key);
+    require_on(mesh, faces, spec, i, key);
+    points.push_back(bite(mesh, faces, spec.points[i], spec.bite));
+  }
   for (const std::string& set : spec.sets) {
     std::map<int, double> weights;
     Point mean{0, 0, 0};
-    const auto nodes = nodes_of(mesh, set);
-    if (nodes.empty())
-      throw scene_error(key + ".sets", "the node set '" + set + "' is empty", "Name a set with nodes.");
+    const auto nodes = nodes_of_set(mesh, set, key + ".sets");
     for (int n : nodes) {
       weights[n] = 1;
       mean = mean + 1. / static_cast<double>(nodes.size()) * mesh.points[n];

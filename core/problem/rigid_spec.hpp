@@ -247,7 +247,7 @@ struct SutureSpec {
     v("surface", surface, About{"surface of the mesh that `pair` and `points` lie on"});
     v("pair", pair, About{"two points on a meridian"});
     v("points", points,
-      About{"one or two places, moved to the nearest point of the surface", Quantity::length});
+      About{"one or two places on the surface, off by less than one of its faces is long", Quantity::length});
     v("sets", sets, About{"one or two node sets: each is one point, its nodes share the force equally"});
     v("bite", bite,
       About{"area over which the force of a point is spread; 0: at the point alone", Quantity::area}.at_least(

@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/tissues.hpp"
 
 namespace bulbus {
 namespace {
@@ -32,7 +33,8 @@ void check_regions(const Mesh& mesh, const Model& model) {
       throw scene_error("regions." + name, "material for a region '" + name + "' that the mesh does not have", known(name, mesh.region_names));
   for (const std::string& name : mesh.region_names)
     if (!model.regions.contains(name))
-      throw scene_error("regions", "region '" + name + "' of the mesh has no material", "Add `" + name + ": {c10: ...}` under `regions`.");
+      throw scene_error("regions", "region '" + name + "' of the mesh has no material",
+                        "Add `" + name + ": {c10: ...}` under `regions`" + (tissue_stiffness("paper", name) ? ", or say `materials: paper`." : "."));
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
     const double mu = initial_shear_modulus(make_material(terms_of(spec)));
@@ -157,7 +159,11 @@ std::set<std::string> contact_surfaces(const Mesh& mesh, const Model& model) {
     if (c.slave == c.master)
       throw scene_error(key + ".master", "contact '" + c.name + "' names surface '" + c.slave + "' twice",
                         "Give the two sides as two surfaces: nodes that touch their own surface are not looked for.");
-    if (model.rigid_bodies.contains(c.master)) continue;
+    if (model.rigid_bodies.contains(c.master)) {
+      if (mesh.surfaces.contains(c.master))
+        throw scene_error(key + ".master", "'" + c.master + "' is both a surface of the mesh and a rigid body", "Rename the rigid body.");
+      continue;
+    }
     if (!mesh.surfaces.contains(c.master)) {
       auto known_masters = names_of(mesh.surfaces);
       for (const auto& [name, body] : model.rigid_bodies) known_masters.push_back(name);

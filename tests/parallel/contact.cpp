@@ -1,28 +1,14 @@
 // Contacts press the same nodes with the same force however many ranks hold them.
-#include "contact/operation.hpp"
-#include "tests/verify/run.hpp"
+#include "core/base/error.hpp"
+#include "tests/verify/contact_trial.hpp"
 
 namespace bulbus {
 namespace {
 
-Mesh block(const std::string& name, const Point& lower, const Point& upper, int n, int nz) {
-  Mesh mesh = generate(BlockShape{.lower = lower, .upper = upper, .nx = n, .ny = n, .nz = nz, .region = name});
-  std::map<std::string, std::vector<Quad>> surfaces;
-  for (const auto& [side, faces] : mesh.surfaces) surfaces[name + " " + side] = faces;
-  mesh.surfaces = surfaces;
-  return mesh;
-}
-
-ContactSpec contact(const std::string& name, const std::string& slave, const std::string& master) {
-  ContactSpec c;
-  c.name = name, c.slave = slave, c.master = master;
-  return c;
-}
-
 /// A soft block pressed onto a stiffer one whose nodes do not match, then a ball into the side of that one.
 Scene two_blocks_and_a_ball() {
-  Scene scene{block("low", {0, 0, 0}, {1, 1, .5}, 4, 2), {}};
-  append(scene.mesh, block("high", {0, 0, .52}, {.8, .8, 1}, 3, 2));
+  Scene scene{named_block("low", {0, 0, 0}, {1, 1, .5}, 4, 2), {}};
+  append(scene.mesh, named_block("high", {0, 0, .52}, {.8, .8, 1}, 3, 2));
   Model& m = scene.model;
   m.regions = {{"low", neo_hooke(.5)}, {"high", neo_hooke(.2)}};
   m.symmetry = {"x", "y"};
@@ -34,9 +20,7 @@ Scene two_blocks_and_a_ball() {
   d.z = "-0.08";
   press.displace = {d};
   poke.displace = {d};
-  MoveSpec move;
-  move.body = "ball", move.from = "touch", move.translate = {-.05, 0, 0};
-  poke.move = {move};
+  poke.move = {shift("ball", {-.05, 0, 0}, "touch")};
   m.steps = {press, poke};
   for (const auto& [kind, set] : {std::pair{"reaction", "high zmax"}, {"displacement", "low xmax"}, {"mises", ""}}) {
     ProbeSpec p;
@@ -46,26 +30,17 @@ Scene two_blocks_and_a_ball() {
   return scene;
 }
 
-struct Pressed : Trial {
-  std::shared_ptr<Operation> operation;
-  explicit Pressed(const Scene& scene, const Comm& c = {}) : Trial(scene, c), operation(Operation::attach(problem, scene.mesh)) {
-    settings.newton = tight(1e-10);
-  }
-  std::vector<double> figures() { return ProbeSet(problem).values(problem, state); }
-  int pairs(const std::string& name) const { return comm.sum(operation->contact(name, "").term->figures(state).pairs); }
-};
-
 TEST(Contact, IsTheSameOnAnyNumberOfRanks) {
   const Scene scene = two_blocks_and_a_ball();
-  Pressed alone(scene, Comm(MPI_COMM_SELF));
+  ContactTrial alone(scene, Comm(MPI_COMM_SELF));
   alone.direct();
   ASSERT_TRUE(alone.report.converged) << alone.report.reason;
-  const auto expected = alone.figures();
+  const auto expected = ProbeSet(alone.problem).values(alone.problem, alone.state);
   for (bool direct : {true, false}) {
-    Pressed together(scene);
+    ContactTrial together(scene);
     direct ? together.direct() : together.iterative();
     ASSERT_TRUE(together.report.converged) << together.report.reason;
-    const auto found = together.figures();
+    const auto found = ProbeSet(together.problem).values(together.problem, together.state);
     double worst = 0;
     for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, relative(found[i], expected[i]));
     EXPECT_LT(worst, 1e-6);
@@ -77,6 +52,26 @@ TEST(Contact, IsTheSameOnAnyNumberOfRanks) {
              together.comm.size(), direct ? "direct" : "iterative", together.pairs("blocks"), together.pairs("ball"), worst, together.report.increments,
              alone.report.increments, together.report.newton_iterations, alone.report.newton_iterations, together.report.krylov_iterations);
   }
+}
+
+// The upper block is sunk into the lower one, deepest by its corner (0.8, 0.8).
+TEST(Contact, CountsAnOverlapAtTheStartOverAllRanks) {
+  Scene scene = two_blocks_and_a_ball();
+  for (Point& p : scene.mesh.points)
+    if (p[2] >= .52) p[2] -= .03 + .01 * (p[0] + p[1]);
+  const auto refusal = [&](const Comm& comm) -> std::string {
+    Problem problem(scene.mesh, scene.model, comm);
+    const auto operation = Operation::attach(problem, scene.mesh);
+    try {
+      problem.begin_step(0, problem.initial_state());
+    } catch (const InputError& fault) {
+      return fault.what();
+    }
+    return "accepted";
+  };
+  const std::string alone = refusal(Comm(MPI_COMM_SELF));
+  EXPECT_NE(alone.find("starts with 16 of its nodes inside 'low zmax', the deepest by 0.026 mm at (0.8, 0.8, 0.474)"), std::string::npos) << alone;
+  EXPECT_EQ(refusal(Comm()), alone);
 }
 
 }  // namespace

@@ -86,6 +86,11 @@ TEST(CommandLine, WritesTheMeshOfAScene) {
       {"mesh", "--set", "mesh.block.nx=2", "mesh.block.ny=3", folder / "scene.yaml", "-o", folder / "m.msh"});
   EXPECT_EQ(answer.status, 0) << answer.err;
   EXPECT_EQ(read_gmsh(folder / "m.msh").hexes.size(), 6u);
+  EXPECT_EQ(bulbus_says({"mesh", folder / "scene.yaml", "-o", folder / "text.msh", "--text"}).status, 0);
+  std::string first;
+  std::ifstream text(folder / "text.msh");
+  std::getline(text, first), std::getline(text, first);
+  EXPECT_EQ(first, "2.2 0 8");
   MeshSource source;
   source.file = folder / "m.msh";
   EXPECT_EQ(make_mesh(source).points.size(), 24u);

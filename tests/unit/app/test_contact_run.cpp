@@ -74,6 +74,14 @@ TEST(ContactRun, MeasuresAPlateThatPressesABlock) {
   EXPECT_EQ(p["closed"], 1);
 }
 
+// Drawn where the press above ends, the plate gets there by itself.
+TEST(ContactRun, ResolvesAnOverlapGradually) {
+  Ran r = pressed({"rigid_bodies.plate.plane.point=[0, 0, .8]", "contacts.top.start=resolve", "steps.press.move=[]"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_NEAR(r.summary()["probes"]["force"], 8 * Pressed().P(), 1e-8);
+  EXPECT_EQ(r.summary()["totals"]["increments"], 2);
+}
+
 TEST(ContactRun, SaysHowContactsAndBodiesStand) {
   const Ran r = pressed();
   ASSERT_EQ(r.status, 0) << r.err;

@@ -71,7 +71,7 @@ TEST(Help, ShowsTheDefaultsOfTheStructAroundNotOfTheMember) {
 TEST(Schema, SaysTheSame) {
   const nlohmann::json schema = scene_schema(), &keys = schema["properties"];
   EXPECT_EQ(schema["additionalProperties"], false);
-  EXPECT_EQ(schema["required"], (nlohmann::json{"mesh", "regions", "steps"}));
+  EXPECT_EQ(schema["required"], (nlohmann::json{"mesh", "steps"}));
   const auto& gamma = keys["solver"]["properties"]["linear"]["properties"]["gamma"];
   EXPECT_EQ(gamma["type"], "number");
   EXPECT_EQ(gamma["minimum"], 0);

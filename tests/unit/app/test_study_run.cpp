@@ -62,6 +62,25 @@ TEST(StudyRun, TakesUpWhereItWasLeft) {
   EXPECT_EQ(again.text("study.log").find("run_002 is there already"), std::string::npos);
 }
 
+/// Their resolved.yaml says what the regions got, not only which materials they are of.
+TEST(StudyRun, FindsRunsOfMaterialsAgain) {
+  const auto scene = replaced(replaced(bar_scene, "{upper", "{region: sclera, upper"),
+                              "regions:\n  block: {c10: 0.5}", "materials: paper");
+  const auto study = replaced(bar_study, "keys: [regions.block.c10], values: [0.5 MPa, 1 MPa]",
+                              "keys: [materials], values: [paper, physiological]");
+  std::ofstream(bar_folder() / "bar.yaml") << scene;
+  const Studied first = run_study_again(study);
+  ASSERT_EQ(first.status, 0) << first.err;
+  const json runs = json::parse(first.text("study.json"))["runs"];
+  const double paper = runs[0]["probes"]["pull"], physiological = runs[1]["probes"]["pull"];
+  EXPECT_NEAR(physiological, 6 * paper, 1e-4 * paper);
+  const Studied again = run_study_again(replaced(study, "physiological]", "stiff_lens]"));
+  ASSERT_EQ(again.status, 0) << again.err;
+  for (const char* run : {"run_001", "run_003", "run_005"})
+    EXPECT_NE(again.text("study.log").find(std::string(run) + " is there already"), std::string::npos) << run;
+  EXPECT_EQ(again.text("study.log").find("run_002 is there already"), std::string::npos);
+}
+
 TEST(StudyRun, ChecksWithoutSolving) {
   const Studied r = run_a_study(bar_study, {}, "check");
   EXPECT_EQ(r.status, 0) << r.err;

@@ -103,11 +103,11 @@ TEST_F(SuturePoints, GivenPlacesMoveToTheSurface) {
   SutureSpec spec;
   spec.body = "b";
   spec.surface = "outer";
-  spec.points = {{9, 9, 3}, {0, 13, -4}};
+  spec.points = {{8.4, 8.4, 2.8}, {0, 11.7, -3.6}};
   const auto p = points(spec);
   ASSERT_EQ(p.size(), 2u);
   EXPECT_NEAR(norm(p[0].place), 12, .01);
-  EXPECT_NEAR(dot(unit({9, 9, 3}), unit(p[0].place)), 1, 1e-4);
+  EXPECT_NEAR(dot(unit({8.4, 8.4, 2.8}), unit(p[0].place)), 1, 1e-4);
   EXPECT_EQ(p[0].share, 1);
   EXPECT_EQ(p[1].share, .5);
 }
@@ -134,6 +134,8 @@ TEST_F(SuturePoints, WhatDoesNotFitIsRefused) {
   spec.points = {{1, 2, 3}};
   EXPECT_NE(fault(spec).find("2 ways"), std::string::npos);
   EXPECT_NE(fault({}).find("0 ways"), std::string::npos);
+  spec = {.surface = "outer", .points = {{0, 0, 12}, {6, 0, 8}}};
+  EXPECT_NE(fault(spec).find("sutures.s.points.1|the point lies 2 mm off 'outer'\n  The nearest place on it is [7."), std::string::npos);
 }
 
 /// Half a shell with a tire and one suture over it.
