@@ -12,11 +12,11 @@ struct Wrench {
 
 inline Vec3<double> moment_about(const Vec3<double>& point, const Wrench& w) { return minus(w.moment, cross(point, w.force)); }
 
-/// Figures of one contact on one rank: sums and the largest penetration are those of its slave nodes.
+/// Figures of one contact on one rank: sums and the largest penetration are those of its slave points.
 struct ContactFigures {
   int pairs = 0;                  ///< active ones
   int smoothed = 0;               ///< that could not decide between open and closed in this increment
-  double area = 0;                ///< current tributary area of the active nodes, mm²
+  double area = 0;                ///< current tributary area of the active points, mm²
   double penetration = 0;         ///< largest, mm
   std::vector<Wrench> on_master;  ///< per part of a rigid body; one in all for a master of the mesh
 };
@@ -30,10 +30,10 @@ struct ContactNode {
   bool active = false;
 };
 
-/// Slave nodes that are inside the master at the start, on one rank.
+/// Slave points that are inside the master at the start, on one rank.
 struct Overlap {
-  int nodes = 0, worst = -1;  ///< worst: local node
-  Vec3<double> place{0, 0, 0};
+  int points = 0;
+  Vec3<double> place{0, 0, 0};  ///< of the deepest
   double depth = 0;           ///< mm
 };
 
@@ -44,7 +44,7 @@ struct Augmentation {
   bool gave_up = false;  ///< still above the tolerance after the last allowed update
 };
 
-/// What a contact remembers from increment to increment, for every pair of slave node and master piece.
+/// What a contact remembers from increment to increment, for every pair of slave point and master piece.
 struct ContactMemory {
   std::vector<int> triangle;     ///< where tracking starts, −1: none
   std::vector<double> pressure;  ///< multiplier p, MPa

@@ -6,6 +6,7 @@ namespace bulbus {
 namespace {
 
 constexpr int most_updates = 20;
+constexpr double most_overlap = 0.05;  // in allowed depths
 
 }  // namespace
 
@@ -13,7 +14,7 @@ void ContactTerm::begin_increment() {
   const std::size_t slots = current_.triangle.size();
   for (auto* v : {&last_, &before_, &held_}) v->assign(slots, -1);
   changes_.assign(slots, 0);
-  linearized_ = false;
+  linearized_ = soft_ = false;
   augmentation_ = {};
   found_.key.clear();
 }
@@ -23,6 +24,7 @@ void ContactTerm::begin_step(int, const State& state) { commit(state); }
 void ContactTerm::set_progress(double s) {
   fade_ = 1 - s;
   begin_increment();
+  soft_ = way() > most_overlap * limits_.depth;
 }
 
 void ContactTerm::freeze() {
@@ -34,6 +36,10 @@ void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
   for (const Touch& t : found(state).touches) current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
+  if (master_.rigid()) {
+    const auto places = master_.at(state).places;
+    places_.assign(places.begin(), places.end());
+  }
 }
 
 void ContactTerm::roll_back() {
@@ -55,7 +61,21 @@ double ContactTerm::violation(const Found& f) const {
   return worst;
 }
 
+// How far any point of a rigid master has moved since the last increment ended.
+double ContactTerm::way() const {
+  double most = 0;
+  if (!master_.rigid()) return most;
+  const auto now = master_.at({}).places;
+  for (std::size_t i = 0; i < places_.size(); i += 3)
+    most = std::max(most, norm(Vec3<double>{now[i] - places_[i], now[i + 1] - places_[i + 1], now[i + 2] - places_[i + 2]}));
+  return most;
+}
+
 bool ContactTerm::revise(const State& state) {
+  if (soft_) {
+    soft_ = false;
+    return true;
+  }
   if (tolerance_ == 0) return false;
   const Found& f = found(state);
   augmentation_.violation = comm_.max(violation(f));
@@ -64,21 +84,29 @@ bool ContactTerm::revise(const State& state) {
   if (augmentation_.gave_up) return false;
   ++augmentation_.updates;
   std::vector<double> p(current_.pressure.size());
-  for (const Touch& t : f.touches) p[t.slot] = std::max(0., current_.pressure[t.slot] - penalty_ * gap(t));
+  for (const Touch& t : f.touches) p[t.slot] = std::max(0., current_.pressure[t.slot] - penalty() * gap(t));
   current_.pressure = std::move(p);
   return true;
+}
+
+std::vector<double> ContactTerm::outermost(const State& state) const {
+  std::vector<double> places = points_.places(state.x);
+  const auto normals = shape(state).normals;
+  for (int i = 0; i < points_.size(); ++i)
+    for (int c = 0; c < 3; ++c) places[3 * i + c] += points_[i].bulge * normals[i][c];
+  return places;
 }
 
 Overlap ContactTerm::overlaps(const State& start, double tolerance) const {
   Overlap o;
   const Found f = find(start, {limits_.reach, limits_.reach}, false);
+  const std::vector<double> places = points_.places(start.x);
   for (const Touch& t : f.touches) {
-    if (-t.pair.gap <= tolerance) continue;
-    ++o.nodes;
-    if (-t.pair.gap <= o.depth) continue;
-    o.depth = -t.pair.gap;
-    o.worst = slave_.nodes()[t.slave];
-    for (int c = 0; c < 3; ++c) o.place[c] = start.x[3 * o.worst + c];
+    if (-gap(t) <= tolerance || !points_[t.point].mine) continue;
+    ++o.points;
+    if (-gap(t) <= o.depth) continue;
+    o.depth = -gap(t);
+    std::copy_n(&places[3 * t.point], 3, o.place.begin());
   }
   return o;
 }
@@ -87,7 +115,7 @@ void ContactTerm::resolve(const State& start) {
   current_.overlap.assign(current_.triangle.size(), 0);
   for (const Touch& t : find(start, {limits_.reach, limits_.reach}, false).touches) {
     current_.triangle[t.slot] = t.triangle;
-    current_.overlap[t.slot] = std::max(0., -t.pair.gap);
+    current_.overlap[t.slot] = std::max(0., -gap(t));
   }
   committed_ = current_;
   fade_ = 1;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/meridians.hpp"
+
 namespace bulbus {
 namespace {
 
 constexpr int most_changes = 4;
+constexpr double softening = 0.1;
 constexpr double band = 0.02;  // half width of the smoothed onset, in allowed depths
 
 Vec3<double> point(std::span<const double> x, int n) { return {x[3 * n], x[3 * n + 1], x[3 * n + 2]}; }
@@ -24,14 +27,16 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
     : comm_(comm),
       master_(sides.master),
       slave_(sides.X, sides.owned, sides.slave, master_.nodes(), sides.symmetry),
-      area0_(slave_.shape(sides.X).areas),
+      points_(slave_, sides.owned, master_.nodes(), spec.divisions >= 0 ? spec.divisions : defaults.divisions),
+      area0_(points_.on_faces() ? points_.shape(sides.X).areas : slave_.shape(sides.X).areas),
       penalty_(spec.penalty > 0 ? spec.penalty : defaults.penalty),
       tolerance_(spec.tolerance),
       limits_{spec.depth > 0 ? spec.depth : defaults.depth, defaults.reach},
       search_(0, 0) {
+  points_.bulge(sides.X, sides.slave, sides.symmetry);
   limits_.reach = std::max(limits_.reach, 2 * limits_.depth);
   search_ = GlobalSearch(limits_.reach, limits_.reach / 2);
-  const std::size_t slots = slave_.nodes().size() * master_.pieces();
+  const std::size_t slots = static_cast<std::size_t>(points_.size()) * master_.pieces();
   current_.triangle.assign(slots, -1);
   current_.pressure.assign(slots, 0);
   committed_ = current_;
@@ -61,17 +66,19 @@ const ContactTerm::Found& ContactTerm::found(const State& state) const {
   return found_;
 }
 
+SlaveSurface::Shape ContactTerm::shape(const State& state) const {
+  return points_.on_faces() ? points_.shape(state.x) : slave_.shape(state.x);
+}
+
 ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& limits, bool remembered) const {
   Found f;
-  f.shape = slave_.shape(state.x);
+  f.shape = shape(state);
   const MasterSurface master = master_.at(state);
-  std::vector<double> points;
-  for (int n : slave_.nodes())
-    for (int c = 0; c < 3; ++c) points.push_back(state.x[3 * n + c]);
+  const std::vector<double> points = outermost(state);
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::ranges::all_of(points, finite) || !std::ranges::all_of(master.places, finite)) return f;
   const Candidates& near = search_.update(points, master.facets.triangles, master.places);
-  for (int i = 0; i < static_cast<int>(slave_.nodes().size()); ++i) {
+  for (int i = 0; i < points_.size(); ++i) {
     const Vec3<double> x = point(points, i);
     for (auto rest = near.of(i); !rest.empty();) {
       const int piece = master_.piece_of(rest.front()), slot = i * master_.pieces() + piece;
@@ -79,19 +86,22 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& lim
       const auto candidates = rest.first(end - rest.begin());
       rest = rest.subspan(candidates.size());
       auto chosen = held(master, x, slot);
+      const bool walks = !chosen;
       if (!chosen) chosen = select(master, x, f.shape.normals[i], remembered ? committed_.triangle[slot] : -1, candidates, limits);
-      if (chosen->triangle >= 0) f.touches.push_back(touch(master, x, i, slot, chosen->triangle));
+      if (chosen->triangle >= 0) f.touches.push_back(touch(master, x, i, slot, walks && master_.smooth() ? foot_of(master, x, chosen->triangle) : chosen->triangle));
     }
   }
   return f;
 }
 
-ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int slave, int slot, int triangle) {
-  Touch t{slave, slot, triangle, project(x, master.corners(triangle))};
+ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) {
+  const Triangle corners = master.corners(triangle);
+  Touch t{point, slot, triangle, project(x, corners)};
   if (master.normals.empty()) return t;
-  const SmoothNormal smooth = smooth_normal(t.pair, master.normals[triangle]);
-  t.pair.normal = smooth.normal;
-  t.bend = smooth.bend;
+  const CurvedGap curved = curved_gap(t.pair, corners, master.normals[triangle]);
+  t.pair.gap = curved.gap;
+  t.pair.normal = curved.gradient;
+  t.bend = curved.bend;
   return t;
 }
 
@@ -106,30 +116,34 @@ double ContactTerm::gap(const Touch& t) const {
   return t.pair.gap + (current_.overlap.empty() ? 0 : fade_ * current_.overlap[t.slot]);
 }
 
+double ContactTerm::penalty() const { return soft_ ? softening * penalty_ : penalty_; }
+
 bool ContactTerm::smoothed(int slot) const { return changes_[slot] > most_changes; }
 
 ContactPressure ContactTerm::pressure(const Touch& t) const {
-  return contact_pressure(current_.pressure[t.slot] - penalty_ * gap(t), smoothed(t.slot) ? penalty_ * band * limits_.depth : 0);
+  return contact_pressure(current_.pressure[t.slot] - penalty() * gap(t), smoothed(t.slot) ? penalty() * band * limits_.depth : 0);
 }
 
 void ContactTerm::add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const {
   for (const Touch& t : found(state).touches) {
-    const double f = area0_[t.slave] * pressure(t).value;
-    if (f == 0) continue;
-    const auto add = [&](int node, double share) {
-      for (int c = 0; c < 3; ++c) force[3 * node + c] -= f * share * t.pair.normal[c];
-      if (!magnitude.empty()) magnitude[node] += std::abs(f * share);
+    const SlavePoints::Point& point = points_[t.point];
+    const double f = area0_[t.point] * pressure(t).value;
+    if (f == 0 || !point.mine) continue;
+    const auto add = [&](int node, const Vec3<double>& share) {
+      for (int c = 0; c < 3; ++c) force[3 * node + c] -= f * share[c];
+      if (!magnitude.empty()) magnitude[node] += f * norm(share);
     };
-    add(slave_.nodes()[t.slave], 1);
+    const auto shares = points_.shares(t.point, state.x, t.pair.normal);
+    for (int k = 0; k < point.carriers; ++k) add(point.nodes[k], shares[k]);
     if (!master_.rigid())
-      for (int i = 0; i < 3; ++i) add(master_.facets().triangles[t.triangle][i], -t.pair.weights[i]);
+      for (int i = 0; i < 3; ++i) add(master_.facets().triangles[t.triangle][i], -t.pair.weights[i] * t.pair.normal);
   }
 }
 
-// Counts openings, closings and, on flat triangles, returns to the one before; a node with too many keeps its triangle.
+// Counts openings, closings and returns to the triangle before; a point with too many keeps its triangle.
 void ContactTerm::watch(const std::vector<int>& now) {
   for (std::size_t k = 0; k < now.size(); ++k) {
-    if (now[k] == last_[k] || !(now[k] < 0 || last_[k] < 0 || (now[k] == before_[k] && !master_.smooth()))) continue;
+    if (now[k] == last_[k] || !(now[k] < 0 || last_[k] < 0 || now[k] == before_[k])) continue;
     if (++changes_[k] <= most_changes || held_[k] >= 0) continue;
     held_[k] = now[k] >= 0 ? now[k] : last_[k];
     found_.key.clear();
@@ -141,48 +155,58 @@ void ContactTerm::linearize(const State& state) {
   for (const Touch& t : found(state).touches)
     if (pressure(t).value > 0) now[t.slot] = t.triangle;
   if (linearized_) watch(now);
-  tangent_nodes_.clear();
   tangent_.clear();
   for (const Touch& t : found(state).touches) {
     const ContactPressure p = pressure(t);
-    if (p.value == 0) continue;
-    const double a = area0_[t.slave] * penalty_ * p.slope;
-    tangent_nodes_.push_back(slave_.nodes()[t.slave]);
-    if (master_.rigid()) {
-      // where the body is hollow this stiffens, and without it nodes that slide along diverge; where it bulges it waits
-      const bool quiet = linearized_ && last_[t.slot] >= 0;
-      const auto K = rigid_tangent(t.pair, a, quiet || trace(t.bend) < 0 ? -area0_[t.slave] * p.value : 0, t.bend);
-      tangent_.insert(tangent_.end(), K.begin(), K.end());
-    } else {
-      const auto& corners = master_.facets().triangles[t.triangle];
-      tangent_nodes_.insert(tangent_nodes_.end(), corners.begin(), corners.end());
-      const bool quiet = linearized_ && last_[t.slot] == t.triangle;
-      const auto K = tangent(t.pair, a, quiet ? -area0_[t.slave] * p.value : 0);
-      tangent_.insert(tangent_.end(), K.begin(), K.end());
-    }
+    if (p.value == 0 || !points_[t.point].mine) continue;
+    // a hollow body's bend stiffens, and without it points that slide along diverge; where the body bulges it waits
+    const bool quiet = linearized_ && (master_.rigid() ? last_[t.slot] >= 0 : last_[t.slot] == t.triangle);
+    const bool bends = quiet || (master_.rigid() && trace(t.bend) < 0);
+    add_tangent(state, t, area0_[t.point] * penalty() * p.slope, bends ? -area0_[t.point] * p.value : 0);
   }
   before_ = std::move(last_);
   last_ = std::move(now);
   linearized_ = true;
 }
 
-void ContactTerm::add_action(std::span<const double> dx, std::span<double> force) const {
-  visit([&](std::span<const int> nodes, std::span<const double> K) {
-    const std::size_t n = 3 * nodes.size();
-    for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t c = 0; c < n; ++c) force[3 * nodes[r / 3] + r % 3] += K[n * r + c] * dx[3 * nodes[c / 3] + c % 3];
-  });
+// a D Dᵀ + b Wᵀ H W: the point's row and column are shared out to its carriers.
+void ContactTerm::add_tangent(const State& state, const Touch& t, double a, double b) {
+  const SlavePoints::Point& point = points_[t.point];
+  const auto shares = points_.shares(t.point, state.x, t.pair.normal);
+  std::array<int, 7> nodes, row;
+  std::array<double, 7> weights;
+  std::array<double, 21> D;
+  int n = 0;
+  const auto add = [&](int node, int its_row, double weight, const Vec3<double>& d) {
+    nodes[n] = node, row[n] = its_row, weights[n] = weight;
+    std::ranges::copy(d, &D[3 * n++]);
+  };
+  for (int k = 0; k < point.carriers; ++k) add(point.nodes[k], 0, point.weights[k], shares[k]);
+  if (!master_.rigid())
+    for (int i = 0; i < 3; ++i) add(master_.facets().triangles[t.triangle][i], 1 + i, 1, -t.pair.weights[i] * t.pair.normal);
+  const auto K = tangent_.block({nodes.data(), static_cast<std::size_t>(n)});
+  for (int i = 0; i < 3 * n; ++i)
+    for (int j = 0; j < 3 * n; ++j) K[3 * n * i + j] += a * D[i] * D[j];
+  if (b == 0) return;
+  const auto bend = [&](std::span<const double> H, int width) {
+    for (int i = 0; i < 3 * n; ++i)
+      for (int j = 0; j < 3 * n; ++j)
+        K[3 * n * i + j] += b * weights[i / 3] * weights[j / 3] * H[width * (3 * row[i / 3] + i % 3) + 3 * row[j / 3] + j % 3];
+  };
+  if (master_.rigid())
+    bend({&t.bend.m[0][0], 9}, 3);
+  else
+    bend(tangent(t.pair, 0, 1), 12);
 }
 
-void ContactTerm::visit(const ContributionVisitor& visitor) const {
-  const std::size_t k = master_.rigid() ? 1 : 4;
-  for (std::size_t i = 0; i < tangent_nodes_.size() / k; ++i)
-    visitor({&tangent_nodes_[k * i], k}, {&tangent_[9 * k * k * i], 9 * k * k});
-}
+void ContactTerm::add_action(std::span<const double> dx, std::span<double> force) const { tangent_.add_action(dx, force); }
+
+void ContactTerm::visit(const ContributionVisitor& visitor) const { tangent_.visit(visitor); }
 
 double ContactTerm::potential(const State& state) const {
   double sum = 0;
-  for (const Touch& t : found(state).touches) sum += area0_[t.slave] / penalty_ * pressure(t).integral;
+  for (const Touch& t : found(state).touches)
+    if (points_[t.point].mine) sum += area0_[t.point] / penalty() * pressure(t).integral;
   return sum;
 }
 

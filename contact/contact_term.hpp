@@ -1,11 +1,12 @@
 #pragma once
 #include <optional>
 
+#include "contact/block_tangent.hpp"
 #include "contact/contact_figures.hpp"
 #include "contact/master.hpp"
 #include "contact/position_codes.hpp"
 #include "contact/pressure_law.hpp"
-#include "contact/slave_surface.hpp"
+#include "contact/slave_points.hpp"
 #include "core/base/parallel.hpp"
 #include "core/problem/contact_spec.hpp"
 #include "core/problem/term.hpp"
@@ -26,16 +27,21 @@ struct ContactDefaults {
   double penalty;    ///< α_A, MPa/mm
   double depth;      ///< mm
   double reach = 0;  ///< how far the search looks, mm; larger than any motion of an increment. 0: twice the depth
+  int divisions = 0;  ///< points along the edge of a slave face; 0: the nodes
 };
 
-/// Frictionless contact of the owned nodes of one surface with a master (formulation, section 5). Per node and master piece, with
-/// the reference tributary area A0, the gap G and the trial pressure τ = p − α_A G:
+/// Frictionless contact of one surface, at its nodes or at points of its faces, with a master (formulation, section 5). Per point and
+/// master piece, with the reference tributary area A0, the gap G and the trial pressure τ = p − α_A G:
 ///     potential A0/(2 α_A) max(0, τ)²,  residual −A0 max(0, τ) D,  tangent A0 (α_A D Dᵀ − max(0, τ) H)
-/// The multiplier p is 0 unless the specification gives a tolerance. Nodes that both surfaces share make no pairs.
+/// The multiplier p is 0 unless the specification gives a tolerance. Nodes that both surfaces share make no pairs; a point's gradient D
+/// is shared out to the nodes that carry it.
 ///
-/// Pairs are a function of the state, of the rigid body's places and of what commit() has left. Each node's H waits until its pair
-/// has been the same in two linearisations; a node that keeps changing gets its pair held and a smoothed pressure until the
+/// Pairs are a function of the state, of the rigid body's places and of what commit() has left. Each point's H waits until its pair
+/// has been the same in two linearisations; a point that keeps changing gets its pair held and a smoothed pressure until the
 /// increment ends (set_progress begins one).
+///
+/// A rigid body that has moved into the tissue by more than the full penalty bears meets a tenth of it until a rough balance is
+/// found (provisional).
 class ContactTerm final : public Term {
  public:
   ContactTerm(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides, const Comm& comm);
@@ -46,6 +52,7 @@ class ContactTerm final : public Term {
   void visit(const ContributionVisitor& visitor) const override;
 
   void begin_step(int step, const State& state) override;
+  bool provisional() const override { return soft_; }
   bool revise(const State& state) override;
   void set_progress(double s) override;
   void freeze() override;
@@ -58,45 +65,55 @@ class ContactTerm final : public Term {
   /// In the order of slave().nodes(); gaps no larger than `farthest` (mm; 0: the search's reach).
   std::vector<ContactNode> nodes(const State& state, double farthest = 0) const;
   const SlaveSurface& slave() const { return slave_; }
+  const SlavePoints& points() const { return points_; }
   const Augmentation& augmentation() const { return augmentation_; }
   const ContactMemory& memory() const { return committed_; }
   int searches() const { return search_.searches(); }
 
-  /// Nodes farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
+  /// Current places of the slave points, their bulge added along the normal; 3 each, mm.
+  std::vector<double> outermost(const State& state) const;
+  /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;
   /// Lets the gap count from where each node is at the start; that fades linearly over the step that follows.
   void resolve(const State& start);
 
  private:
   struct Touch {
-    int slave, slot, triangle;
+    int point, slot, triangle;
     Pair pair;
     Mat3<double> bend{};  // of a curved rigid body
   };
   struct Found {
     std::vector<double> key;       // where the surfaces are
-    std::vector<Touch> touches;    // by slave node, then piece
+    std::vector<Touch> touches;    // by slave point, then piece
     SlaveSurface::Shape shape;
   };
 
   std::vector<double> surfaces(const State& state) const;
   const Found& found(const State& state) const;
+  SlaveSurface::Shape shape(const State& state) const;
+  void add_tangent(const State& state, const Touch& touch, double a, double b);
   Found find(const State& state, const SearchLimits& limits, bool remembered) const;
-  static Touch touch(const MasterSurface& master, const Vec3<double>& x, int slave, int slot, int triangle);
+  static Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle);
   std::optional<Selection> held(const MasterSurface& master, const Vec3<double>& x, int slot) const;
   double gap(const Touch& touch) const;
   ContactPressure pressure(const Touch& touch) const;
   double penetration(const Found& found) const;
   double violation(const Found& found) const;
+  double penalty() const;
   bool smoothed(int slot) const;
+  double way() const;
   void begin_increment();
   void watch(const std::vector<int>& now);
 
   Comm comm_;
   Master master_;
   SlaveSurface slave_;
+  SlavePoints points_;
   std::vector<double> area0_;
   double penalty_, tolerance_, fade_ = 1;
+  bool soft_ = false;
+  std::vector<double> places_;  // of a rigid master when the last increment ended
   SearchLimits limits_;
   ContactMemory committed_, current_;
   Augmentation augmentation_;
@@ -104,8 +121,7 @@ class ContactTerm final : public Term {
   // per slot; active triangles of the last two linearisations of this increment, −1: not active
   std::vector<int> last_, before_, changes_, held_;
   bool linearized_ = false;
-  std::vector<int> tangent_nodes_;  // one per block, or four
-  std::vector<double> tangent_;
+  BlockTangent tangent_;
 
   mutable GlobalSearch search_;
   mutable Found found_;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double on_edge = 1e-9;    // weights: what is round-off of an edge
 constexpr double away = -1e-6;      // N·n above this: not facing
+constexpr double smooth_edge = 0.866;  // cos 30°
 constexpr int longest_walk = 20;
 
 // Differences below round-off do not decide between triangles: the lower number does, it comes first.
@@ -34,6 +35,11 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
     if (project(x, corners).gap > -limits.depth) best = {t, c.distance};
   }
   return best;
+}
+
+// No point of the triangle is nearer than this.
+double least_distance(const Vec3<double>& x, const Triangle& v) {
+  return norm(minus(x, v[0])) - std::max(norm(minus(v[1], v[0])), norm(minus(v[2], v[0])));
 }
 
 double angle_at(const Triangle& v, int i) {
@@ -99,6 +105,19 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
   return -1;
 }
 
+int foot_of(const MasterSurface& master, const Vec3<double>& x, int start) {
+  int t = start, before = -1;
+  Pair p = project(x, master.corners(t));
+  for (int step = 0; step < longest_walk && std::ranges::min(p.weights) < -on_edge; ++step) {
+    const int next = master.facets.neighbours[t][std::ranges::min_element(p.weights) - p.weights.begin()];
+    if (next < 0 || next == before) break;
+    const Pair there = project(x, master.corners(next));
+    if (dot(p.normal, there.normal) < smooth_edge) break;
+    before = t, t = next, p = there;
+  }
+  return t;
+}
+
 Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start,
                  std::span<const int> candidates, const SearchLimits& limits) {
   const Hit hit = line_hit(master, x, N, start, candidates, limits);
@@ -107,8 +126,11 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
 
   int nearest = -1;
   NearestPoint foot{{}, on_line.distance};
-  for (int t : candidates)
-    if (const NearestPoint p = nearest_point(x, master.corners(t)); nearer(p.distance, foot.distance, limits)) nearest = t, foot = p;
+  for (int t : candidates) {
+    const Triangle corners = master.corners(t);
+    if (least_distance(x, corners) > foot.distance) continue;
+    if (const NearestPoint p = nearest_point(x, corners); nearer(p.distance, foot.distance, limits)) nearest = t, foot = p;
+  }
   if (nearest < 0) return on_line;
   const Around ring = around(master, nearest, foot.weights, candidates);
   double side = 0, most_opposed = away;

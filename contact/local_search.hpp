@@ -3,7 +3,7 @@
 
 #include "contact/facets.hpp"
 #include "contact/pair.hpp"
-#include "contact/smooth_normals.hpp"
+#include "contact/curved_facets.hpp"
 
 namespace bulbus {
 
@@ -28,6 +28,10 @@ Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle
 /// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative weight.
 /// −1 at a rim, at a triangle that looks away, or after 20 steps.
 int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start);
+
+/// Walks from `start` to the triangle in which x has its perpendicular foot, or as near to it as a walk across smooth edges (corner
+/// normals given, planes within 30 degrees) leads.
+int foot_of(const MasterSurface& master, const Vec3<double>& x, int start);
 
 struct SearchLimits {
   double depth;  ///< a node deeper than this behind a triangle is on another side of the body, mm

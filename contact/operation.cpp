@@ -16,6 +16,7 @@ namespace {
 
 constexpr double stiffness_ratio = 30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
 constexpr double part_of_size = 0.03;   // default reach in diagonals of the model
+constexpr int points_per_edge = 4;      // default divisions of slave faces that touch a rigid body
 constexpr double farthest_gap = 0.25;   // the same of the gaps reported
 
 double diagonal(const Mesh& mesh) {
@@ -52,7 +53,7 @@ std::vector<std::string> keys(const Map& map) {
 Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
   const std::array<double, 4> deepest{mine.depth, mine.place[0], mine.place[1], mine.place[2]};
   const auto all = comm.gather(std::span<const double>(deepest));
-  Overlap o{.nodes = comm.sum(mine.nodes)};
+  Overlap o{.points = comm.sum(mine.points)};
   for (std::size_t r = 0; r < all.size(); r += 4)
     if (all[r] > o.depth) o.depth = all[r], o.place = {all[r + 1], all[r + 2], all[r + 3]};
   return o;
@@ -121,14 +122,14 @@ void Operation::add_contact(const Mesh& mesh, const ContactSpec& spec, const std
   double mu = shear_modulus(mesh, model, layer), thickness = layer.thickness;
   if (body == bodies_.end()) {
     layer = layer_under(mesh, mesh.surfaces.at(spec.master));
-    mu = std::max(mu, shear_modulus(mesh, model, layer));
+    if (const double other = shear_modulus(mesh, model, layer); other > 0) mu = mu > 0 ? std::min(mu, other) : other;
     thickness = std::min(thickness, layer.thickness);
   }
   if (spec.penalty == 0 && mu == 0)
     throw scene_error(key + ".penalty", "contact '" + spec.name + "' is between rigid sides only: no stiffness to choose its penalty from",
                       "Give `penalty`, in MPa/mm.");
   const double penalty = spec.penalty > 0 ? spec.penalty : stiffness_ratio * mu / thickness;
-  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(mesh)};
+  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(mesh), body == bodies_.end() ? 0 : points_per_edge};
   const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
                            body == bodies_.end() ? Master(split(local.shared.at(spec.master))) : Master(body->second), model.symmetry};
   const auto term = std::make_shared<ContactTerm>(spec, defaults, sides, problem_.comm());
@@ -176,12 +177,12 @@ std::vector<const Operation::Contact*> Operation::contacts_on(const std::string&
   return found;
 }
 
-// Current places of all nodes that may touch a body, of all ranks.
+// Current places of all points that may touch a body, of all ranks.
 std::vector<double> Operation::slaves_of(const std::string& body, const State& state) const {
   std::vector<double> mine;
   for (const Contact& c : contacts_)
     if (c.spec.master == body)
-      for (int n : c.term->slave().nodes()) mine.insert(mine.end(), &state.x[3 * n], &state.x[3 * n] + 3);
+      std::ranges::copy(c.term->outermost(state), std::back_inserter(mine));
   return problem_.comm().gather(std::span<const double>(mine));
 }
 
@@ -193,10 +194,10 @@ void Operation::start_contacts(const State& start) {
       continue;
     }
     const Overlap o = of_all_ranks(c.term->overlaps(start, 1e-4 * c.thickness), problem_.comm());
-    if (o.nodes > 0)
+    if (o.points > 0)
       throw scene_error(fmt::format("contacts.{}", i),
-                        fmt::format("contact '{}' starts with {} of its nodes inside '{}', the deepest by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g})",
-                                    c.spec.name, o.nodes, c.spec.master, o.depth, o.place[0], o.place[1], o.place[2]),
+                        fmt::format("contact '{}' starts with {} of its points inside '{}', the deepest by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g})",
+                                    c.spec.name, o.points, c.spec.master, o.depth, o.place[0], o.place[1], o.place[2]),
                         "Draw the two apart, or say `start: resolve`.");
   }
 }

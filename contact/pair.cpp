@@ -50,11 +50,4 @@ std::array<double, 144> tangent(const Pair& p, double a, double b) {
   return K;
 }
 
-std::array<double, 9> rigid_tangent(const Pair& p, double a, double b, const Mat3<double>& bend) {
-  std::array<double, 9> K;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) K[3 * r + c] = a * p.normal[r] * p.normal[c] + b * bend(r, c);
-  return K;
-}
-
 }  // namespace bulbus

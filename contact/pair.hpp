@@ -26,7 +26,4 @@ std::array<double, 12> gradient(const Pair& pair);
 /// a D Dᵀ + b H with H = ∂²G/∂u², by rows. The potential φ(G) has the tangent a = φ'', b = φ'.
 std::array<double, 144> tangent(const Pair& pair, double a, double b);
 
-/// Its part of the slave node, all that a rigid master leaves: a n nᵀ + b ∇n.
-std::array<double, 9> rigid_tangent(const Pair& pair, double a, double b, const Mat3<double>& bend);
-
 }  // namespace bulbus

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/facets.hpp"
-#include "contact/smooth_normals.hpp"
+#include "contact/curved_facets.hpp"
 #include "core/problem/state.hpp"
 
 namespace bulbus {

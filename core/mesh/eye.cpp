@@ -133,6 +133,7 @@ void name_nodes(Mesh& mesh, Columns& columns, const EyeSettings& s) {
     const int k = columns.node(c, 0);
     if (std::abs(mesh.points[k][2]) <= s.band_half_width + tolerance)
       mesh.node_sets["equator_band"].push_back(k);
+    if (std::abs(mesh.points[k][2]) <= tolerance) mesh.node_sets["equator"].push_back(k);
   }
 }
 

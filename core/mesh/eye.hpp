@@ -64,7 +64,7 @@ struct EyeSettings {
 ///
 /// Node sets: "apex" (the cornea's anterior pole), "retina_pole" (the retina's, inside), "nerve_ring" (outer
 /// sclera, the ring next to the nerve's edge), "equator_band" (outer sclera, |z| <= band_half_width),
-/// "nerve_end". With a detachment: "detached" (nodes of "retina_back" that are free of the choroid) and
+/// "equator" (outer sclera, z = 0), "nerve_end". With a detachment: "detached" (nodes of "retina_back" that are free of the choroid) and
 /// "detached_bed" (the choroid's nodes they came off, in the same order; both rise); with a tear: "tear_rim"
 /// (of "detached", those on the tear's edge).
 ///

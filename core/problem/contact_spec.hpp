@@ -5,21 +5,23 @@
 
 namespace bulbus {
 
-/// Frictionless penalty contact between the nodes of one surface (slave, the softer side) and the faces of another or of a
+/// Frictionless penalty contact between the nodes or the faces' points of one surface (slave, the softer side) and the faces of another or of a
 /// rigid body (master).
 struct ContactSpec {
   std::string name, slave, master, start = "refuse";
   double penalty = 0, depth = 0, tolerance = 0;
+  int divisions = -1;
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"name in records and probes"}.needed());
     v("slave", slave, About{"surface whose nodes are kept out of the master: the softer side"}.needed());
     v("master", master, About{"surface of the mesh, or rigid body"}.needed());
-    v("penalty", penalty, About{"pressure per penetration, MPa/mm; 0: chosen from the stiffer side and the thinner layer"}.at_least(0));
+    v("penalty", penalty, About{"pressure per penetration, MPa/mm; 0: chosen from the softer side and the thinner layer"}.at_least(0));
     v("depth", depth, About{"a node deeper than this is not in contact but on another side; 0: half the thinner layer",
                             Quantity::length}.at_least(0));
     v("tolerance", tolerance,
       About{"largest penetration; the augmented-Lagrangian loop drives it below this; 0: penalty alone", Quantity::length}.at_least(0));
+    v("divisions", divisions, About{"what is kept out: n × n points on each face of the slave; 0: its nodes; -1: 4 × 4 points on a rigid body, nodes on a surface of the mesh"}.between(-1, 100));
     v("start", start, About{"surfaces that overlap at the start: `refuse` them or `resolve` the overlap gradually over the first step"}
                           .one_of({"refuse", "resolve"}));
   }

@@ -62,6 +62,10 @@ void Problem::end_step() {
   for (Liquid& l : liquids_) l.freeze();
 }
 
+bool Problem::provisional() const {
+  return std::ranges::any_of(terms(), [](const auto& term) { return term->provisional(); });
+}
+
 bool Problem::revise(const State& state) {
   bool again = false;
   for (const auto& term : terms()) again |= term->revise(state);

@@ -66,6 +66,7 @@ class Problem {
   void set_progress(double s, State& state);
   void end_step();
   /// Asks every term whether Newton, which has converged, has to go on. Collective.
+  bool provisional() const;
   bool revise(const State& state);
   double progress() const { return s_; }
 

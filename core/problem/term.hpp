@@ -24,6 +24,8 @@ class Term {
 
   /// A step begins from a converged state. Collective.
   virtual void begin_step(int, const State&) {}
+  /// Does the term, for now, stand in with something easier, so that a rough balance is enough before revise() is called?
+  virtual bool provisional() const { return false; }
   /// Newton has converged for what the term holds fixed meanwhile (multipliers, damping): true if that has to change first, so
   /// that Newton goes on. Collective.
   virtual bool revise(const State&) { return false; }

@@ -8,6 +8,7 @@
 namespace bulbus {
 namespace {
 
+constexpr double rough = 1000;  // by this much the criteria may be missed as long as a term is provisional
 constexpr double shortest_step = 1.0 / 64;
 constexpr double least_volume = 0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 
@@ -115,7 +116,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     now.held = problem.dofs().defect(state, progress, held);
     if (!finite(now.balance)) return fail(Outcome::not_finite);
     double missing = excess(now.balance, settings);
-    if (missing <= 1 && now.held <= held_tolerance) {
+    if (missing <= (problem.provisional() ? rough : 1) && now.held <= held_tolerance) {
       if (!problem.revise(state)) {
         if (observer) observer(now);
         return report;

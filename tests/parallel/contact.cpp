@@ -70,7 +70,7 @@ TEST(Contact, CountsAnOverlapAtTheStartOverAllRanks) {
     return "accepted";
   };
   const std::string alone = refusal(Comm(MPI_COMM_SELF));
-  EXPECT_NE(alone.find("starts with 16 of its nodes inside 'low zmax', the deepest by 0.026 mm at (0.8, 0.8, 0.474)"), std::string::npos) << alone;
+  EXPECT_NE(alone.find("starts with 16 of its points inside 'low zmax', the deepest by 0.026 mm at (0.8, 0.8, 0.474)"), std::string::npos) << alone;
   EXPECT_EQ(refusal(Comm()), alone);
 }
 

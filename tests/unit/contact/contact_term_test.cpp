@@ -317,11 +317,10 @@ TEST(Contact, ReportsAnOverlapAtTheStart) {
   State state = two.sheets.state();
   state.x[3 * 11 + 2] -= .02;
   const Overlap o = term.overlaps(state, 1e-3);
-  EXPECT_EQ(o.nodes, two.slaves());
-  EXPECT_EQ(o.worst, 11);
+  EXPECT_EQ(o.points, two.slaves());
   EXPECT_EQ(o.place, at(state.x, 11));
   EXPECT_NEAR(o.depth, .17, .01);
-  EXPECT_EQ(two.term(contact_spec(50, .1)).overlaps(TwoSheets(-.01).sheets.state(), 1e-3).nodes, 0);
+  EXPECT_EQ(two.term(contact_spec(50, .1)).overlaps(TwoSheets(-.01).sheets.state(), 1e-3).points, 0);
 }
 
 TEST(Contact, ResolvesAnOverlapOverTheFirstStep) {

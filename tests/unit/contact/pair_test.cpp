@@ -121,14 +121,6 @@ TEST(Pair, ForcesBalanceWithTheirMoments) {
   EXPECT_LT(norm(moment), 1e-15);
 }
 
-TEST(Pair, RigidMasterLeavesTheSlavesBlock) {
-  const Pair p = pair_of(some_pair(2));
-  const auto K = tangent(p, 5, -3);
-  const auto R = rigid_tangent(p, 5, 0, {});
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(R[3 * r + c], K[12 * r + c], 1e-14);
-}
-
 TEST(ContactPressure, IsTheDerivativeOfItsIntegralAndContinuousInSlope) {
   for (double width : {0., .5})
     for (double tau = -1.05; tau < 1.1; tau += .1) {

@@ -1,4 +1,4 @@
-#include "contact/smooth_normals.hpp"
+#include "contact/curved_facets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,29 +28,21 @@ std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const 
   return normals;
 }
 
-SmoothNormal smooth_normal(const Pair& p, const CornerNormals& corners) {
-  std::array<double, 3> L;
-  for (int i = 0; i < 3; ++i) L[i] = std::max(p.weights[i], 0.);
-  const double sum = L[0] + L[1] + L[2];
+CurvedGap curved_gap(const Pair& p, const Triangle& x, const CornerNormals& n) {
+  CurvedGap g{p.gap, p.normal, {}};
+  if (std::ranges::min(p.weights) < -1) return g;
   const auto& [t1, t2] = p.duals;
   const std::array<Vec3<double>, 3> dL{Vec3<double>{-t1[0] - t2[0], -t1[1] - t2[1], -t1[2] - t2[2]}, t1, t2};
-  Vec3<double> n{0, 0, 0};
-  Mat3<double> dn{};
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const double s = dot(minus(n[i], n[j]), minus(x[i], x[j])) / 2;
+    g.gap -= s * p.weights[i] * p.weights[j];
     for (int r = 0; r < 3; ++r) {
-      n[r] += L[i] / sum * corners[i][r];
-      for (int c = 0; c < 3; ++c) dn(r, c) += corners[i][r] * dL[i][c];
+      g.gradient[r] -= s * (p.weights[i] * dL[j][r] + p.weights[j] * dL[i][r]);
+      for (int c = 0; c < 3; ++c) g.bend(r, c) -= s * (dL[i][r] * dL[j][c] + dL[j][r] * dL[i][c]);
     }
-  const double length = norm(n);
-  for (double& v : n) v /= length;
-  if (sum > 1 + 1e-9) return {n, {}};  // beyond an edge the triangle goes on flat
-  Mat3<double> across, bend;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) across(r, c) = (r == c) - n[r] * n[c];
-  dn = across * dn * across;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) bend(r, c) = (dn(r, c) + dn(c, r)) / (2 * length);
-  return {n, bend};
+  }
+  return g;
 }
 
 }  // namespace bulbus

@@ -1,0 +1,132 @@
+#include "contact/slave_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include "contact/contact_term.hpp"
+#include "contact/rigid_shapes.hpp"
+#include "tests/support/sheets.hpp"
+
+namespace bulbus {
+namespace {
+
+/// A piece of a sphere of radius 1, 6 × 6 faces, seen from outside.
+struct Cap {
+  Sheets sheets;
+  std::vector<Quad> faces = sheets.add(6, 6, [](double u, double v) {
+    const double a = .8 * (u - .5), b = .8 * (v - .5), c = std::sqrt(1 - a * a - b * b);
+    return Vec3<double>{a, b, c};
+  });
+  SlaveSurface surface{sheets.X, sheets.nodes(), faces, {}, {}};
+  SlavePoints points{surface, sheets.nodes(), {}, 4};
+};
+
+TEST(SlavePoints, ShareOutAllOfTheArea) {
+  const Cap cap;
+  double points = 0, nodes = 0;
+  for (double a : cap.points.shape(cap.sheets.X).areas) points += a;
+  for (double a : cap.surface.shape(cap.sheets.X).areas) nodes += a;
+  EXPECT_EQ(cap.points.size(), 36 * 16);
+  EXPECT_NEAR(points, nodes, 1e-4);
+}
+
+TEST(SlavePoints, BulgeToTheSphere) {
+  Cap cap;
+  cap.points.bulge(cap.sheets.X, cap.faces, {});
+  const auto places = cap.points.places(cap.sheets.X);
+  const auto normals = cap.points.shape(cap.sheets.X).normals;
+  double flat = 0, curved = 0;
+  for (int f = 7; f < 29; ++f) {  // the rim's normals are one-sided
+    if (f % 6 == 0 || f % 6 == 5) continue;
+    for (int i = 16 * f; i < 16 * f + 16; ++i) {
+      Vec3<double> x = at(places, i);
+      flat = std::max(flat, 1 - norm(x));
+      for (int c = 0; c < 3; ++c) x[c] += cap.points[i].bulge * normals[i][c];
+      curved = std::max(curved, std::abs(1 - norm(x)));
+    }
+  }
+  EXPECT_GT(flat, 3e-3);
+  EXPECT_LT(curved, flat / 20);
+}
+
+TEST(SlavePoints, DoNotBulgeAcrossSharpEdges) {
+  Sheets s;
+  const auto faces = s.add(2, 2, [](double u, double v) { return Vec3<double>{u, std::min(v, .5), std::min(0., .5 - v)}; });
+  const SlaveSurface surface(s.X, s.nodes(), faces, {}, {});
+  SlavePoints points(surface, s.nodes(), {}, 3);
+  points.bulge(s.X, faces, {});
+  for (int i = 0; i < points.size(); ++i) EXPECT_EQ(points[i].bulge, 0);
+}
+
+TEST(SlavePoints, SharesAreTheDerivativeOfThePlace) {
+  Cap cap;
+  cap.points.bulge(cap.sheets.X, cap.faces, {});
+  const Vec3<double> m{.3, -.5, .8};
+  const auto along = [&](int i, std::span<const double> x) {
+    const auto p = at(cap.points.places(x), i), n = cap.points.shape(x).normals[i];
+    return dot(m, p) + cap.points[i].bulge * dot(m, n);
+  };
+  for (int i : {130, 200, 301}) {
+    const auto g = cap.points.shares(i, cap.sheets.X, m);
+    for (int k = 0; k < 4; ++k)
+      for (int c = 0; c < 3; ++c) {
+        auto up = cap.sheets.X, down = cap.sheets.X;
+        up[3 * cap.points[i].nodes[k] + c] += 1e-6, down[3 * cap.points[i].nodes[k] + c] -= 1e-6;
+        EXPECT_NEAR((along(i, up) - along(i, down)) / 2e-6, g[k][c], 1e-9);
+      }
+  }
+}
+
+/// Pressed onto a ball from above; a sphere against a sphere.
+struct OnABall : testing::Test {
+  OnABall() {
+    RigidBodySpec spec;
+    spec.sphere = SphereShape{.center = {.1, .05, 1.97}, .facets = 24};
+    body = std::make_shared<RigidSurface>(make_rigid_surface("ball", spec, "ball"));
+  }
+  ContactTerm term(int divisions) const {
+    return ContactTerm(contact_spec(20, .2), {.penalty = 0, .depth = 0, .reach = .3, .divisions = divisions},
+                       {cap.sheets.X, cap.sheets.nodes(), cap.faces, Master(body), {}}, Comm());
+  }
+  Cap cap;
+  std::shared_ptr<RigidSurface> body;
+  State state = cap.sheets.state();
+};
+
+TEST_F(OnABall, ActionIsTheDerivativeOfTheForceAndTheForceThatOfThePotential) {
+  ContactTerm t = term(4);
+  const auto force = [&](std::span<const double> x) {
+    std::vector<double> r(x.size());
+    t.add_residual({{x.begin(), x.end()}, {}, {}, {}}, r, {});
+    return r;
+  };
+  const auto d = noise_vector(state.x.size(), 3);
+  EXPECT_GT(t.figures(state).pairs, 20);
+  for (int k = 0; k < 3; ++k) t.linearize(state);  // until the pairs count as quiet
+  std::vector<double> f(d.size());
+  t.add_action(d, f);
+  EXPECT_LT(relative_difference(f, derivative(force, state.x, d, 1e-6)), 2e-3);  // second derivatives of the bulge are left out
+  const auto r = force(state.x);
+  State up = state, down = state;
+  double work = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) up.x[i] += 1e-6 * d[i], down.x[i] -= 1e-6 * d[i], work += r[i] * d[i];
+  EXPECT_NEAR((t.potential(up) - t.potential(down)) / 2e-6, work, 1e-4 * std::abs(work));
+}
+
+TEST_F(OnABall, ForcesAndMomentsBalance) {
+  const ContactTerm t = term(4);
+  std::vector<double> r(state.x.size());
+  t.add_residual(state, r, {});
+  Vec3<double> force{}, moment{};
+  for (int n = 0; n < cap.sheets.nodes(); ++n) {
+    const Vec3<double> f = at(r, n), m = cross(at(state.x, n), f);
+    for (int c = 0; c < 3; ++c) force[c] -= f[c], moment[c] -= m[c];
+  }
+  const Wrench on_body = t.figures(state).on_master[0];
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(force[c], -on_body.force[c], 1e-14);
+    EXPECT_NEAR(moment[c], -on_body.moment[c], 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace bulbus
