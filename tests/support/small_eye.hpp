@@ -1,5 +1,6 @@
 #pragma once
 #include "core/mesh/eye.hpp"
+#include "core/problem/tissues.hpp"
 #include "tests/support/models.hpp"
 
 namespace bulbus {
@@ -10,8 +11,8 @@ inline Scene small_eye(int n) {
   settings.n = n;
   Scene scene{generate(settings), {}};
   Model& m = scene.model;
-  for (auto [name, c10] : {std::pair{"cornea", .0333}, {"sclera", .0833}, {"ciliary_body", .01}, {"choroid", .0083}, {"retina", .0008}, {"optic_nerve", .05}, {"lens", 1.}})
-    m.regions[name] = neo_hooke(c10);
+  m.materials = "paper";
+  add_tissues(m, scene.mesh.region_names);
   m.bars["zonules"] = {};
   m.liquids["vitreous"] = {.surface = "wet"};
   m.symmetry = {"x"};

@@ -81,6 +81,16 @@ TEST(StudyRun, FindsRunsOfMaterialsAgain) {
   EXPECT_EQ(again.text("study.log").find("run_002 is there already"), std::string::npos);
 }
 
+TEST(StudyRun, DumpsEveryRunIntoItsOwnFolder) {
+  const fs::path dump = fs::temp_directory_path() / "bulbus_study_dump";
+  fs::remove_all(dump);
+  const Studied r = run_a_study(bar_study, {"solver.linear.dump=" + dump.string()});
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(dump), fs::directory_iterator()), 6);
+  EXPECT_TRUE(fs::exists(dump / "run_001" / "system_0001.h5"));
+  fs::remove_all(dump);
+}
+
 TEST(StudyRun, ChecksWithoutSolving) {
   const Studied r = run_a_study(bar_study, {}, "check");
   EXPECT_EQ(r.status, 0) << r.err;
