@@ -172,6 +172,12 @@ std::vector<int> RefinedMesh::parents_of(int node) const {
   return {parents.begin() + start[i], parents.begin() + start[i + 1]};
 }
 
+MeshHierarchy refined(Mesh base, int times) {
+  MeshHierarchy h{std::move(base), {}};
+  for (int i = 0; i < times; ++i) h.refinements.push_back(refine(h.finest()));
+  return h;
+}
+
 RefinedMesh refine(const Mesh& mesh) {
   RefinedMesh r;
   r.coarse_nodes = static_cast<int>(mesh.points.size());

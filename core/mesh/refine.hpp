@@ -24,4 +24,15 @@ struct RefinedMesh {
 /// of their parents.
 RefinedMesh refine(const Mesh& mesh);
 
+/// A mesh and its refinements, the finest last.
+struct MeshHierarchy {
+  Mesh base;
+  std::vector<RefinedMesh> refinements;
+  const Mesh& mesh(std::size_t level) const { return level == 0 ? base : refinements[level - 1].mesh; }
+  const Mesh& finest() const { return mesh(refinements.size()); }
+};
+
+/// Refines `times` times.
+MeshHierarchy refined(Mesh base, int times);
+
 }  // namespace bulbus
