@@ -27,11 +27,16 @@ class ScalarAmgAlone final : public Preconditioner {
 
 }  // namespace
 
+std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
+  if (settings.displacement != "auto") return settings.displacement;
+  return problem.coarser() ? "multigrid" : "hybrid";
+}
+
 DisplacementFactory::DisplacementFactory(const LinearSettings& settings) : settings_(settings) {}
 DisplacementFactory::~DisplacementFactory() = default;
 
 std::unique_ptr<Preconditioner> DisplacementFactory::make(const CoupledSystem& system) {
-  const std::string& name = settings_.displacement;
+  const std::string name = chosen_displacement(settings_, system.problem());
   if (name == "jacobi") return std::make_unique<BlockJacobi>(system);
   if (name == "scalar_amg") return std::make_unique<ScalarAmgAlone>(system);
   if (name == "boomeramg" || name == "boomeramg_nodal") return std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal");

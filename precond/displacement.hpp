@@ -18,6 +18,9 @@ class DisplacementBlock final : public LinearOperator {
   const CoupledSystem& system_;
 };
 
+/// What `auto` stands for: multigrid where the problem has a coarser one, hybrid elsewhere. Other names stand for themselves.
+std::string chosen_displacement(const LinearSettings& settings, const Problem& problem);
+
 /// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one problem anew.
 /// Works on primal vectors.
 class DisplacementFactory {

@@ -17,43 +17,46 @@ Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const Mul
   for (auto& level : plan.levels()) {
     const Problem& problem = fine->problem();
     level.state = problem.coarsened(fine->state());
-    level.projected->project(problem);
+    Interpolation P = problem.prolongation().at(level.state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
+    level.projected->project(problem, P);
     // only the geometry of rigid bodies asks for the residual
     const bool bodies = !problem.dofs().bodies().empty();
     level.coarser->linearize(level.state, bodies ? problem.coarser()->residual(level.state) : Residual{});
-    levels_.push_back(std::make_unique<Level>(*fine, *level.coarser, level.lines, settings));
+    levels_.push_back(std::make_unique<Level>(*fine, *level.coarser, std::move(P), level.lines, settings));
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
   }
   base_ = std::make_unique<ExactBlock>(*fine);
 }
 
-Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, const Lines& lines, const MultigridSettings& settings)
+Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings)
     : fine(fine),
       coarse(coarse),
+      P(std::move(given)),
       block(fine),
       jacobi(fine, lines),
       smoother(block, jacobi, settings.degree, settings.smoothed_part, fine.problem().comm()),
       residual(fine.layout().primal()),
+      correction(fine.layout().primal()),
       coarse_residual(coarse.layout().primal()),
       coarse_correction(coarse.layout().primal()),
       nodal(fine.state().x.size()),
       coarse_nodal(coarse.state().x.size()) {}
 
-// (T_c)ᵀ Iᵀ P (b − A x); bodies are the same on both levels.
+// Tᵀ Pᵀ (b − A x) without held directions; bodies are the same on both levels.
 void Multigrid::Level::restrict_residual(std::span<const double> b, std::span<const double> x) {
   block.apply(x, residual);
   for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = b[i] - residual[i];
   std::copy_n(residual.begin(), fine.layout().nodal, nodal.begin());
   fine.problem().dofs().project(nodal);
-  fine.problem().prolongation().restricted(nodal, coarse_nodal);
+  P.apply_transposed(nodal, coarse_nodal);
   coarse.problem().dofs().reduce(coarse.state(), coarse_nodal, coarse_residual);
   for (int i = 0; i < fine.layout().bodies; ++i) coarse_residual[coarse.layout().nodal + i] += residual[fine.layout().nodal + i];
 }
 
 void Multigrid::Level::add_prolonged(std::span<double> x) {
   coarse.problem().dofs().expand(coarse.state(), coarse_correction, coarse_nodal);
-  fine.problem().prolongation().interpolate(coarse_nodal, nodal);
+  P.apply(coarse_nodal, nodal);
   fine.problem().dofs().project(nodal);
   for (int i = 0; i < fine.layout().nodal; ++i) x[i] += nodal[i];
   for (int i = 0; i < fine.layout().bodies; ++i) x[fine.layout().nodal + i] += coarse_correction[coarse.layout().nodal + i];
@@ -68,16 +71,15 @@ void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<d
   level.add_prolonged(x);
   level.block.apply(x, level.residual);
   for (std::size_t i = 0; i < level.residual.size(); ++i) level.residual[i] = b[i] - level.residual[i];
-  std::vector<double>& correction = level.nodal;
-  level.smoother.apply(level.residual, std::span(correction).first(level.residual.size()));
-  for (std::size_t i = 0; i < level.residual.size(); ++i) x[i] += correction[i];
+  level.smoother.apply(level.residual, level.correction);
+  for (std::size_t i = 0; i < level.residual.size(); ++i) x[i] += level.correction[i];
 }
 
 std::size_t Multigrid::bytes() const {
   std::size_t total = base_->bytes() + coarse_bytes_;
   for (const auto& l : levels_)
-    total += l->jacobi.bytes() + l->smoother.bytes() + bytes_of(l->residual) + bytes_of(l->coarse_residual) +
-             bytes_of(l->coarse_correction) + bytes_of(l->nodal) + bytes_of(l->coarse_nodal) + l->fine.problem().prolongation().bytes();
+    total += l->jacobi.bytes() + l->smoother.bytes() + bytes_of(l->residual) + bytes_of(l->correction) + bytes_of(l->coarse_residual) +
+             bytes_of(l->coarse_correction) + bytes_of(l->nodal) + bytes_of(l->coarse_nodal) + l->P.bytes() + l->fine.problem().prolongation().bytes();
   return total;
 }
 

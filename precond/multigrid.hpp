@@ -45,16 +45,17 @@ class Multigrid final : public Preconditioner {
 
  private:
   struct Level {
-    Level(const CoupledSystem& fine, const CoupledSystem& coarse, const Lines& lines, const MultigridSettings& settings);
+    Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation P, const Lines& lines, const MultigridSettings& settings);
     void restrict_residual(std::span<const double> b, std::span<const double> x);
     void add_prolonged(std::span<double> x);
 
     const CoupledSystem& fine;
     const CoupledSystem& coarse;
+    Interpolation P;
     DisplacementBlock block;
     LineJacobi jacobi;
     Chebyshev smoother;
-    std::vector<double> residual, coarse_residual, coarse_correction, nodal, coarse_nodal;
+    std::vector<double> residual, correction, coarse_residual, coarse_correction, nodal, coarse_nodal;
   };
   void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
 

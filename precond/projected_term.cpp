@@ -2,18 +2,18 @@
 
 namespace bulbus {
 
-void ProjectedTerm::project(const Problem& finer) {
+void ProjectedTerm::project(const Problem& finer, const Interpolation& P) {
   blocks_.clear();
   for (const auto& term : finer.added())
     term->visit([&](std::span<const int> nodes, std::span<const double> K) {
       const std::size_t n = nodes.size();
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
-          const auto rows = finer.prolongation().parents(nodes[i]), columns = finer.prolongation().parents(nodes[j]);
-          const double weight = 1.0 / static_cast<double>(rows.size() * columns.size());
-          for (int a : rows)
-            for (int b : columns) {
-              auto& block = blocks_[{a, b}];
+          const auto rows = P.stencil(nodes[i]), columns = P.stencil(nodes[j]);
+          for (std::size_t a = 0; a < rows.nodes.size(); ++a)
+            for (std::size_t b = 0; b < columns.nodes.size(); ++b) {
+              auto& block = blocks_[{rows.nodes[a], columns.nodes[b]}];
+              const double weight = rows.weights[a] * columns.weights[b];
               for (int r = 0; r < 3; ++r)
                 for (int c = 0; c < 3; ++c) block[3 * r + c] += weight * K[(3 * i + r) * 3 * n + 3 * j + c];
             }

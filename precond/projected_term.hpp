@@ -6,11 +6,11 @@
 namespace bulbus {
 
 /// The tangent of the terms that floors above added to a problem (contact, sutures), on the next coarser mesh: Pᵀ K P with the
-/// trilinear prolongation P. Without forces: it belongs to the linear system of a coarse level only.
+/// prolongation P. Without forces: it belongs to the linear system of a coarse level only.
 class ProjectedTerm final : public Term {
  public:
   /// Takes what the finer problem's added terms contribute as they are linearised.
-  void project(const Problem& finer);
+  void project(const Problem& finer, const Interpolation& P);
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
   void linearize(const State&) override {}

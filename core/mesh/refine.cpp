@@ -119,11 +119,10 @@ Vector mean(std::span<const int> parents, const std::vector<Vector>& of) {
 
 void place_nodes(const Mesh& mesh, const RefinedMesh& r, Mesh& fine) {
   fine.points = mesh.points;
-  fine.parameters = mesh.parameters;
-  fine.place = mesh.place;
+  if (mesh.parameters.size() == mesh.points.size()) fine.parameters = mesh.parameters, fine.place = mesh.place;
   for (std::size_t i = 0; i + 1 < r.start.size(); ++i) {
     const std::span<const int> parents(r.parents.data() + r.start[i], r.parents.data() + r.start[i + 1]);
-    if (mesh.place)
+    if (fine.place)
       add_node(fine, mean(parents, mesh.parameters));
     else
       fine.points.push_back(mean(parents, mesh.points));

@@ -7,8 +7,8 @@ namespace bulbus {
 
 /// Geometric multigrid as a preconditioner of the displacement block.
 struct MultigridSettings {
-  int degree = 4;
-  double smoothed_part = 0.2;
+  int degree = 6;
+  double smoothed_part = 0.05;
   template <class V>
   void describe(V&& v) {
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
@@ -19,19 +19,21 @@ struct MultigridSettings {
 /// The linear solver: GMRES on the bordered, augmented system, or MUMPS on the bordered one.
 struct LinearSettings {
   std::string method = "iterative";
-  std::string displacement = "hybrid";
+  std::string displacement = "auto";
   std::string op = "cache";
   double gamma = 5, smoothed_part = 0.05;
   int restart = 60, max_iterations = 400, degree = 6, aggregates = 150;
   MultigridSettings multigrid;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
+  /// Are the coarser meshes of a refined one of any use?
+  bool wants_hierarchy() const { return method == "iterative" && (displacement == "auto" || displacement == "multigrid"); }
   template <class V>
   void describe(V&& v) {
     v("method", method, About{"GMRES or the direct solver MUMPS"}.one_of({"iterative", "direct"}));
     v("displacement", displacement,
-      About{"preconditioner of the displacement block"}.one_of(
-          {"hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
+      About{"preconditioner of the displacement block; auto: multigrid where the mesh is refined, hybrid elsewhere"}.one_of(
+          {"auto", "hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
     v("operator", op, About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of(
                           {"recompute", "cache", "assembled"}));
     v("gamma", gamma, About{"augmentation of the incompressibility in the linear system"}.between(0, 1e4));
