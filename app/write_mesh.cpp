@@ -7,7 +7,7 @@ namespace bulbus {
 int write_mesh(const Scene& scene, const std::string& file, const Comm& comm) {
   std::string fault;
   try {
-    if (comm.rank() == 0) write_gmsh(make_mesh(scene.mesh), file);
+    if (comm.rank() == 0) write_gmsh(make_meshes(scene.mesh).finest(), file);
   } catch (const InputError& e) {
     fault = e.what();
   }
