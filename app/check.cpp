@@ -6,6 +6,7 @@
 #include "app/prepare.hpp"
 #include "app/sizes.hpp"
 #include "core/io/log.hpp"
+#include "precond/displacement.hpp"
 
 namespace bulbus {
 namespace {
@@ -33,6 +34,15 @@ std::vector<Estimate> estimate(const Problem& problem, const Sizes& s, const Lin
   if (l.op == "cache") parts.push_back({"operator cache", 224 * cells});
   if (l.op == "assembled") parts.push_back({"assembled operator", 27 * 9 * 8 * nodes});
   parts.push_back({"Krylov basis", 2.0 * l.restart * unknowns * 8});
+  if (chosen_displacement(l, problem) == "multigrid") {
+    // coarser levels are a seventh of the finest; the base is factorised
+    const Problem* base = &problem;
+    while (base->coarser()) base = base->coarser();
+    parts.push_back({"smoother and transfer", 300 * nodes});
+    parts.push_back({"coarser levels", (parts[0].bytes + 224 * cells) / 7});
+    parts.push_back({"base factors", 140 * std::pow(3.0 * static_cast<double>(base->mesh().all_nodes), 4.0 / 3)});
+    return parts;
+  }
   const bool whole = l.displacement == "boomeramg" || l.displacement == "boomeramg_nodal";
   parts.push_back({"preconditioner", (whole                        ? 2 * 27 * 9
                                       : l.displacement == "jacobi" ? 9

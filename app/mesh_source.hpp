@@ -5,7 +5,7 @@
 #include "core/base/parameters.hpp"
 #include "core/mesh/eye.hpp"
 #include "core/mesh/generate.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/refine.hpp"
 
 namespace bulbus {
 
@@ -17,6 +17,7 @@ struct MeshSource {
   std::optional<ShellShape> shell;
   std::optional<BallShape> ball;
   std::optional<CylinderShape> cylinder;
+  int refine = 0;
   template <class V>
   void describe(V&& v) {
     v("file", file, About{"Gmsh file (MSH 4.1 or 2.2) of 8-node hexahedra; lengths in mm"});
@@ -25,12 +26,15 @@ struct MeshSource {
     v("shell", shell, About{"a spherical shell, or a part of one"});
     v("ball", ball, About{"a solid ball, or a part of one"});
     v("cylinder", cylinder, About{"a solid cylinder about z"});
+    v("refine", refine,
+      About{"times that every hexahedron is split in eight: new nodes lie on the generated shape, amid those of a file"}
+          .between(0, 8));
   }
   /// Throws InputError unless exactly one source is given.
   void validate() const;
 };
 
-/// Reads or generates; whole on every rank. Throws InputError.
-Mesh make_mesh(const MeshSource& source);
+/// Reads or generates, and refines; whole on every rank. Throws InputError.
+MeshHierarchy make_meshes(const MeshSource& source);
 
 }  // namespace bulbus

@@ -7,17 +7,17 @@
 namespace bulbus {
 namespace {
 
-Mesh mesh_of(const Scene& scene, const Comm& comm) {
-  Mesh mesh;
+MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
+  MeshHierarchy meshes;
   try {
     comm.together([&] {
-      mesh = make_mesh(scene.mesh);
-      refuse_inverted(mesh);
+      meshes = make_meshes(scene.mesh);
+      refuse_inverted(meshes.finest());
     });
   } catch (const InputError& fault) {
     throw InputError(fault.what(), "mesh");
   }
-  return mesh;
+  return meshes;
 }
 
 // Prescribed displacements are carried along, so that each step starts where the one before leaves its sets.
@@ -39,11 +39,14 @@ void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
 
 Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
-  const Mesh mesh = mesh_of(scene, comm);
+  const MeshHierarchy meshes = meshes_of(scene, comm);
+  const Mesh& mesh = meshes.finest();
   Model model = scene.model;
   add_tissues(model, mesh.region_names);
   rehearse(mesh, model, comm);
-  Prepared prepared{std::make_unique<Problem>(mesh, model, comm), nullptr, quality(mesh)};
+  auto problem = scene.solver.linear.wants_hierarchy() ? std::make_unique<Problem>(meshes, model, comm)
+                                                       : std::make_unique<Problem>(mesh, model, comm);
+  Prepared prepared{std::move(problem), nullptr, quality(mesh)};
   prepared.operation = Operation::attach(*prepared.problem, mesh);
   return prepared;
 }

@@ -11,6 +11,7 @@
 #include "app/summary.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/text_file.hpp"
+#include "precond/displacement.hpp"
 #include "precond/make_preconditioner.hpp"
 
 namespace bulbus {
@@ -27,10 +28,18 @@ std::unique_ptr<LinearSolver> make_solver(const LinearSettings& linear, Meters& 
   return make_krylov_solver(linear, make_preconditioner_factory(linear, meters), meters);
 }
 
-std::string name_of_solver(const LinearSettings& l) {
+std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
   if (l.method == "direct") return "direct (MUMPS)";
-  return fmt::format("GMRES({}), displacement block by {}, operator {}, gamma {:g}", l.restart,
-                     l.displacement, l.op, l.gamma);
+  const std::string why = l.displacement != "auto" ? "" : problem.coarser() ? " (the mesh is refined)" : " (the mesh is not refined)";
+  return fmt::format("GMRES({}), displacement block by {}{}, operator {}, gamma {:g}", l.restart,
+                     chosen_displacement(l, problem), why, l.op, l.gamma);
+}
+
+std::vector<std::string> lines_of_levels(const Problem& problem) {
+  std::vector<std::string> lines;
+  for (const Problem* p = problem.coarser(); p; p = p->coarser())
+    lines.push_back(fmt::format("coarser level: {} hexahedra, {} nodes", p->mesh().all_hexes, p->mesh().all_nodes));
+  return lines;
 }
 
 void tell(const Log& log, const std::vector<std::string>& lines) {
@@ -48,7 +57,8 @@ void write_header(const Log& log, const Scene& scene, const std::string& scene_p
   tell(log, lines_of(prepared.quality));
   tell(log, lines_of(sizes_of(*prepared.problem)));
   tell(log, liquid_lines(*prepared.problem));
-  log.info("linear solver: " + name_of_solver(scene.solver.linear));
+  log.info("linear solver: " + name_of_solver(scene.solver.linear, *prepared.problem));
+  tell(log, lines_of_levels(*prepared.problem));
 }
 
 // The regions that `materials` stands for come out one by one.

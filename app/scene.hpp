@@ -36,7 +36,7 @@ struct Scene {
   template <class V>
   void describe(V&& v) {
     v("title", title, About{"a line for the records"});
-    v("mesh", mesh, About{"where the mesh comes from: exactly one of the keys below"}.needed());
+    v("mesh", mesh, About{"where the mesh comes from: exactly one source, and how often it is refined"}.needed());
     model.describe(v);
     v("solver", solver, About{"how the equations are solved"});
     v("output", output, About{"what is saved"});

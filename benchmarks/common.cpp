@@ -59,6 +59,7 @@ Options parse(int argc, char** argv, std::vector<int> sizes, std::vector<int> sm
     if (arg == "--smoke") o.smoke = true;
     else if (arg == "-n" && valued) o.sizes = numbers(argv[++i]);
     else if (arg == "-r" && valued) o.repetitions = std::stoi(argv[++i]);
+    else if (arg == "--refine" && valued) o.refine = std::stoi(argv[++i]);
     else if (arg == "-o" && valued) o.out = argv[++i];
     else o.rest.push_back(arg);
   }
@@ -107,7 +108,7 @@ json new_report(const std::string& program, const Options& o, int ranks) {
           {"load_at_start", load[0]},
           {"threads", 1},
           {"ranks", ranks},
-          {"parameters", {{"sizes", o.sizes}, {"repetitions", o.repetitions}, {"smoke", o.smoke}}},
+          {"parameters", {{"sizes", o.sizes}, {"repetitions", o.repetitions}, {"refine", o.refine}, {"smoke", o.smoke}}},
           {"rows", json::array()}};
 }
 

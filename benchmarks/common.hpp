@@ -11,12 +11,13 @@ using json = nlohmann::json;
 struct Options {
   std::vector<int> sizes;
   int repetitions = 0;
+  int refine = 0;         ///< times that the meshes are refined
   std::string out;        ///< JSON file; empty: none
   bool smoke = false;     ///< seconds-long run that only shows that the program works
   std::vector<std::string> rest;
 };
 
-/// `-n 14,28`, `-r REPETITIONS`, `-o FILE`, `--smoke`; anything else is handed over in `rest`. `sizes` and `smoke_sizes` are used
+/// `-n 14,28`, `-r REPETITIONS`, `--refine TIMES`, `-o FILE`, `--smoke`; anything else is handed over in `rest`. `sizes` and `smoke_sizes` are used
 /// where the command line gives none.
 Options parse(int argc, char** argv, std::vector<int> sizes, std::vector<int> smoke_sizes, int repetitions);
 

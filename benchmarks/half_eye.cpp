@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/mesh/eye.hpp"
+#include "core/mesh/refine.hpp"
 #include "precond/make_preconditioner.hpp"
 
 namespace bulbus::bench {
@@ -32,10 +33,10 @@ Model half_eye_model() {
   return m;
 }
 
-std::unique_ptr<Problem> half_eye(int n, const Comm& comm) {
+std::unique_ptr<Problem> half_eye(int n, const Comm& comm, int refine) {
   EyeSettings settings;
   settings.n = n;
-  return std::make_unique<Problem>(generate(settings), half_eye_model(), comm);
+  return std::make_unique<Problem>(refined(generate(settings), refine), half_eye_model(), comm);
 }
 
 State pressurised(Problem& problem, const SolverSettings& settings, Meters& meters) {

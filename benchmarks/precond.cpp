@@ -9,7 +9,7 @@ using namespace bulbus::bench;
 namespace {
 
 constexpr double tolerance = 1e-6;
-const std::vector<std::string> methods{"hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact", "direct"};
+const std::vector<std::string> methods{"hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact", "direct"};
 
 json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r, std::span<const double> held,
               LinearSettings settings) {
@@ -55,11 +55,13 @@ int main(int argc, char** argv) {
     report["parameters"][key] = value;
   report["notes"] = "seconds are processor time; iterations to the tolerance in the scaled norm; mb without the Krylov basis";
   for (int n : o.sizes) {
-    auto problem = half_eye(n, comm);
+    auto problem = half_eye(n, comm, o.refine);
     Meters meters;
+    if (o.refine > 0) settings.linear.displacement = "multigrid";
     State state = pressurised(*problem, settings, meters);
     const auto [r, held] = first_increment(*problem, state);
     for (const std::string& method : chosen) {
+      if (method == "multigrid" && o.refine == 0) continue;
       report["rows"].push_back(solve_by(method, *problem, state, r, held, settings.linear));
       report["rows"].back()["n"] = n;
     }

@@ -1,8 +1,10 @@
 #include "precond/displacement.hpp"
 
+#include "core/base/error.hpp"
 #include "precond/assembled.hpp"
 #include "precond/block_jacobi.hpp"
 #include "precond/hybrid.hpp"
+#include "precond/multigrid.hpp"
 #include "precond/scalar_amg.hpp"
 #include "precond/scalar_matrices.hpp"
 
@@ -25,13 +27,27 @@ class ScalarAmgAlone final : public Preconditioner {
 
 }  // namespace
 
-std::unique_ptr<Preconditioner> make_displacement_preconditioner(const CoupledSystem& system, const LinearSettings& settings) {
-  const std::string& name = settings.displacement;
+std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
+  if (settings.displacement != "auto") return settings.displacement;
+  return problem.coarser() ? "multigrid" : "hybrid";
+}
+
+DisplacementFactory::DisplacementFactory(const LinearSettings& settings) : settings_(settings) {}
+DisplacementFactory::~DisplacementFactory() = default;
+
+std::unique_ptr<Preconditioner> DisplacementFactory::make(const CoupledSystem& system) {
+  const std::string name = chosen_displacement(settings_, system.problem());
   if (name == "jacobi") return std::make_unique<BlockJacobi>(system);
   if (name == "scalar_amg") return std::make_unique<ScalarAmgAlone>(system);
   if (name == "boomeramg" || name == "boomeramg_nodal") return std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal");
   if (name == "exact") return std::make_unique<ExactBlock>(system);
-  return std::make_unique<Hybrid>(system, settings.degree, settings.smoothed_part, settings.aggregates);
+  if (name == "multigrid") {
+    if (!system.problem().coarser())
+      throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh", "Give mesh.refine, or take 'hybrid'.");
+    if (!plan_ || &plan_->problem() != &system.problem()) plan_ = std::make_unique<MultigridPlan>(system.problem(), settings_);
+    return std::make_unique<Multigrid>(system, *plan_, settings_.multigrid);
+  }
+  return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, settings_.aggregates);
 }
 
 }  // namespace bulbus

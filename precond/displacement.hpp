@@ -18,9 +18,21 @@ class DisplacementBlock final : public LinearOperator {
   const CoupledSystem& system_;
 };
 
-/// The preconditioner of the displacement block that the settings name: `hybrid`, `scalar_amg`, `boomeramg`,
-/// `boomeramg_nodal`, `jacobi` or `exact`. Works on primal vectors. Collective. Throws InputError where hypre's or MUMPS's
-/// numbering ends.
-std::unique_ptr<Preconditioner> make_displacement_preconditioner(const CoupledSystem& system, const LinearSettings& settings);
+/// What `auto` stands for: multigrid where the problem has a coarser one, hybrid elsewhere. Other names stand for themselves.
+std::string chosen_displacement(const LinearSettings& settings, const Problem& problem);
+
+/// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one problem anew.
+/// Works on primal vectors.
+class DisplacementFactory {
+ public:
+  explicit DisplacementFactory(const LinearSettings& settings);
+  ~DisplacementFactory();
+  /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a refined mesh.
+  std::unique_ptr<Preconditioner> make(const CoupledSystem& system);
+
+ private:
+  LinearSettings settings_;
+  std::unique_ptr<class MultigridPlan> plan_;
+};
 
 }  // namespace bulbus

@@ -6,8 +6,8 @@
 namespace bulbus {
 
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Meters& meters) {
-  return [settings, &meters](CoupledSystem& system) {
-    auto displacement = make_displacement_preconditioner(system, settings);
+  return [factory = std::make_shared<DisplacementFactory>(settings), &meters](CoupledSystem& system) {
+    auto displacement = factory->make(system);
     meters.memory.set("displacement preconditioner", displacement->bytes());
     return std::make_unique<BlockTriangular>(system, std::move(displacement));
   };

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-double azimuth(const EyeSheet::Node& node) { return std::atan2(node.x, node.y) / degree; }
-
 double middle_azimuth(const EyeSheet& sheet, int quad) {
   double sum = 0;
   for (int k : sheet.quads[quad]) sum += azimuth(sheet.nodes[k]);
@@ -66,6 +64,8 @@ std::vector<bool> torn_quads(const EyeSheet& sheet, const EyeShape& e, const Tea
 }
 
 }  // namespace
+
+double azimuth(const SheetMap::Place& place) { return std::atan2(place.x, place.y) / degree; }
 
 double Detachment::lift(double t, double azimuth) const {
   const double u = (t - center) / half_length, v = azimuth / half_width, q = u * u + v * v;

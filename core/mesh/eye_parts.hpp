@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "core/mesh/eye.hpp"
-#include "core/mesh/eye_sheet.hpp"
+#include "core/mesh/eye_map.hpp"
 
 namespace bulbus {
 
@@ -21,7 +21,7 @@ struct DetachedSheet {
 DetachedSheet detached_sheet(const EyeSheet& sheet, const EyeSettings& settings);
 
 /// Adds the lens: a half-disc of columns between its posterior and its anterior surface.
-void add_lens(Mesh& mesh, const EyeSettings& settings);
+void add_lens(Mesh& mesh, const EyeMap& map);
 
 /// Names the boundary; `outer` flags the nodes of the outer surface of sclera and cornea.
 void name_eye_surfaces(Mesh& mesh, const EyeShape& shape, const std::vector<bool>& outer);

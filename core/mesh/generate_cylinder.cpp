@@ -6,15 +6,18 @@ namespace bulbus {
 
 Mesh generate(const CylinderShape& c) {
   Mesh mesh;
-  const Disc disc = o_grid(c.n, c.rings, c.core, false);
+  const DiscMap map{c.n, c.rings, c.core};
+  const Disc disc = o_grid(map, false);
+  mesh.place = [c, map](const Parameters& p) -> Point {
+    const DiscMap::Place d = map(p[0], p[1], p[2]);
+    return {c.radius * d.radius * d.x, c.radius * d.radius * d.y, p[3] == c.layers ? c.height : c.height * p[3] / c.layers};
+  };
   const int per_level = static_cast<int>(disc.nodes.size());
-  for (int k = 0; k <= c.layers; ++k) {
-    const double z = k == c.layers ? c.height : c.height * k / c.layers;
+  for (int k = 0; k <= c.layers; ++k)
     for (const Disc::Node& d : disc.nodes) {
       if (d.radius == 0) mesh.node_sets["axis"].push_back(static_cast<int>(mesh.points.size()));
-      mesh.points.push_back({c.radius * d.radius * d.x, c.radius * d.radius * d.y, z});
+      add_node(mesh, {double(d.i), double(d.j), double(d.ring), double(k)});
     }
-  }
   for (int k = 0; k < c.layers; ++k)
     for (const auto& q : disc.quads) {
       Hex h;

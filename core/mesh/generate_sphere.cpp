@@ -23,7 +23,7 @@ struct Cube {
   }
 
   /// Equiangular: tan(45° i / n) in each direction; exact at −n, 0, n.
-  Point tangent(const Lattice& l) const {
+  Point tangent(const Parameters& l) const {
     Point p;
     for (int i = 0; i < 3; ++i)
       p[i] = std::abs(l[i]) == n ? l[i] / n : std::tan(std::numbers::pi / 4 * l[i] / n);
@@ -56,48 +56,42 @@ struct Cube {
   }
 };
 
-/// Nodes by lattice point and shell; shell 0 is the core.
+/// Nodes by lattice point and shell; shell 0 is the core. Their parameters are these four numbers.
 class Nodes {
  public:
-  Nodes(const Cube& cube, Mesh& mesh) : cube_(cube), mesh_(mesh) {}
+  explicit Nodes(Mesh& mesh) : mesh_(mesh) {}
 
-  /// `place(tangent point, shell)` gives the position of a node that is new.
-  template <class Place>
-  int operator()(const Lattice& l, int shell, Place&& place) {
-    const auto [at, fresh] =
-        ids_.try_emplace({l[0], l[1], l[2], shell}, static_cast<int>(mesh_.points.size()));
-    if (fresh) mesh_.points.push_back(place(cube_.tangent(l), shell));
+  int operator()(const Lattice& l, int shell) {
+    const auto [at, fresh] = ids_.try_emplace({l[0], l[1], l[2], shell}, 0);
+    if (fresh) at->second = add_node(mesh_, {double(l[0]), double(l[1]), double(l[2]), double(shell)});
     return at->second;
   }
 
  private:
-  const Cube& cube_;
   Mesh& mesh_;
   std::map<std::array<int, 4>, int> ids_;
 };
 
-template <class Place>
-void add_shells(Mesh& mesh, const Cube& cube, Nodes& nodes, int layers, Place&& place) {
+void add_shells(Mesh& mesh, const Cube& cube, Nodes& nodes, int layers) {
   cube.patches([&](const std::array<Lattice, 4>& q) {
     for (int s = 0; s < layers; ++s) {
       Hex h;
       for (int c = 0; c < 4; ++c) {
-        h[c] = nodes(q[c], s, place);
-        h[c + 4] = nodes(q[c], s + 1, place);
+        h[c] = nodes(q[c], s);
+        h[c + 4] = nodes(q[c], s + 1);
       }
       mesh.hexes.push_back(h);
     }
   });
 }
 
-template <class Place>
-void add_core(Mesh& mesh, const Cube& cube, Nodes& nodes, Place&& place) {
+void add_core(Mesh& mesh, const Cube& cube, Nodes& nodes) {
   for (int k = cube.low[2]; k < cube.n; ++k)
     for (int j = cube.low[1]; j < cube.n; ++j)
       for (int i = cube.low[0]; i < cube.n; ++i) {
         const int di[4] = {0, 1, 1, 0}, dj[4] = {0, 0, 1, 1};
         Hex h;
-        for (int c = 0; c < 8; ++c) h[c] = nodes({i + di[c % 4], j + dj[c % 4], k + c / 4}, 0, place);
+        for (int c = 0; c < 8; ++c) h[c] = nodes({i + di[c % 4], j + dj[c % 4], k + c / 4}, 0);
         mesh.hexes.push_back(h);
       }
 }
@@ -129,11 +123,13 @@ Mesh generate(const ShellShape& s) {
     throw input_error("shell: the inner radius is not below the outer one", "give 0 < inner < outer");
   Mesh mesh;
   const Cube cube(s.n, s.part);
-  Nodes nodes(cube, mesh);
-  add_shells(mesh, cube, nodes, s.layers, [&](const Point& t, int shell) {
-    const double r = shell == s.layers ? s.outer : s.inner + (s.outer - s.inner) * shell / s.layers;
+  mesh.place = [s, cube](const Parameters& p) {
+    const Point t = cube.tangent(p);
+    const double r = p[3] == s.layers ? s.outer : s.inner + (s.outer - s.inner) * p[3] / s.layers;
     return r / norm(t) * t;
-  });
+  };
+  Nodes nodes(mesh);
+  add_shells(mesh, cube, nodes, s.layers);
   name_faces(mesh, cube, s.region, .5 * (s.inner + s.outer), true);
   return mesh;
 }
@@ -141,18 +137,19 @@ Mesh generate(const ShellShape& s) {
 Mesh generate(const BallShape& b) {
   Mesh mesh;
   const Cube cube(b.n, b.part);
-  Nodes nodes(cube, mesh);
-  const auto place = [&](const Point& t, int shell) {
+  mesh.place = [b, cube](const Parameters& p) {
+    const Point t = cube.tangent(p);
     const double size = norm(t);
     if (size == 0) return t;
     const double q = std::max({std::abs(t[0]), std::abs(t[1]), std::abs(t[2])});
     // Between cube and sphere, half way at the core's surface: its corners open and the shells' cells stay
     // regular.
     const Point core = b.radius * b.core * (1 - .5 * q + .5 * q * q / size) * t;
-    return mix(core, b.radius / size * t, static_cast<double>(shell) / b.layers);
+    return mix(core, b.radius / size * t, p[3] / b.layers);
   };
-  add_core(mesh, cube, nodes, place);
-  add_shells(mesh, cube, nodes, b.layers, place);
+  Nodes nodes(mesh);
+  add_core(mesh, cube, nodes);
+  add_shells(mesh, cube, nodes, b.layers);
   name_faces(mesh, cube, b.region, 0, false);
   return mesh;
 }

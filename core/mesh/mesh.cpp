@@ -38,6 +38,12 @@ std::string known_names(std::vector<std::string> names) {
 
 }  // namespace
 
+int add_node(Mesh& mesh, const Parameters& parameters) {
+  mesh.parameters.push_back(parameters);
+  mesh.points.push_back(mesh.place(parameters));
+  return static_cast<int>(mesh.points.size()) - 1;
+}
+
 std::vector<Quad> boundary_faces(const Mesh& mesh, std::vector<int>* owner) {
   const FaceTable table(mesh.hexes);
   std::vector<Quad> faces;

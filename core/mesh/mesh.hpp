@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct Bar {
   double share = 1;
 };
 
+/// Where a node is in the lattice of a generated shape; what the numbers mean is the shape's own.
+using Parameters = std::array<double, 5>;
+
 /// A hexahedral mesh with its names. Whole on every rank: it is what is read or generated, before partition.
 struct Mesh {
   std::vector<Point> points;
@@ -34,7 +38,12 @@ struct Mesh {
   std::map<std::string, std::vector<Quad>> surfaces;
   std::map<std::string, std::vector<int>> node_sets;
   std::map<std::string, std::vector<Bar>> bars;
+  std::vector<Parameters> parameters;                ///< per node of a generated shape that is curved; else empty
+  std::function<Point(const Parameters&)> place;     ///< the analytic shape: between nodes, parameters are linear
 };
+
+/// Adds the node that the mesh's shape has at these parameters.
+int add_node(Mesh& mesh, const Parameters& parameters);
 
 /// The six faces of a hexahedron as local node numbers, normals outwards.
 extern const std::array<std::array<int, 4>, 6> hex_faces;

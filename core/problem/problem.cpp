@@ -9,16 +9,59 @@
 #include "core/problem/validate.hpp"
 
 namespace bulbus {
+namespace {
+
+// Of the hexahedra `level` refinements later.
+std::vector<int> inherited(const std::vector<int>& rank_of_base, std::size_t level) {
+  std::vector<int> rank;
+  for (int r : rank_of_base) rank.insert(rank.end(), std::size_t{1} << 3 * level, r);
+  return rank;
+}
+
+}  // namespace
 
 Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm)
     : model_(model), mesh_(distribute(mesh, partition(mesh, comm.size()), comm, contact_surfaces(mesh, model))) {
   validate(mesh, model);
-  for (std::size_t i = 0; i < model.symmetry.size(); ++i) multiplicity_ *= 2;
-  for (const std::string& set : sets_in_use(mesh, model)) sets_[set] = mesh_.local(bulbus::nodes_of(mesh, set));
+  build(mesh);
+}
+
+Problem::Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm)
+    : Problem(meshes, meshes.refinements.size(), partition(meshes.base, comm.size()), model, comm) {}
+
+Problem::Problem(const MeshHierarchy& meshes, std::size_t level, const std::vector<int>& rank_of_base, const Model& model, const Comm& comm)
+    : model_(model),
+      mesh_(distribute(meshes.mesh(level), inherited(rank_of_base, level), comm, contact_surfaces(meshes.mesh(level), model))),
+      follows_(level < meshes.refinements.size()) {
+  const Mesh& mesh = meshes.mesh(level);
+  if (!follows_) validate(mesh, model);
+  build(mesh);
+  if (level == 0) return;
+  coarser_.reset(new Problem(meshes, level - 1, rank_of_base, model, comm));
+  prolongation_ = std::make_unique<Prolongation>(meshes.refinements[level - 1], coarser_->mesh_, mesh_);
+}
+
+void Problem::build(const Mesh& mesh) {
+  for (std::size_t i = 0; i < model_.symmetry.size(); ++i) multiplicity_ *= 2;
+  for (const std::string& set : sets_in_use(mesh, model_)) sets_[set] = mesh_.local(bulbus::nodes_of(mesh, set));
   build_bodies_and_solid(mesh);
   build_liquids(mesh);
   build_bars();
   hold_fixed();
+}
+
+State Problem::coarsened(const State& state) const {
+  State coarse = coarser_->initial_state();
+  prolongation_->inject(state.x, coarse.x);
+  const auto V0 = solid_->reference_volumes();
+  for (std::size_t h = 0; h < coarse.lambda.size(); ++h) {
+    double sum = 0, volume = 0;
+    for (std::size_t child = 8 * h; child < 8 * h + 8; ++child) sum += V0[child] * state.lambda[child], volume += V0[child];
+    coarse.lambda[h] = sum / volume;
+  }
+  coarse.P = state.P;
+  coarse.bodies = state.bodies;
+  return coarse;
 }
 
 std::vector<int> Problem::nodes_of(const std::string& set) const {
@@ -54,12 +97,15 @@ void Problem::set_progress(double s, State& state) {
     liquids_[i].set_progress(s);
     if (!liquids_[i].coupled()) state.P[i] = liquids_[i].given(s);
   }
+  State coarse{.P = state.P};
+  if (coarser_) coarser_->set_progress(s, coarse);
 }
 
 void Problem::end_step() {
   dofs_->freeze();
   for (const auto& term : terms()) term->freeze();
   for (Liquid& l : liquids_) l.freeze();
+  if (coarser_) coarser_->end_step();
 }
 
 bool Problem::provisional() const {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/element/solid.hpp"
+#include "core/mesh/prolongation.hpp"
 #include "core/problem/dof_map.hpp"
 #include "core/problem/liquid.hpp"
 #include "core/problem/loads.hpp"
@@ -39,6 +40,9 @@ class Problem {
  public:
   /// Validates, partitions and builds. Throws InputError. Collective.
   Problem(const Mesh& mesh, const Model& model, const Comm& comm);
+  /// On the finest mesh, with a coarser problem on each mesh below it; the base mesh is partitioned, children stay where their
+  /// parents are.
+  Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm);
 
   const LocalMesh& mesh() const { return mesh_; }
   const Model& model() const { return model_; }
@@ -48,6 +52,12 @@ class Problem {
   const DofMap& dofs() const { return *dofs_; }
   std::vector<Liquid>& liquids() { return liquids_; }
   const std::vector<Liquid>& liquids() const { return liquids_; }
+  /// The same model on the mesh that this one refines, without the terms that were added; null for a mesh that refines none.
+  /// It follows this problem through the steps.
+  Problem* coarser() const { return coarser_.get(); }
+  const Prolongation& prolongation() const { return *prolongation_; }
+  /// Nodal places as they are at the coarser nodes, element pressures as means over the children. Collective.
+  State coarsened(const State& state) const;
   /// Every term but the solid and the liquids.
   std::vector<std::shared_ptr<Term>> terms() const;
   const std::map<std::string, std::shared_ptr<BarsTerm>>& bars() const { return bars_; }
@@ -56,6 +66,7 @@ class Problem {
   bool symmetric() const;
   /// A term from a floor above; it acts, and hears of steps, after those added before it.
   void add(std::shared_ptr<Term> term) { added_.push_back(std::move(term)); }
+  std::span<const std::shared_ptr<Term>> added() const { return added_; }
   /// Local nodes of a region, or of a set or surface that the model refers to as nodes. Throws InputError for others.
   std::vector<int> nodes_of(const std::string& set) const;
 
@@ -77,6 +88,8 @@ class Problem {
   void linearize(const State& state, double gamma, StrainSource source);
 
  private:
+  Problem(const MeshHierarchy& meshes, std::size_t level, const std::vector<int>& rank_of_hex, const Model& model, const Comm& comm);
+  void build(const Mesh& mesh);
   void build_bodies_and_solid(const Mesh& mesh);
   void build_liquids(const Mesh& mesh);
   void build_bars();
@@ -91,6 +104,9 @@ class Problem {
 
   Model model_;
   LocalMesh mesh_;
+  std::unique_ptr<Problem> coarser_;
+  std::unique_ptr<Prolongation> prolongation_;
+  bool follows_ = false;                          // a finer problem, which has been checked
   std::map<std::string, std::vector<int>> sets_;  // local nodes
   std::unique_ptr<Solid> solid_;
   std::unique_ptr<DofMap> dofs_;

@@ -45,11 +45,12 @@ void Problem::begin_step(int step, const State& start) {
     release(spec, step);
     for (std::size_t i = 0; i < spec.displace.size(); ++i) add_displacement(spec.displace[i], step, static_cast<int>(i), start);
     dofs_->build();
-    require_free_elements();
+    if (!follows_) require_free_elements();
     for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
   });
   begin_liquids(spec, step, start);
   for (const auto& term : terms()) term->begin_step(step, start);
+  if (coarser_) coarser_->begin_step(step, coarsened(start));
   s_ = 0;
 }
 

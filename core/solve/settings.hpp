@@ -5,21 +5,35 @@
 
 namespace bulbus {
 
+/// Geometric multigrid as a preconditioner of the displacement block.
+struct MultigridSettings {
+  int degree = 6;
+  double smoothed_part = 0.05;
+  template <class V>
+  void describe(V&& v) {
+    v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
+    v("smoothed_part", smoothed_part, About{"the smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
+  }
+};
+
 /// The linear solver: GMRES on the bordered, augmented system, or MUMPS on the bordered one.
 struct LinearSettings {
   std::string method = "iterative";
-  std::string displacement = "hybrid";
+  std::string displacement = "auto";
   std::string op = "cache";
   double gamma = 5, smoothed_part = 0.05;
   int restart = 60, max_iterations = 400, degree = 6, aggregates = 150;
+  MultigridSettings multigrid;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
+  /// Are the coarser meshes of a refined one of any use?
+  bool wants_hierarchy() const { return method == "iterative" && (displacement == "auto" || displacement == "multigrid"); }
   template <class V>
   void describe(V&& v) {
     v("method", method, About{"GMRES or the direct solver MUMPS"}.one_of({"iterative", "direct"}));
     v("displacement", displacement,
-      About{"preconditioner of the displacement block"}.one_of(
-          {"hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
+      About{"preconditioner of the displacement block; auto: multigrid where the mesh is refined, hybrid elsewhere"}.one_of(
+          {"auto", "hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
     v("operator", op, About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of(
                           {"recompute", "cache", "assembled"}));
     v("gamma", gamma, About{"augmentation of the incompressibility in the linear system"}.between(0, 1e4));
@@ -28,6 +42,7 @@ struct LinearSettings {
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
     v("smoothed_part", smoothed_part, About{"the Chebyshev smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
     v("aggregates", aggregates, About{"aggregates whose rigid motions correct the hybrid; 0: none"}.between(0, 2000));
+    v("multigrid", multigrid, About{"multigrid on the refined meshes"});
     v("dump", dump, About{"folder that receives every linear system with its right-hand side (HDF5); empty: none"});
     v("record_krylov", record_krylov, About{"write the residual of every Krylov iteration, block by block, to krylov.csv"});
     v("record_spectrum", record_spectrum, About{"write eigenvalue estimates of every preconditioned system to krylov.csv"});

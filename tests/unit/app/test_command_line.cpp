@@ -93,7 +93,7 @@ TEST(CommandLine, WritesTheMeshOfAScene) {
   EXPECT_EQ(first, "2.2 0 8");
   MeshSource source;
   source.file = folder / "m.msh";
-  EXPECT_EQ(make_mesh(source).points.size(), 24u);
+  EXPECT_EQ(make_meshes(source).base.points.size(), 24u);
   EXPECT_EQ(bulbus_says({"mesh", folder / "scene.yaml", "-o", folder / "no" / "m.msh"}).status, 2);
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/linear_operator.hpp"
+#include "precond/block_jacobi.hpp"
+#include "precond/lines.hpp"
+
+namespace bulbus {
+
+/// Inverses of the displacement block's parts on lines of nodes, block tridiagonal with 3×3 blocks, and on rigid bodies. A line
+/// whose part is not positive definite falls back to its nodes' blocks, so that the result is symmetric positive.
+class LineJacobi final : public Preconditioner {
+ public:
+  /// Collective.
+  LineJacobi(const CoupledSystem& system, const Lines& lines);
+  int size() const override { return size_; }
+  void apply(std::span<const double> x, std::span<double> y) const override;
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override;
+
+ private:
+  bool factorise(int line, const std::vector<double>& diagonal, const std::vector<double>& ahead);
+  void factorise_nodes(int line, const std::vector<double>& diagonal);
+
+  int size_;
+  const Lines& lines_;
+  // Per position on a line: D_k⁻¹ (upper triangle) and, unless it is the first, L_k = A_(k,k−1) D_(k−1)⁻¹ by rows.
+  std::vector<std::array<float, 6>> inverse_;
+  std::vector<std::array<float, 9>> lower_;
+  BodyBlocks bodies_;
+};
+
+}  // namespace bulbus

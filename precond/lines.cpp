@@ -1,0 +1,130 @@
+#include "precond/lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace bulbus {
+namespace {
+
+struct Edge {
+  int a, b;
+  double strength;
+};
+
+constexpr int hex_edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+
+double squared_length(std::span<const double> X, int a, int b) {
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) sum += std::pow(X[3 * a + c] - X[3 * b + c], 2);
+  return sum;
+}
+
+// Each edge once, between owned nodes.
+std::vector<Edge> edges_of(const Problem& problem) {
+  const LocalMesh& mesh = problem.mesh();
+  const auto V = problem.solid().reference_volumes();
+  std::vector<Edge> edges;
+  for (const SolidRegion& r : problem.solid().regions()) {
+    const double mu = initial_shear_modulus(r.material);
+    for (int h = r.first; h < r.first + r.count; ++h)
+      for (const auto& e : hex_edges) {
+        const auto [a, b] = std::minmax(mesh.hexes[h][e[0]], mesh.hexes[h][e[1]]);
+        if (b < mesh.owned) edges.push_back({a, b, mu * V[h] / squared_length(mesh.X, a, b)});
+      }
+  }
+  std::ranges::sort(edges, [](const Edge& p, const Edge& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i].a == edges[last].a && edges[i].b == edges[last].b) edges[last].strength += edges[i].strength;
+    else edges[++last] = edges[i];
+  if (!edges.empty()) edges.resize(last + 1);
+  return edges;
+}
+
+// What a node has besides its two strongest edges: the strength of the third.
+std::vector<double> thirds(const std::vector<Edge>& edges, int owned) {
+  std::vector<std::array<double, 3>> top(owned, {0, 0, 0});
+  for (const Edge& e : edges)
+    for (int n : {e.a, e.b}) {
+      double s = e.strength;
+      for (double& t : top[n])
+        if (s > t) std::swap(s, t);
+    }
+  std::vector<double> third;
+  for (const auto& t : top) third.push_back(t[2]);
+  return third;
+}
+
+// Which nodes share a hexahedron.
+class Neighbours {
+ public:
+  explicit Neighbours(const LocalMesh& mesh) : hexes_(mesh.hexes), start_(mesh.nodes() + 1) {
+    for (const Hex& h : hexes_)
+      for (int n : h) ++start_[n + 1];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    std::vector<int> at(start_.begin(), start_.end() - 1);
+    of_.resize(start_.back());
+    for (int h = 0; h < static_cast<int>(hexes_.size()); ++h)
+      for (int n : hexes_[h]) of_[at[n]++] = h;
+  }
+  bool together(int a, int b) const {
+    return std::any_of(of_.begin() + start_[a], of_.begin() + start_[a + 1], [&](int h) { return std::ranges::find(hexes_[h], b) != hexes_[h].end(); });
+  }
+
+ private:
+  const std::vector<Hex>& hexes_;
+  std::vector<int> start_, of_;
+};
+
+int root(std::vector<int>& parent, int n) {
+  while (parent[n] != n) n = parent[n] = parent[parent[n]];
+  return n;
+}
+
+// The neighbours of every node in its line, or −1. Lines run straight, so that only neighbours on them are coupled.
+std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& mesh) {
+  constexpr double strong = 2;
+  const int owned = mesh.owned;
+  const Neighbours neighbours(mesh);
+  const auto third = thirds(edges, owned);
+  for (Edge& e : edges) e.strength /= std::max(1e-300, std::min(third[e.a], third[e.b]));
+  std::erase_if(edges, [](const Edge& e) { return e.strength < strong; });
+  std::ranges::stable_sort(edges, [](const Edge& p, const Edge& q) { return p.strength > q.strength; });
+  std::vector<std::array<int, 2>> next(owned, {-1, -1});
+  std::vector<int> parent(owned);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto turns = [&](int end, int beyond) { return next[end][0] >= 0 && neighbours.together(next[end][0], beyond); };
+  for (const Edge& e : edges) {
+    if (next[e.a][1] >= 0 || next[e.b][1] >= 0 || root(parent, e.a) == root(parent, e.b) || turns(e.a, e.b) || turns(e.b, e.a)) continue;
+    parent[root(parent, e.a)] = root(parent, e.b);
+    next[e.a][next[e.a][0] >= 0] = e.b;
+    next[e.b][next[e.b][0] >= 0] = e.a;
+  }
+  return next;
+}
+
+}  // namespace
+
+Lines find_lines(const Problem& problem) {
+  const int owned = problem.mesh().owned;
+  const auto next = link(edges_of(problem), problem.mesh());
+  Lines lines;
+  std::vector<bool> done(owned);
+  for (int n = 0; n < owned; ++n) {
+    if (done[n] || next[n][1] >= 0) continue;  // not an end
+    for (int before = -1, at = n; at >= 0;) {
+      done[at] = true;
+      lines.nodes.push_back(at);
+      const int ahead = next[at][0] != before ? next[at][0] : next[at][1];
+      before = std::exchange(at, ahead);
+    }
+    lines.start.push_back(static_cast<int>(lines.nodes.size()));
+  }
+  return lines;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,86 @@
+#include "precond/multigrid.hpp"
+
+#include "core/base/memory.hpp"
+#include "precond/assembled.hpp"
+
+namespace bulbus {
+
+MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings) : problem_(finest) {
+  for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
+    levels_.push_back({find_lines(*p), std::make_shared<ProjectedTerm>(), std::make_unique<CoupledSystem>(*p->coarser(), settings), {}});
+    p->coarser()->add(levels_.back().projected);
+  }
+}
+
+Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings) {
+  const CoupledSystem* fine = &finest;
+  for (auto& level : plan.levels()) {
+    const Problem& problem = fine->problem();
+    level.state = problem.coarsened(fine->state());
+    Interpolation P = problem.prolongation().at(level.state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
+    level.projected->project(problem, P);
+    // only the geometry of rigid bodies asks for the residual
+    const bool bodies = !problem.dofs().bodies().empty();
+    level.coarser->linearize(level.state, bodies ? problem.coarser()->residual(level.state) : Residual{});
+    levels_.push_back(std::make_unique<Level>(*fine, *level.coarser, std::move(P), level.lines, settings));
+    fine = level.coarser.get();
+    coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
+  }
+  base_ = std::make_unique<ExactBlock>(*fine);
+}
+
+Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings)
+    : fine(fine),
+      coarse(coarse),
+      P(std::move(given)),
+      block(fine),
+      jacobi(fine, lines),
+      smoother(block, jacobi, settings.degree, settings.smoothed_part, fine.problem().comm()),
+      residual(fine.layout().primal()),
+      correction(fine.layout().primal()),
+      coarse_residual(coarse.layout().primal()),
+      coarse_correction(coarse.layout().primal()),
+      nodal(fine.state().x.size()),
+      coarse_nodal(coarse.state().x.size()) {}
+
+// Tᵀ Pᵀ (b − A x) without held directions; bodies are the same on both levels.
+void Multigrid::Level::restrict_residual(std::span<const double> b, std::span<const double> x) {
+  block.apply(x, residual);
+  for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = b[i] - residual[i];
+  std::copy_n(residual.begin(), fine.layout().nodal, nodal.begin());
+  fine.problem().dofs().project(nodal);
+  P.apply_transposed(nodal, coarse_nodal);
+  coarse.problem().dofs().reduce(coarse.state(), coarse_nodal, coarse_residual);
+  for (int i = 0; i < fine.layout().bodies; ++i) coarse_residual[coarse.layout().nodal + i] += residual[fine.layout().nodal + i];
+}
+
+void Multigrid::Level::add_prolonged(std::span<double> x) {
+  coarse.problem().dofs().expand(coarse.state(), coarse_correction, coarse_nodal);
+  P.apply(coarse_nodal, nodal);
+  fine.problem().dofs().project(nodal);
+  for (int i = 0; i < fine.layout().nodal; ++i) x[i] += nodal[i];
+  for (int i = 0; i < fine.layout().bodies; ++i) x[fine.layout().nodal + i] += coarse_correction[coarse.layout().nodal + i];
+}
+
+void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<double> x) const {
+  if (number == levels_.size()) return base_->apply(b, x);
+  Level& level = *levels_[number];
+  level.smoother.apply(b, x);
+  level.restrict_residual(b, x);
+  cycle(number + 1, level.coarse_residual, level.coarse_correction);
+  level.add_prolonged(x);
+  level.block.apply(x, level.residual);
+  for (std::size_t i = 0; i < level.residual.size(); ++i) level.residual[i] = b[i] - level.residual[i];
+  level.smoother.apply(level.residual, level.correction);
+  for (std::size_t i = 0; i < level.residual.size(); ++i) x[i] += level.correction[i];
+}
+
+std::size_t Multigrid::bytes() const {
+  std::size_t total = base_->bytes() + coarse_bytes_;
+  for (const auto& l : levels_)
+    total += l->jacobi.bytes() + l->smoother.bytes() + bytes_of(l->residual) + bytes_of(l->correction) + bytes_of(l->coarse_residual) +
+             bytes_of(l->coarse_correction) + bytes_of(l->nodal) + bytes_of(l->coarse_nodal) + l->P.bytes() + l->fine.problem().prolongation().bytes();
+  return total;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,67 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/settings.hpp"
+#include "precond/chebyshev.hpp"
+#include "precond/displacement.hpp"
+#include "precond/line_jacobi.hpp"
+#include "precond/projected_term.hpp"
+
+namespace bulbus {
+
+/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, and the lines of every refined level.
+class MultigridPlan {
+ public:
+  /// Adds a ProjectedTerm to every coarser problem. Collective.
+  MultigridPlan(const Problem& finest, const LinearSettings& settings);
+
+  struct Level {
+    Lines lines;
+    std::shared_ptr<ProjectedTerm> projected;  ///< of this level's added terms, on the next coarser one
+    std::unique_ptr<CoupledSystem> coarser;
+    State state;                               ///< of `coarser`
+  };
+  const Problem& problem() const { return problem_; }
+  std::vector<Level>& levels() { return levels_; }
+
+ private:
+  const Problem& problem_;
+  std::vector<Level> levels_;  // finest first; without the base
+};
+
+/// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1), every refined level applied on the fly and
+/// rediscretised in the injected state, smoothed by Chebyshev with line Jacobi; the base mesh is solved directly. A fixed linear
+/// map, symmetric.
+class Multigrid final : public Preconditioner {
+ public:
+  /// Takes the tangents of all levels. Collective.
+  Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings);
+  int size() const override { return levels_.front()->block.size(); }
+  void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override;
+
+ private:
+  struct Level {
+    Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation P, const Lines& lines, const MultigridSettings& settings);
+    void restrict_residual(std::span<const double> b, std::span<const double> x);
+    void add_prolonged(std::span<double> x);
+
+    const CoupledSystem& fine;
+    const CoupledSystem& coarse;
+    Interpolation P;
+    DisplacementBlock block;
+    LineJacobi jacobi;
+    Chebyshev smoother;
+    std::vector<double> residual, correction, coarse_residual, coarse_correction, nodal, coarse_nodal;
+  };
+  void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
+
+  std::vector<std::unique_ptr<Level>> levels_;
+  std::unique_ptr<Preconditioner> base_;
+  std::size_t coarse_bytes_ = 0;
+};
+
+}  // namespace bulbus

@@ -1,0 +1,43 @@
+#include "precond/projected_term.hpp"
+
+namespace bulbus {
+
+void ProjectedTerm::project(const Problem& finer, const Interpolation& P) {
+  blocks_.clear();
+  for (const auto& term : finer.added())
+    term->visit([&](std::span<const int> nodes, std::span<const double> K) {
+      const std::size_t n = nodes.size();
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) {
+          const auto rows = P.stencil(nodes[i]), columns = P.stencil(nodes[j]);
+          for (std::size_t a = 0; a < rows.nodes.size(); ++a)
+            for (std::size_t b = 0; b < columns.nodes.size(); ++b) {
+              auto& block = blocks_[{rows.nodes[a], columns.nodes[b]}];
+              const double weight = rows.weights[a] * columns.weights[b];
+              for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c) block[3 * r + c] += weight * K[(3 * i + r) * 3 * n + 3 * j + c];
+            }
+        }
+    });
+}
+
+void ProjectedTerm::add_action(std::span<const double> dx, std::span<double> force) const {
+  for (const auto& [nodes, block] : blocks_)
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) force[3 * nodes[0] + r] += block[3 * r + c] * dx[3 * nodes[1] + c];
+}
+
+void ProjectedTerm::visit(const ContributionVisitor& visitor) const {
+  std::array<double, 36> pair{};
+  for (const auto& [nodes, block] : blocks_) {
+    if (nodes[0] == nodes[1]) {
+      visitor(std::span(nodes).first(1), block);
+      continue;
+    }
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) pair[6 * r + 3 + c] = block[3 * r + c];
+    visitor(nodes, pair);
+  }
+}
+
+}  // namespace bulbus

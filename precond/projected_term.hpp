@@ -1,0 +1,24 @@
+#pragma once
+#include <map>
+
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+
+/// The tangent of the terms that floors above added to a problem (contact, sutures), on the next coarser mesh: Pᵀ K P with the
+/// prolongation P. Without forces: it belongs to the linear system of a coarse level only.
+class ProjectedTerm final : public Term {
+ public:
+  /// Takes what the finer problem's added terms contribute as they are linearised.
+  void project(const Problem& finer, const Interpolation& P);
+
+  void add_residual(const State&, std::span<double>, std::span<double>) const override {}
+  void linearize(const State&) override {}
+  void add_action(std::span<const double> dx, std::span<double> force) const override;
+  void visit(const ContributionVisitor& visitor) const override;
+
+ private:
+  std::map<std::array<int, 2>, std::array<double, 9>> blocks_;  // by local nodes
+};
+
+}  // namespace bulbus

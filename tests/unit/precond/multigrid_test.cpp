@@ -1,0 +1,230 @@
+#include "precond/multigrid.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/solve/assemble.hpp"
+#include "precond/make_preconditioner.hpp"
+#include "tests/support/small_eye.hpp"
+
+namespace bulbus {
+namespace {
+
+double product(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// A refined problem in a state of its first step, with its tangent.
+struct Linearised {
+  Problem problem;
+  State state;
+  LinearSettings settings;
+  CoupledSystem system;
+  Linearised(const Scene& scene, int refine, double shake)
+      : problem(refined(scene.mesh, refine), scene.model, Comm()), state(problem.initial_state()), system(problem, settings) {
+    problem.begin_step(0, state);
+    problem.set_progress(.1, state);
+    if (shake > 0) state = shaken(problem, state, shake, 7);
+    system.linearize(state, problem.residual(state));
+  }
+};
+
+Scene thin_plate() {
+  Scene scene = stretched_block(4, ".1");
+  scene.mesh = generate(BlockShape{.upper = {4, 4, .5}, .nx = 4, .ny = 4, .nz = 3});
+  return scene;
+}
+
+Scene cylinder() {
+  Scene scene{generate(CylinderShape{.n = 2, .rings = 1, .layers = 3}), {}};
+  scene.model.regions["cylinder"] = neo_hooke(.5);
+  scene.model.fix.push_back({"bottom", {"x", "y", "z"}});
+  scene.model.steps = {step("rest")};
+  return scene;
+}
+
+TEST(Lines, RunThroughTheThicknessOfAPlate) {
+  const Problem problem(thin_plate().mesh, thin_plate().model, Comm());
+  const Lines lines = find_lines(problem);
+  ASSERT_EQ(lines.count(), 25);
+  const auto& X = problem.mesh().X;
+  for (int k = 0; k < lines.count(); ++k) {
+    ASSERT_EQ(lines.start[k + 1] - lines.start[k], 4);
+    for (int i = lines.start[k]; i + 1 < lines.start[k + 1]; ++i) {
+      const int a = lines.nodes[i], b = lines.nodes[i + 1];
+      EXPECT_EQ(X[3 * a], X[3 * b]);
+      EXPECT_EQ(X[3 * a + 1], X[3 * b + 1]);
+      EXPECT_NEAR(std::abs(X[3 * a + 2] - X[3 * b + 2]), .5 / 3, 1e-12);
+    }
+  }
+}
+
+TEST(Lines, AreSingleNodesWhereNothingIsThin) {
+  Scene cube = stretched_block(4, ".1");
+  EXPECT_GT(find_lines(Problem(cube.mesh, cube.model, Comm())).count(), 60);
+}
+
+TEST(Lines, HoldEveryNodeOfTheEyeOnceAndCoupleNeighboursOnly) {
+  const Scene eye = small_eye(8);
+  const Problem problem(eye.mesh, eye.model, Comm());
+  const Lines lines = find_lines(problem);
+  std::vector<int> line(problem.mesh().owned, -1), position(line);
+  for (int k = 0; k < lines.count(); ++k)
+    for (int i = lines.start[k]; i < lines.start[k + 1]; ++i) {
+      EXPECT_EQ(line[lines.nodes[i]], -1);
+      line[lines.nodes[i]] = k;
+      position[lines.nodes[i]] = i;
+    }
+  EXPECT_EQ(lines.nodes.size(), line.size());
+  EXPECT_LT(lines.count(), .4 * line.size());
+  for (const Hex& h : problem.mesh().hexes)
+    for (int a : h)
+      for (int b : h) EXPECT_TRUE(line[a] != line[b] || std::abs(position[a] - position[b]) <= 1);
+}
+
+// On one line of the plate: A · (D⁻¹ r) = r there, if nothing else is touched.
+TEST(LineJacobi, InvertsTheBlockOfEveryLine) {
+  const Linearised l(thin_plate(), 0, .01);
+  const Lines lines = find_lines(l.problem);
+  const LineJacobi D(l.system, lines);
+  const DisplacementBlock A(l.system);
+  std::vector<double> r(D.size()), y(r), z(r);
+  for (int k : {0, 7, 24}) {
+    std::fill(r.begin(), r.end(), 0);
+    for (int i = lines.start[k]; i < lines.start[k + 1]; ++i)
+      for (int c = 0; c < 3; ++c) r[3 * lines.nodes[i] + c] = noise(5, 3 * i + c);
+    D.apply(r, y);
+    A.apply(y, z);
+    for (int i = lines.start[k]; i < lines.start[k + 1]; ++i)
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(z[3 * lines.nodes[i] + c], r[3 * lines.nodes[i] + c], 1e-4);
+  }
+}
+
+TEST(Multigrid, IsSymmetricAndPositive) {
+  for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant")}) {
+    Linearised l(scene, 1, .002);
+    MultigridPlan plan(l.problem, l.settings);
+    const Multigrid M(l.system, plan, {});
+    const auto a = noise_primal(l.problem, 1), b = noise_primal(l.problem, 2);
+    std::vector<double> Ma(a.size(), std::nan("")), Mb(a.size(), std::nan(""));
+    M.apply(a, Ma);
+    M.apply(b, Mb);
+    EXPECT_NEAR(product(b, Ma), product(a, Mb), 1e-5 * std::sqrt(product(a, Ma) * product(b, Mb)));
+    EXPECT_GT(product(a, Ma), 0);
+    EXPECT_TRUE(M.fixed());
+  }
+}
+
+TEST(Multigrid, BringsTheSpectrumTogether) {
+  for (const Scene& scene : {thin_plate(), cylinder()})
+    for (int refine : {1, 2}) {
+      Linearised l(scene, refine, 0);
+      MultigridPlan plan(l.problem, l.settings);
+      const Multigrid M(l.system, plan, {});
+      const Spectrum s = lanczos(DisplacementBlock(l.system), M, 30, Comm());
+      EXPECT_GT(s.smallest, .3) << refine;
+      EXPECT_LT(s.largest, 1.2) << refine;
+    }
+}
+
+// The coarser system is what a problem on the base mesh has in the injected state.
+TEST(Multigrid, CoarseLevelsAreRediscretised) {
+  const Scene scene = filled_shell("half");
+  Linearised l(scene, 1, .002);
+  MultigridPlan plan(l.problem, l.settings);
+  const Multigrid M(l.system, plan, {});
+  Problem base(scene.mesh, scene.model, Comm());
+  State state = l.problem.coarsened(l.state);
+  base.begin_step(0, base.initial_state());
+  State progress = base.initial_state();
+  base.set_progress(.1, progress);
+  CoupledSystem system(base, l.settings);
+  system.linearize(state, base.residual(state));
+  const auto x = noise_primal(base, 3);
+  std::vector<double> y(x.size()), z(x.size());
+  system.apply_displacement(x, y);
+  plan.levels()[0].coarser->apply_displacement(x, z);
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], z[i], 1e-10);
+}
+
+// K = sum of s_i u uᵀ on some nodes.
+struct Springs final : Term {
+  std::vector<int> nodes;
+  void add_residual(const State&, std::span<double>, std::span<double>) const override {}
+  void linearize(const State&) override {}
+  void add_action(std::span<const double> dx, std::span<double> force) const override {
+    for (int n : nodes)
+      for (int c = 0; c < 3; ++c) force[3 * n + c] += (1 + c) * dx[3 * n + c];
+  }
+  void visit(const ContributionVisitor& visitor) const override {
+    const std::array<double, 9> K{1, 0, 0, 0, 2, 0, 0, 0, 3};
+    for (int n : nodes) visitor(std::span(&n, 1), K);
+  }
+};
+
+TEST(ProjectedTerm, IsTheGalerkinProjection) {
+  const Scene scene = thin_plate();
+  Problem problem(refined(scene.mesh, 1), scene.model, Comm());
+  auto springs = std::make_shared<Springs>();
+  springs->nodes = problem.nodes_of("zmax");
+  problem.add(springs);
+  const auto& coarse = *problem.coarser();
+  const Interpolation P = problem.prolongation().at(coarse.mesh().X, problem.mesh().X, coarse.solid().reference_volumes());
+  ProjectedTerm projected;
+  projected.project(problem, P);
+  std::vector<double> x(problem.coarser()->mesh().X.size()), Px(problem.mesh().X.size()), KPx(Px), want(x), got(x), visited(x);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = noise(1, static_cast<int>(i));
+  P.apply(x, Px);
+  springs->add_action(Px, KPx);
+  P.apply_transposed(KPx, want);
+  std::fill(got.begin(), got.end(), 0);
+  projected.add_action(x, got);
+  projected.visit([&](std::span<const int> nodes, std::span<const double> K) {
+    const std::size_t n = 3 * nodes.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) visited[3 * nodes[i / 3] + i % 3] += K[i * n + j] * x[3 * nodes[j / 3] + j % 3];
+  });
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_NEAR(got[i], want[i], 1e-13);
+    EXPECT_NEAR(visited[i], want[i], 1e-13);
+  }
+}
+
+int iterations(const Scene& scene, int refine, const std::string& displacement) {
+  Linearised l(scene, refine, 0);
+  l.settings.displacement = displacement;
+  Meters meters;
+  auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
+  const Residual r = l.problem.residual(l.state);
+  EXPECT_TRUE(solver->prepare(l.system).ok);
+  std::vector<double> held(l.state.x.size()), x(l.system.size());
+  l.problem.dofs().defect(l.state, .1, held);
+  const LinearReport report = solver->solve(l.system, l.system.right_hand_side(r, held), x, 1e-6);
+  EXPECT_TRUE(report.ok) << report.reason;
+  return report.iterations;
+}
+
+TEST(Multigrid, TakesAsFewIterationsOnEveryMesh) {
+  for (int refine : {1, 2}) {
+    EXPECT_LE(iterations(stretched_block(2, ".1"), refine, "multigrid"), 14) << refine;
+    EXPECT_LE(iterations(thin_plate(), refine, "multigrid"), 16) << refine;
+  }
+  EXPECT_LE(iterations(small_eye(8), 1, "multigrid"), 36);  // at rest, where the element pressures decide
+}
+
+TEST(Multigrid, NeedsARefinedMesh) {
+  Linearised l(thin_plate(), 0, 0);
+  l.settings.displacement = "multigrid";
+  EXPECT_THROW(DisplacementFactory(l.settings).make(l.system), InputError);
+}
+
+TEST(Displacement, AutoTakesMultigridWhereTheMeshIsRefined) {
+  const Scene scene = thin_plate();
+  EXPECT_EQ(chosen_displacement({}, Problem(scene.mesh, scene.model, Comm())), "hybrid");
+  EXPECT_EQ(chosen_displacement({}, Problem(refined(scene.mesh, 1), scene.model, Comm())), "multigrid");
+  EXPECT_EQ(chosen_displacement({.displacement = "jacobi"}, Problem(refined(scene.mesh, 1), scene.model, Comm())), "jacobi");
+}
+
+}  // namespace
+}  // namespace bulbus
