@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Renders saved states of a run side by side, seen on the plane x = 0, coloured by Mises stress.
+"""Renders saved states of a run side by side, seen on the plane x = 0, coloured by Mises stress; rigid bodies are grey.
 
     xvfb-run -a python3 docs/render.py docs/half_eye.png results/half_eye '1=15 mmHg' '5=2 mm of indentation'
 
 Arguments: picture, folder of results, saved states as number=title. Needs Debian's python3-vtk9, xvfb and libgl1-mesa-dri.
 """
+import os
 import sys
 
 import vtk
@@ -20,6 +21,18 @@ def deformed(path):
     surface.SetInputConnection(warp.GetOutputPort())
     surface.Update()
     return surface
+
+
+def bodies(path):
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(reader.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.75, 0.75, 0.78)
+    return actor
 
 
 def colours(low, high):
@@ -89,7 +102,11 @@ def main():
     table = colours(1e-4, 0.15)
     for i, (number, title) in enumerate(states):
         surface = deformed(f"{folder}/result_{int(number):04d}.vtkhdf")
-        window.AddRenderer(view(surface, table, title, 640 * i / width, 640 * (i + 1) / width))
+        renderer = view(surface, table, title, 640 * i / width, 640 * (i + 1) / width)
+        rigid = f"{folder}/bodies_{int(number):04d}.vtp"
+        if os.path.exists(rigid):
+            renderer.AddActor(bodies(rigid))
+        window.AddRenderer(renderer)
     last = legend(table)
     last.SetViewport(640 * len(states) / width, 0, 1, 1)
     window.AddRenderer(last)
