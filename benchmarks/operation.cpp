@@ -1,7 +1,7 @@
 // A whole scene as a user runs it, `bulbus run`, by the iterative and by the direct solver: time, memory, and whether both say the
 // same. Each runs as a process of its own, one after the other, on one thread.
 //
-//     bench_operation [--scene FILE] [--set KEY=VALUE ...] [-n CELLS] [-o FILE] [--timeout SECONDS]
+//     bench_operation [--scene FILE] [--set KEY=VALUE ...] [--n CELLS] [--json FILE] [--timeout SECONDS]
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +15,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 #include "benchmarks/common.hpp"
 #include "core/io/json_file.hpp"
@@ -30,13 +31,16 @@ struct Given {
   unsigned timeout = 900;  // seconds, of each run
 };
 
-Given given_in(const Options& o) {
+Given given_in(Options& o) {
   Given given;
-  for (std::size_t i = 0; i + 1 < o.rest.size(); i += 2) {
-    const std::string &key = o.rest[i], &value = o.rest[i + 1];
+  for (std::size_t i = 0; i < o.rest.size(); i += 2) {
+    const std::string key = o.rest[i], value = i + 1 < o.rest.size() ? o.rest[i + 1] : "";
     if (key == "--scene") given.scene = value;
     else if (key == "--set") given.set.push_back(value);
     else if (key == "--timeout") given.timeout = std::stoi(value);
+    else if (key == "--json") o.out = value;
+    else if (key == "--n") o.sizes = {std::stoi(value)};
+    else throw std::invalid_argument("unknown option " + key);
   }
   if (!o.sizes.empty()) given.set.push_back("mesh.eye.n=" + std::to_string(o.sizes[0]));
   return given;
@@ -100,7 +104,8 @@ json run(const std::string& method, const Given& given) {
   const Ended e = run_child(arguments, given.timeout);
   std::ifstream in(folder / "summary.json");
   const json s = json::parse(in, nullptr, false);
-  json row{{"method", method}, {"converged", false}, {"wall_s", e.wall}, {"cpu_s", e.cpu}, {"cpu_min", e.cpu / 60}, {"peak_mb", e.peak_mb}};
+  json row{{"method", method}, {"converged", false}, {"wall_s", e.wall}, {"cpu_s", e.cpu}, {"cpu_min", e.cpu / 60}};
+  row["peak_mb"] = e.peak_mb;
   if (s.is_discarded()) {
     row["reason"] = reason_of(e.status);
   } else {
@@ -135,7 +140,7 @@ json compared(const json& a, const json& b) {
 
 int main(int argc, char** argv) {
   single_threaded(argv);
-  const Options o = parse(argc, argv, {}, {}, 1);
+  Options o = parse(argc, argv, {}, {}, 1);
   Given given = given_in(o);
   if (o.smoke) given.scene = BULBUS_SOURCE "/data/scenes/suture.yaml";
   json report = new_report("operation", o);
