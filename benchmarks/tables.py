@@ -26,6 +26,12 @@ TABLES = {
                   ("factor MB", "memory_mb.factor"), ("failure", "reason")]),
         ("ratios", [("n", "n"), ("unknowns", "unknowns"), ("linear solve, iterative/direct", "linear_s"),
                     ("whole run", "total_s"), ("peak memory", "peak_mb")])],
+    "operation": [
+        ("rows", [("solver", "method"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"), ("processor minutes", "cpu_min"),
+                  ("wall minutes", "wall_min"), ("peak MB", "peak_mb"), ("increments", "increments"), ("cuts", "cuts"),
+                  ("Newton iterations", "newton_iterations"), ("Krylov iterations", "krylov_iterations"), ("failure", "reason")]),
+        ("probes", [("probe", "probe"), ("unit", "unit"), ("iterative", "iterative"), ("direct", "direct"),
+                    ("relative difference", "relative")])],
     "from_dump": [("rows", [("file", "file"), ("unknowns", "unknowns"), ("method", "method"), ("iterations", "iterations"),
                             ("set-up s", "setup_s"), ("solve s", "solve_s"), ("MB", "mb"), ("residual", "residual"),
                             ("failure", "reason")])],
@@ -35,6 +41,12 @@ TABLES = {
 }
 SUMMARY = [("n", "n"), ("unknowns", "unknowns"), ("solver", "method"), ("linear solves", "linear_solves"),
            ("one linear solve, s", "linear_s"), ("whole run, s", "total_s"), ("peak memory, MB", "peak_mb")]
+
+OPERATION = [("", "method"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"), ("processor time, min", "cpu_min"),
+             ("peak memory, MB", "peak_mb"), ("Newton iterations", "newton_iterations"), ("Krylov iterations", "krylov_iterations"),
+             ("ends", "reason")]
+# What the paper says of its own run: 20 hours on one processor of 2 GHz.
+PAPER = {"method": "paper, one 2 GHz processor of the 2000s", "hexahedra": 7421, "cpu_min": 1200., "peak_mb": 600}
 
 
 def value(row, key):
@@ -54,12 +66,20 @@ def table(rows, columns):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
+def beside_paper(report):
+    return [PAPER] + [{**row, "wall_min": row["wall_s"] / 60} for row in report["rows"]]
+
+
+def rows_of(report, where):
+    return beside_paper(report) if (report["program"], where) == ("operation", "rows") else report[where]
+
+
 def tables(path):
     report = json.loads(path.read_text())
     parts = [f"### {path.stem}"]
     for where, columns in TABLES[report["program"]]:
         if report.get(where):
-            parts.append(table(report[where], columns))
+            parts.append(table(rows_of(report, where), columns))
     machine = "".join(f"; {k.replace('_', ' ')} {v:.3g}" for k, v in report.get("machine", {}).items())
     parts.append(f"{report['processor']}, {report['ranks']} rank, {report['threads']} thread; commit {report['commit']}; "
                  f"{report['compiler']}, {report['flags'].strip()}; load {report['load_at_start']:.2g} at the start{machine}. "
@@ -75,17 +95,27 @@ def all_tables(files):
     return "\n\n".join(tables(f) for f in files)
 
 
-def summary():
-    return table(json.loads((HERE / "results/direct_vs_iterative.json").read_text())["rows"], SUMMARY)
+def result(name):
+    return json.loads((HERE / "results" / f"{name}.json").read_text())
+
+
+def replaced(text, name, block):
+    """The text with what stands between the markers of a name replaced."""
+    begin, end = f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
+    return text.split(begin)[0] + begin + "\n\n" + block + "\n\n" + end + text.split(end)[1]
 
 
 def pages():
     """Path, text as it is and text as it should be of every page with tables."""
-    for name, block in [("README.md", summary()), ("docs/benchmarks.md", all_tables(recorded()))]:
+    blocks = {"README.md": {"tables": table(result("direct_vs_iterative")["rows"], SUMMARY),
+                            "operation": table(beside_paper(result("operation")), OPERATION)},
+              "docs/benchmarks.md": {"tables": all_tables(recorded())}}
+    for name, of_page in blocks.items():
         path = HERE.parent / name
-        text = path.read_text()
-        begin, end = "<!-- tables: begin -->", "<!-- tables: end -->"
-        yield path, text, text.split(begin)[0] + begin + "\n\n" + block + "\n\n" + end + text.split(end)[1]
+        right = text = path.read_text()
+        for marker, block in of_page.items():
+            right = replaced(right, marker, block)
+        yield path, text, right
 
 
 def main(arguments):
