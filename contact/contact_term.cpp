@@ -27,7 +27,7 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
     : comm_(comm),
       master_(sides.master),
       slave_(sides.X, sides.owned, sides.slave, master_.nodes(), sides.symmetry),
-      points_(slave_, sides.owned, master_.nodes(), spec.divisions >= 0 ? spec.divisions : defaults.divisions),
+      points_(slave_, sides.owned, master_.nodes(), spec.divisions),
       area0_(points_.on_faces() ? points_.shape(sides.X).areas : slave_.shape(sides.X).areas),
       penalty_(spec.penalty > 0 ? spec.penalty : defaults.penalty),
       tolerance_(spec.tolerance),

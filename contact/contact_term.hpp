@@ -27,7 +27,6 @@ struct ContactDefaults {
   double penalty;    ///< α_A, MPa/mm
   double depth;      ///< mm
   double reach = 0;  ///< how far the search looks, mm; larger than any motion of an increment. 0: twice the depth
-  int divisions = 0;  ///< points along the edge of a slave face; 0: the nodes
 };
 
 /// Frictionless contact of one surface, at its nodes or at points of its faces, with a master (formulation, section 5). Per point and

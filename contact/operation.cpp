@@ -16,7 +16,6 @@ namespace {
 
 constexpr double stiffness_ratio = 30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
 constexpr double part_of_size = 0.03;   // default reach in diagonals of the model
-constexpr int points_per_edge = 4;      // default divisions of slave faces that touch a rigid body
 constexpr double farthest_gap = 0.25;   // the same of the gaps reported
 
 double diagonal(const Mesh& mesh) {
@@ -129,7 +128,7 @@ void Operation::add_contact(const Mesh& mesh, const ContactSpec& spec, const std
     throw scene_error(key + ".penalty", "contact '" + spec.name + "' is between rigid sides only: no stiffness to choose its penalty from",
                       "Give `penalty`, in MPa/mm.");
   const double penalty = spec.penalty > 0 ? spec.penalty : stiffness_ratio * mu / thickness;
-  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(mesh), body == bodies_.end() ? 0 : points_per_edge};
+  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(mesh)};
   const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
                            body == bodies_.end() ? Master(split(local.shared.at(spec.master))) : Master(body->second), model.symmetry};
   const auto term = std::make_shared<ContactTerm>(spec, defaults, sides, problem_.comm());

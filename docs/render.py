@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Renders saved states of a run side by side, seen on the plane x = 0, coloured by Mises stress; rigid bodies are grey.
 
-    xvfb-run -a python3 docs/render.py docs/half_eye.png results/half_eye '1=15 mmHg' '5=2 mm of indentation'
+    xvfb-run -a python3 docs/render.py docs/encircling.png results/encircling '1=15 mmHg' '5=band and tire in' '9=sewn'
 
 Arguments: picture, folder of results, saved states as number=title. Needs Debian's python3-vtk9, xvfb and libgl1-mesa-dri.
 """

@@ -10,7 +10,7 @@ namespace bulbus {
 struct ContactSpec {
   std::string name, slave, master, start = "refuse";
   double penalty = 0, depth = 0, tolerance = 0;
-  int divisions = -1;
+  int divisions = 0;
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"name in records and probes"}.needed());
@@ -21,7 +21,7 @@ struct ContactSpec {
                             Quantity::length}.at_least(0));
     v("tolerance", tolerance,
       About{"largest penetration; the augmented-Lagrangian loop drives it below this; 0: penalty alone", Quantity::length}.at_least(0));
-    v("divisions", divisions, About{"what is kept out: n × n points on each face of the slave; 0: its nodes; -1: 4 × 4 points on a rigid body, nodes on a surface of the mesh"}.between(-1, 100));
+    v("divisions", divisions, About{"what is kept out: 0: the nodes of the slave; n: n x n points on each of its faces, which feel edges of a rigid body finer than the mesh"}.between(0, 100));
     v("start", start, About{"surfaces that overlap at the start: `refuse` them or `resolve` the overlap gradually over the first step"}
                           .one_of({"refuse", "resolve"}));
   }

@@ -35,7 +35,6 @@ Scene block(double plate, bool quarter = false) {
   s.model.contacts.push_back({.name = "press", .slave = "xmax", .master = "plate"});
   s.model.contacts[0].penalty = penalty;
   s.model.contacts[0].start = "resolve";
-  s.model.contacts[0].divisions = 0;
   s.model.steps = {step("one")};
   return s;
 }
