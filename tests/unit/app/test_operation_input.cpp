@@ -86,7 +86,7 @@ TEST(OperationInput, SuturePointsLieOnTheirSurface) {
 
 TEST(OperationInput, OverlapsAtTheStartAreRefused) {
   expect_refused({"point: [0, 0, 1.05]", "point: [0, 0, .95]",
-                  "11: contacts.0: contact 'top' starts with 9 of its nodes inside 'plate', the deepest by 0.05 mm at (0, 0, 1)\n"
+                  "11: contacts.0: contact 'top' starts with 9 of its points inside 'plate', the deepest by 0.05 mm at (0, 0, 1)\n"
                   "  Draw the two apart, or say `start: resolve`."});
 }
 

@@ -102,7 +102,7 @@ TEST_F(OnABall, ActionIsTheDerivativeOfTheForceAndTheForceThatOfThePotential) {
     return r;
   };
   const auto d = noise_vector(state.x.size(), 3);
-  EXPECT_GT(t.figures(state).pairs, 20);
+  EXPECT_GT(t.figures(state).pairs, 10);
   for (int k = 0; k < 3; ++k) t.linearize(state);  // until the pairs count as quiet
   std::vector<double> f(d.size());
   t.add_action(d, f);
