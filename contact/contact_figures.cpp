@@ -10,7 +10,7 @@ ContactFigures ContactTerm::figures(const State& state) const {
   const Found& f = found(state);
   ContactFigures sum{.penetration = penetration(f), .on_master = std::vector<Wrench>(master_.pieces())};
   for (std::size_t k = 0; k < changes_.size(); ++k) sum.smoothed += smoothed(static_cast<int>(k));
-  const std::vector<double> places = outermost(state);
+  const std::vector<double> places = outermost(state.x, f.shape);
   int counted = -1;  // a point that touches two pieces has one area
   for (const Touch& t : f.touches) {
     const double push = area0_[t.point] * pressure(t).value;

@@ -89,11 +89,10 @@ bool ContactTerm::revise(const State& state) {
   return true;
 }
 
-std::vector<double> ContactTerm::outermost(const State& state) const {
-  std::vector<double> places = points_.places(state.x);
-  const auto normals = shape(state).normals;
+std::vector<double> ContactTerm::outermost(std::span<const double> x, const SlaveSurface::Shape& shape) const {
+  std::vector<double> places = points_.places(x);
   for (int i = 0; i < points_.size(); ++i)
-    for (int c = 0; c < 3; ++c) places[3 * i + c] += points_[i].bulge * normals[i][c];
+    for (int c = 0; c < 3; ++c) places[3 * i + c] += points_[i].bulge * shape.normals[i][c];
   return places;
 }
 

@@ -28,7 +28,7 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
       master_(sides.master),
       slave_(sides.X, sides.owned, sides.slave, master_.nodes(), sides.symmetry),
       points_(slave_, sides.owned, master_.nodes(), spec.divisions),
-      area0_(points_.on_faces() ? points_.shape(sides.X).areas : slave_.shape(sides.X).areas),
+      area0_(shape(sides.X).areas),
       penalty_(spec.penalty > 0 ? spec.penalty : defaults.penalty),
       tolerance_(spec.tolerance),
       limits_{spec.depth > 0 ? spec.depth : defaults.depth, defaults.reach},
@@ -66,15 +66,15 @@ const ContactTerm::Found& ContactTerm::found(const State& state) const {
   return found_;
 }
 
-SlaveSurface::Shape ContactTerm::shape(const State& state) const {
-  return points_.on_faces() ? points_.shape(state.x) : slave_.shape(state.x);
+SlaveSurface::Shape ContactTerm::shape(std::span<const double> x) const {
+  return points_.on_faces() ? points_.shape(x) : slave_.shape(x);
 }
 
 ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& limits, bool remembered) const {
   Found f;
-  f.shape = shape(state);
+  f.shape = shape(state.x);
   const MasterSurface master = master_.at(state);
-  const std::vector<double> points = outermost(state);
+  const std::vector<double> points = outermost(state.x, f.shape);
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::ranges::all_of(points, finite) || !std::ranges::all_of(master.places, finite)) return f;
   const Candidates& near = search_.update(points, master.facets.triangles, master.places);

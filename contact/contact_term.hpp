@@ -70,7 +70,7 @@ class ContactTerm final : public Term {
   int searches() const { return search_.searches(); }
 
   /// Current places of the slave points, their bulge added along the normal; 3 each, mm.
-  std::vector<double> outermost(const State& state) const;
+  std::vector<double> outermost(const State& state) const { return outermost(state.x, shape(state.x)); }
   /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;
   /// Lets the gap count from where each node is at the start; that fades linearly over the step that follows.
@@ -90,7 +90,8 @@ class ContactTerm final : public Term {
 
   std::vector<double> surfaces(const State& state) const;
   const Found& found(const State& state) const;
-  SlaveSurface::Shape shape(const State& state) const;
+  SlaveSurface::Shape shape(std::span<const double> x) const;
+  std::vector<double> outermost(std::span<const double> x, const SlaveSurface::Shape& shape) const;
   void add_tangent(const State& state, const Touch& touch, double a, double b);
   Found find(const State& state, const SearchLimits& limits, bool remembered) const;
   static Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle);

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "contact/meridians.hpp"
 
 namespace bulbus {
-std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places, double sharpest) {
-  const double least = std::cos(sharpest * std::numbers::pi / 180);
+std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places) {
   const auto at = [&](int p) { return Vec3<double>{places[3 * p], places[3 * p + 1], places[3 * p + 2]}; };
   std::vector<Vec3<double>> areas;
   std::vector<std::vector<int>> around(places.size() / 3);
@@ -21,7 +19,7 @@ std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const 
     for (int i = 0; i < 3; ++i) {
       Vec3<double> sum{0, 0, 0};
       for (int other : around[facets.triangles[k][i]])
-        if (dot(areas[other], areas[k]) >= least * norm(areas[other]) * norm(areas[k]))
+        if (dot(areas[other], areas[k]) >= smooth_edge * norm(areas[other]) * norm(areas[k]))
           for (int c = 0; c < 3; ++c) sum[c] += areas[other][c];
       normals[k][i] = unit(sum);
     }

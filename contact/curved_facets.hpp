@@ -8,12 +8,15 @@
 
 namespace bulbus {
 
+/// Cosine of 30 degrees: normals that differ by less are of one curved surface, others meet in an edge.
+inline constexpr double smooth_edge = 0.86602540378443865;
+
 using CornerNormals = std::array<Vec3<double>, 3>;
 
 /// Normals at the three corners of every triangle: the mean over the triangles around the corner whose planes are within
-/// `sharpest` degrees of its own, weighted by their areas, so that a flat face beside a rounded edge stays flat. Sharper edges stay
+/// 30 degrees of its own, weighted by their areas, so that a flat face beside a rounded edge stays flat. Sharper edges stay
 /// edges.
-std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places, double sharpest = 30);
+std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places);
 
 /// Distance to the curved surface that a triangle stands for, quadratic in the place of the foot:
 ///     G = G_flat − Σ_{i<j} s_ij L_i L_j,  s_ij = ½ (n_i − n_j)·(x_i − x_j)

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double on_edge = 1e-9;    // weights: what is round-off of an edge
 constexpr double away = -1e-6;      // N·n above this: not facing
-constexpr double smooth_edge = 0.866;  // cos 30°
 constexpr int longest_walk = 20;
 
 // Differences below round-off do not decide between triangles: the lower number does, it comes first.

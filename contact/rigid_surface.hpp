@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/facets.hpp"
 #include "contact/curved_facets.hpp"
+#include "contact/facets.hpp"
 #include "core/problem/state.hpp"
 
 namespace bulbus {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "contact/curved_facets.hpp"
+
 namespace bulbus {
 namespace {
 
 // Corners of the reference square, counter-clockwise.
 constexpr double corner_xi[4] = {-1, 1, 1, -1}, corner_eta[4] = {-1, -1, 1, 1};
-
-constexpr double sharpest = 0.866;  // cos 30°
 
 double midpoint(int part, int parts) { return (2. * part + 1) / parts - 1; }
 
@@ -40,7 +40,7 @@ void SlavePoints::bulge(std::span<const double> X, std::span<const Quad> all, st
     bool smooth = true;
     for (int k = 0; k < 4; ++k) {
       const Vec3<double>& n = normals[std::ranges::lower_bound(whole.nodes(), p.nodes[k]) - whole.nodes().begin()];
-      smooth = smooth && dot(n, own[i]) > sharpest;
+      smooth = smooth && dot(n, own[i]) > smooth_edge;
       for (int c = 0; c < 3; ++c) p.bulge += p.weights[k] * n[c] * (X[3 * p.nodes[k] + c] - at[3 * i + c]) / 2;
     }
     if (!smooth) p.bulge = 0;

@@ -14,7 +14,6 @@ class SlavePoints {
     int carriers;   ///< how many of the four
     bool mine;      ///< this rank gives its force; points of others' faces are followed so that the owned nodes' sums are whole
     double bulge;   ///< how far the curved surface that the faces stand for is outside of x, mm
-    std::span<const int> carried_by() const { return {nodes.data(), static_cast<std::size_t>(carriers)}; }
   };
 
   /// `divisions`: m; 0: the nodes. Faces with a node in `excluded` (ascending) have no points.

@@ -8,7 +8,7 @@
 
 namespace bulbus::test {
 
-/// What a call of the command left behind, in the folder `out` beside its scene.
+/// What a call of the command left behind, in the folder `out` beside its scene or study.
 struct Ran {
   std::filesystem::path folder;
   int status = 0;
@@ -27,20 +27,28 @@ struct Ran {
   }
 };
 
-inline Ran run_scene(const std::string& yaml, const std::vector<std::string>& set = {},
-                     const std::string& command = "run") {
-  namespace fs = std::filesystem;
-  Ran r{fs::temp_directory_path() / "bulbus_run"};
-  fs::remove_all(r.folder);
-  fs::create_directories(r.folder);
-  std::ofstream(r.folder / "scene.yaml") << yaml;
-  std::vector<std::string> arguments{command, r.folder / "scene.yaml"};
-  if (command == "run") arguments.insert(arguments.end(), {"-o", r.folder / "out"});
+/// Calls the command on a file of the folder, which gets this text.
+inline Ran call(const std::string& command, const std::filesystem::path& folder, const std::string& file, const std::string& yaml,
+                const std::vector<std::string>& set) {
+  std::ofstream(folder / file) << yaml;
+  std::vector<std::string> arguments{command, folder / file};
+  if (command == "run" || command == "study") arguments.insert(arguments.end(), {"-o", folder / "out"});
   for (const std::string& s : set) arguments.insert(arguments.end(), {"--set", s});
   std::ostringstream out, err;
-  r.status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
-  r.err = err.str();
-  return r;
+  const int status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
+  return {folder, status, err.str()};
+}
+
+inline std::filesystem::path fresh_folder(const std::string& name) {
+  const auto folder = std::filesystem::temp_directory_path() / name;
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+inline Ran run_scene(const std::string& yaml, const std::vector<std::string>& set = {},
+                     const std::string& command = "run") {
+  return call(command, fresh_folder("bulbus_run"), "scene.yaml", yaml, set);
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -1,10 +1,6 @@
 #pragma once
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
-#include "app/command_line.hpp"
 #include "app/study_design.hpp"
+#include "tests/unit/app/run_scene.hpp"
 
 namespace bulbus::test {
 
@@ -39,9 +35,7 @@ vary:
 
 /// A fresh folder that holds bar.yaml.
 inline std::filesystem::path bar_folder() {
-  const auto folder = std::filesystem::temp_directory_path() / "bulbus_study";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const auto folder = fresh_folder("bulbus_study");
   std::ofstream(folder / "bar.yaml") << bar_scene;
   return folder;
 }
@@ -50,32 +44,14 @@ inline Study study_from(const std::string& text, const std::vector<std::string>&
   return study_of(parse_yaml(text, "study.yaml"), bar_folder() / "study.yaml", overrides);
 }
 
-/// A call of the command on study.yaml in a folder with bar.yaml; results in `out`.
-struct Studied {
-  std::filesystem::path folder;
-  int status;
-  std::string err;
-  bool wrote(const std::string& file) const { return std::filesystem::exists(folder / "out" / file); }
-  std::string text(const std::string& file) const {
-    std::ifstream in(folder / "out" / file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-};
-
-inline Studied run_study_again(const std::string& yaml, const std::vector<std::string>& set = {},
-                               const std::string& command = "study") {
-  const auto folder = std::filesystem::temp_directory_path() / "bulbus_study";
-  std::ofstream(folder / "study.yaml") << yaml;
-  std::vector<std::string> arguments{command, folder / "study.yaml"};
-  if (command == "study") arguments.insert(arguments.end(), {"-o", folder / "out"});
-  for (const std::string& s : set) arguments.insert(arguments.end(), {"--set", s});
-  std::ostringstream out, err;
-  const int status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
-  return {folder, status, err.str()};
+/// A call of the command on study.yaml in the folder of the last study, which has bar.yaml.
+inline Ran run_study_again(const std::string& yaml, const std::vector<std::string>& set = {},
+                           const std::string& command = "study") {
+  return call(command, std::filesystem::temp_directory_path() / "bulbus_study", "study.yaml", yaml, set);
 }
 
-inline Studied run_a_study(const std::string& yaml, const std::vector<std::string>& set = {},
-                           const std::string& command = "study") {
+inline Ran run_a_study(const std::string& yaml, const std::vector<std::string>& set = {},
+                       const std::string& command = "study") {
   bar_folder();
   return run_study_again(yaml, set, command);
 }

@@ -96,7 +96,7 @@ TEST(StudyErrors, NameLineRunAndRemedyBeforeAnythingIsWritten) {
            {"regions.block.c10], values: [0.5 MPa, 1 MPa]", "probes.pull.unit], values: [mN, N]",
             "figures: 'pull' is another figure, or in another unit"}}) {
     for (const char* command : {"study", "check"}) {
-      const Studied r = run_a_study(replaced(bar_study, f.from, f.to), {}, command);
+      const Ran r = run_a_study(replaced(bar_study, f.from, f.to), {}, command);
       EXPECT_EQ(r.status, 2) << f.to;
       EXPECT_NE(r.err.find(f.message), std::string::npos) << f.to << ": " << r.err;
       EXPECT_FALSE(std::filesystem::exists(r.folder / "out"));
@@ -113,13 +113,13 @@ TEST(StudyErrors, PlaceAFaultOfTheScene) {
   bar_folder();
   std::ofstream(std::filesystem::temp_directory_path() / "bulbus_study" / "bar.yaml")
       << replaced(bar_scene, "unit: mN", "unit: mmHg");
-  const Studied r = run_study_again(bar_study);
+  const Ran r = run_study_again(bar_study);
   EXPECT_EQ(r.status, 2);
   EXPECT_NE(r.err.find("bar.yaml:12: probes.0.unit: "), std::string::npos) << r.err;
 }
 
 TEST(StudyErrors, RefuseWhatAnOverrideCannotMean) {
-  const Studied r = run_a_study(bar_study, {"regions.block.c10=2"});
+  const Ran r = run_a_study(bar_study, {"regions.block.c10=2"});
   EXPECT_EQ(r.status, 2);
   EXPECT_NE(r.err.find("--set regions.block.c10=2: the study varies this key"), std::string::npos) << r.err;
 }

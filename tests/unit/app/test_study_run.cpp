@@ -17,7 +17,7 @@ const std::string failing = replaced(bar_study, "[.2, .4, .8]", "[\"-2.2*s\", .4
 
 /// W = c10 (I1 − 3) under tension: the pull on the whole section 2 × 2 is 8 c10 (l − 1/l²).
 TEST(StudyRun, WritesTableFigureAndTrends) {
-  const Studied r = run_a_study(bar_study);
+  const Ran r = run_a_study(bar_study);
   ASSERT_EQ(r.status, 0) << r.err;
   const json s = json::parse(r.text("study.json"));
   ASSERT_EQ(s["runs"].size(), 6u);
@@ -33,7 +33,7 @@ TEST(StudyRun, WritesTableFigureAndTrends) {
 }
 
 TEST(StudyRun, GoesOnAfterARunThatFails) {
-  const Studied r = run_a_study(replaced(failing, "baseline: .4", "labels: [crushed, pulled]"));
+  const Ran r = run_a_study(replaced(failing, "baseline: .4", "labels: [crushed, pulled]"));
   EXPECT_EQ(r.status, 1) << r.err;
   const json s = json::parse(r.text("study.json"));
   ASSERT_EQ(s["runs"].size(), 4u);
@@ -46,14 +46,14 @@ TEST(StudyRun, GoesOnAfterARunThatFails) {
 }
 
 TEST(StudyRun, TakesUpWhereItWasLeft) {
-  const Studied first = run_a_study(failing);
+  const Ran first = run_a_study(failing);
   ASSERT_EQ(first.status, 1) << first.err;
   const auto written = [&](const char* run) {
     return fs::last_write_time(first.folder / "out" / run / "summary.json");
   };
   const auto kept = written("run_001"), changed = written("run_004");
   fs::remove(first.folder / "out" / "run_003" / "summary.json");
-  const Studied again = run_study_again(replaced(failing, "1 MPa]", "2 MPa]"));
+  const Ran again = run_study_again(replaced(failing, "1 MPa]", "2 MPa]"));
   EXPECT_EQ(again.status, 1) << again.err;
   EXPECT_EQ(written("run_001"), kept);
   EXPECT_TRUE(again.wrote("run_003/summary.json"));
@@ -69,12 +69,12 @@ TEST(StudyRun, FindsRunsOfMaterialsAgain) {
   const auto study = replaced(bar_study, "keys: [regions.block.c10], values: [0.5 MPa, 1 MPa]",
                               "keys: [materials], values: [paper, physiological]");
   std::ofstream(bar_folder() / "bar.yaml") << scene;
-  const Studied first = run_study_again(study);
+  const Ran first = run_study_again(study);
   ASSERT_EQ(first.status, 0) << first.err;
   const json runs = json::parse(first.text("study.json"))["runs"];
   const double paper = runs[0]["probes"]["pull"], physiological = runs[1]["probes"]["pull"];
   EXPECT_NEAR(physiological, 6 * paper, 1e-4 * paper);
-  const Studied again = run_study_again(replaced(study, "physiological]", "stiff_lens]"));
+  const Ran again = run_study_again(replaced(study, "physiological]", "stiff_lens]"));
   ASSERT_EQ(again.status, 0) << again.err;
   for (const char* run : {"run_001", "run_003", "run_005"})
     EXPECT_NE(again.text("study.log").find(std::string(run) + " is there already"), std::string::npos) << run;
@@ -84,7 +84,7 @@ TEST(StudyRun, FindsRunsOfMaterialsAgain) {
 TEST(StudyRun, DumpsEveryRunIntoItsOwnFolder) {
   const fs::path dump = fs::temp_directory_path() / "bulbus_study_dump";
   fs::remove_all(dump);
-  const Studied r = run_a_study(bar_study, {"solver.linear.dump=" + dump.string()});
+  const Ran r = run_a_study(bar_study, {"solver.linear.dump=" + dump.string()});
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(dump), fs::directory_iterator()), 6);
   EXPECT_TRUE(fs::exists(dump / "run_001" / "system_0001.h5"));
@@ -92,7 +92,7 @@ TEST(StudyRun, DumpsEveryRunIntoItsOwnFolder) {
 }
 
 TEST(StudyRun, ChecksWithoutSolving) {
-  const Studied r = run_a_study(bar_study, {}, "check");
+  const Ran r = run_a_study(bar_study, {}, "check");
   EXPECT_EQ(r.status, 0) << r.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(r.folder), fs::directory_iterator()), 2);
 }

@@ -6,6 +6,7 @@
 #include "core/mesh/eye.hpp"
 #include "core/mesh/generate.hpp"
 #include "core/mesh/prolongation.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace bulbus {
 namespace {
@@ -17,12 +18,6 @@ std::vector<double> field(const LocalMesh& mesh, int seed) {
   std::vector<double> v;
   for (int i = 0; i < 3 * mesh.nodes(); ++i) v.push_back(std::sin(seed + 12.9898 * i));
   return v;
-}
-
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
 }
 
 // A mesh, its refinement and what lies between them, on one rank.
@@ -85,7 +80,7 @@ TEST(Prolongation, HasItsTransposeAndInjectionIsItsInverse) {
   I.apply(x, Ix);
   I.apply_transposed(y, Iy);
   two.prolongation.inject(Ix, back);
-  EXPECT_NEAR(product(y, Ix), product(Iy, x), 1e-10 * std::abs(product(y, Ix)) + 1e-10);
+  EXPECT_NEAR(inner(y, Ix), inner(Iy, x), 1e-10 * std::abs(inner(y, Ix)) + 1e-10);
   EXPECT_EQ(back, x);
 }
 

@@ -9,12 +9,6 @@
 namespace bulbus {
 namespace {
 
-double product(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 // A refined problem in a state of its first step, with its tangent.
 struct Linearised {
   Problem problem;
@@ -110,8 +104,8 @@ TEST(Multigrid, IsSymmetricAndPositive) {
     std::vector<double> Ma(a.size(), std::nan("")), Mb(a.size(), std::nan(""));
     M.apply(a, Ma);
     M.apply(b, Mb);
-    EXPECT_NEAR(product(b, Ma), product(a, Mb), 1e-5 * std::sqrt(product(a, Ma) * product(b, Mb)));
-    EXPECT_GT(product(a, Ma), 0);
+    EXPECT_NEAR(inner(b, Ma), inner(a, Mb), 1e-5 * std::sqrt(inner(a, Ma) * inner(b, Mb)));
+    EXPECT_GT(inner(a, Ma), 0);
     EXPECT_TRUE(M.fixed());
   }
 }
