@@ -9,7 +9,7 @@ using namespace bulbus::bench;
 namespace {
 
 constexpr double tolerance = 1e-6;
-const std::vector<std::string> methods{"hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact", "direct"};
+const std::vector<std::string> methods{"aggregation", "hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact", "direct"};
 
 json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r, std::span<const double> held,
               LinearSettings settings) {

@@ -34,8 +34,9 @@ void ContactTerm::freeze() {
 
 void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
-  for (const Touch& t : found(state).touches) current_.triangle[t.slot] = t.triangle;
+  for (const Touch& t : find(state, limits_, Search::remembering).touches) current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
+  found_.key.clear();
   if (master_.rigid()) {
     const auto places = master_.at(state).places;
     places_.assign(places.begin(), places.end());
@@ -98,7 +99,7 @@ std::vector<double> ContactTerm::outermost(std::span<const double> x, const Slav
 
 Overlap ContactTerm::overlaps(const State& start, double tolerance) const {
   Overlap o;
-  const Found f = find(start, {limits_.reach, limits_.reach}, false);
+  const Found f = find(start, {limits_.reach, limits_.reach}, Search::whole);
   const std::vector<double> places = points_.places(start.x);
   for (const Touch& t : f.touches) {
     if (-gap(t) <= tolerance || !points_[t.point].mine) continue;
@@ -112,7 +113,7 @@ Overlap ContactTerm::overlaps(const State& start, double tolerance) const {
 
 void ContactTerm::resolve(const State& start) {
   current_.overlap.assign(current_.triangle.size(), 0);
-  for (const Touch& t : find(start, {limits_.reach, limits_.reach}, false).touches) {
+  for (const Touch& t : find(start, {limits_.reach, limits_.reach}, Search::whole).touches) {
     current_.triangle[t.slot] = t.triangle;
     current_.overlap[t.slot] = std::max(0., -gap(t));
   }

@@ -36,6 +36,10 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
   points_.bulge(sides.X, sides.slave, sides.symmetry);
   limits_.reach = std::max(limits_.reach, 2 * limits_.depth);
   search_ = GlobalSearch(limits_.reach, limits_.reach / 2);
+  if (master_.smooth()) {
+    const MasterSurface m = master_.at({});
+    rise_ = rise(m.facets, m.places, m.normals);
+  }
   const std::size_t slots = static_cast<std::size_t>(points_.size()) * master_.pieces();
   current_.triangle.assign(slots, -1);
   current_.pressure.assign(slots, 0);
@@ -60,7 +64,7 @@ std::vector<double> ContactTerm::surfaces(const State& state) const {
 const ContactTerm::Found& ContactTerm::found(const State& state) const {
   auto key = surfaces(state);
   if (key.empty() || key != found_.key) {
-    found_ = find(state, limits_, true);
+    found_ = find(state, limits_, Search::sparing);
     found_.key = std::move(key);
   }
   return found_;
@@ -70,7 +74,7 @@ SlaveSurface::Shape ContactTerm::shape(std::span<const double> x) const {
   return points_.on_faces() ? points_.shape(x) : slave_.shape(x);
 }
 
-ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& limits, bool remembered) const {
+ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& limits, Search how) const {
   Found f;
   f.shape = shape(state.x);
   const MasterSurface master = master_.at(state);
@@ -78,8 +82,12 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& lim
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::ranges::all_of(points, finite) || !std::ranges::all_of(master.places, finite)) return f;
   const Candidates& near = search_.update(points, master.facets.triangles, master.places);
+  clearances_.move(points, master.places);
+  const double margin = limits_.depth + rise_;  // a point deeper than the depth may come back to the surface
   for (int i = 0; i < points_.size(); ++i) {
+    if (how == Search::sparing && idle(i)) continue;
     const Vec3<double> x = point(points, i);
+    double nearest = limits_.reach;
     for (auto rest = near.of(i); !rest.empty();) {
       const int piece = master_.piece_of(rest.front()), slot = i * master_.pieces() + piece;
       const auto end = std::ranges::find_if(rest, [&](int t) { return master_.piece_of(t) != piece; });
@@ -87,11 +95,22 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& lim
       rest = rest.subspan(candidates.size());
       auto chosen = held(master, x, slot);
       const bool walks = !chosen;
-      if (!chosen) chosen = select(master, x, f.shape.normals[i], remembered ? committed_.triangle[slot] : -1, candidates, limits);
-      if (chosen->triangle >= 0) f.touches.push_back(touch(master, x, i, slot, walks && master_.smooth() ? foot_of(master, x, chosen->triangle) : chosen->triangle));
+      if (!chosen) chosen = select(master, x, f.shape.normals[i], how != Search::whole ? committed_.triangle[slot] : -1, candidates, limits);
+      nearest = std::min(nearest, walks ? chosen->distance : 0);
+      if (chosen->triangle < 0) continue;
+      f.touches.push_back(touch(master, x, i, slot, walks && master_.smooth() ? foot_of(master, x, chosen->triangle) : chosen->triangle));
+      if (f.touches.back().pair.gap <= 0) nearest = 0;
     }
+    clearances_.set(i, nearest - margin);
   }
   return f;
+}
+
+// Too far away to touch, and without a multiplier that could pull it back.
+bool ContactTerm::idle(int point) const {
+  const int first = point * master_.pieces();
+  const auto p = std::span(current_.pressure).subspan(first, master_.pieces());
+  return clearances_.far(point) && std::ranges::all_of(p, [](double v) { return v == 0; });
 }
 
 ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) {

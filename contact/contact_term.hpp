@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "contact/block_tangent.hpp"
+#include "contact/clearances.hpp"
 #include "contact/contact_figures.hpp"
 #include "contact/master.hpp"
 #include "contact/position_codes.hpp"
@@ -93,8 +94,10 @@ class ContactTerm final : public Term {
   SlaveSurface::Shape shape(std::span<const double> x) const;
   std::vector<double> outermost(std::span<const double> x, const SlaveSurface::Shape& shape) const;
   void add_tangent(const State& state, const Touch& touch, double a, double b);
-  Found find(const State& state, const SearchLimits& limits, bool remembered) const;
+  enum class Search { whole, remembering, sparing };
+  Found find(const State& state, const SearchLimits& limits, Search how) const;
   static Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle);
+  bool idle(int point) const;
   std::optional<Selection> held(const MasterSurface& master, const Vec3<double>& x, int slot) const;
   double gap(const Touch& touch) const;
   ContactPressure pressure(const Touch& touch) const;
@@ -124,6 +127,8 @@ class ContactTerm final : public Term {
   BlockTangent tangent_;
 
   mutable GlobalSearch search_;
+  mutable Clearances clearances_;
+  double rise_ = 0;  // of a curved master above its triangles, mm
   mutable Found found_;
 };
 

@@ -26,6 +26,19 @@ std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const 
   return normals;
 }
 
+// |Σ s_ij L_i L_j| ≤ max |s_ij| · ⅓ on the triangle; feet up to a triangle's size beside it count thrice
+double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals) {
+  const auto at = [&](int p) { return Vec3<double>{places[3 * p], places[3 * p + 1], places[3 * p + 2]}; };
+  double most = 0;
+  for (std::size_t k = 0; k < normals.size(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const auto& t = facets.triangles[k];
+      most = std::max(most, std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(t[i]), at(t[j])))) / 2);
+    }
+  return most;
+}
+
 CurvedGap curved_gap(const Pair& p, const Triangle& x, const CornerNormals& n) {
   CurvedGap g{p.gap, p.normal, {}};
   if (std::ranges::min(p.weights) < -1) return g;

@@ -29,4 +29,7 @@ struct CurvedGap {
 };
 CurvedGap curved_gap(const Pair& flat, const Triangle& corners, const CornerNormals& normals);
 
+/// No gap is farther from that to the flat triangles than this, mm.
+double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals);
+
 }  // namespace bulbus

@@ -15,6 +15,13 @@ constexpr int longest_walk = 20;
 // Differences below round-off do not decide between triangles: the lower number does, it comes first.
 bool nearer(double a, double b, const SearchLimits& limits) { return a < b - 1e-9 * limits.reach; }
 
+// Does the line x + d N miss the sphere, with room for round-off?
+bool passes_by(const Vec3<double>& x, const Vec3<double>& N, const MasterSurface::Sphere& s) {
+  const Vec3<double> r = minus(s.center, x);
+  const double along = dot(r, N);
+  return dot(r, r) - along * along > 1.01 * s.radius * s.radius;
+}
+
 struct Hit {
   int triangle = -1;
   double distance = 0;  // along the line
@@ -27,6 +34,7 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
       if (const double d = cross_line(x, N, master.corners(t)).distance; std::abs(d) <= limits.reach) return {t, d};
   Hit best;
   for (int t : candidates) {
+    if (passes_by(x, N, master.spheres[t])) continue;
     const Triangle corners = master.corners(t);
     const Crossing c = cross_line(x, N, corners);
     if (!c.facing || !c.inside() || std::abs(c.distance) > limits.reach) continue;
@@ -36,9 +44,9 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
   return best;
 }
 
-// No point of the triangle is nearer than this.
-double least_distance(const Vec3<double>& x, const Triangle& v) {
-  return norm(minus(x, v[0])) - std::max(norm(minus(v[1], v[0])), norm(minus(v[2], v[0])));
+bool farther(const Vec3<double>& x, const MasterSurface::Sphere& s, double distance) {
+  const Vec3<double> r = minus(s.center, x);
+  return dot(r, r) > (distance + s.radius) * (distance + s.radius);
 }
 
 double angle_at(const Triangle& v, int i) {
@@ -75,6 +83,16 @@ Around around(const MasterSurface& master, int triangle, const std::array<double
 }
 
 }  // namespace
+
+MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::span<const CornerNormals> n) : facets(f), places(p), normals(n) {
+  for (int t = 0; t < static_cast<int>(facets.triangles.size()); ++t) {
+    const Triangle v = corners(t);
+    Sphere s{{}, 0};
+    for (int c = 0; c < 3; ++c) s.center[c] = (v[0][c] + v[1][c] + v[2][c]) / 3;
+    for (const auto& corner : v) s.radius = std::max(s.radius, norm(minus(corner, s.center)));
+    spheres.push_back(s);
+  }
+}
 
 Triangle MasterSurface::corners(int triangle) const {
   Triangle c;
@@ -126,9 +144,8 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
   int nearest = -1;
   NearestPoint foot{{}, on_line.distance};
   for (int t : candidates) {
-    const Triangle corners = master.corners(t);
-    if (least_distance(x, corners) > foot.distance) continue;
-    if (const NearestPoint p = nearest_point(x, corners); nearer(p.distance, foot.distance, limits)) nearest = t, foot = p;
+    if (farther(x, master.spheres[t], foot.distance)) continue;
+    if (const NearestPoint p = nearest_point(x, master.corners(t)); nearer(p.distance, foot.distance, limits)) nearest = t, foot = p;
   }
   if (nearest < 0) return on_line;
   const Around ring = around(master, nearest, foot.weights, candidates);
@@ -141,7 +158,7 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
       most_opposed = facing, chosen = ring.triangles[i];
   }
   if (side < 0 && chosen >= 0) return {chosen, foot.distance};
-  return {on_line.triangle, hit.triangle >= 0 ? on_line.distance : foot.distance};
+  return {on_line.triangle, foot.distance};
 }
 
 }  // namespace bulbus

@@ -9,10 +9,18 @@ namespace bulbus {
 
 /// A master surface where it is now. Numbers of triangles are the same on every rank: they break ties.
 struct MasterSurface {
+  struct Sphere {
+    Vec3<double> center;
+    double radius;
+  };
+  /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. The surface and its places must stay.
+  MasterSurface(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals = {});
+  Triangle corners(int triangle) const;
+
   const Facets& facets;
   std::span<const double> places;
-  std::span<const CornerNormals> normals = {};  ///< of a curved surface that the triangles stand for; empty: they are flat
-  Triangle corners(int triangle) const;
+  std::span<const CornerNormals> normals;
+  std::vector<Sphere> spheres;  ///< around every triangle
 };
 
 /// Where the line x + d N meets a triangle's plane. With A = x1 − x, B = x2 − x, C = x3 − x the weights of the meeting point are

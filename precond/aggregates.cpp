@@ -31,19 +31,15 @@ std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system, con
   return strong;
 }
 
-}  // namespace
-
-std::vector<int> aggregate(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int count) {
-  const DofMap& dofs = system.problem().dofs();
-  const auto strong = strong_neighbours(system, scalar);
+// Group of every owned node, counted from 0 on this rank; −1 of those that have none.
+std::vector<int> grow_groups(const DofMap& dofs, const std::vector<std::vector<int>>& strong, int size) {
   const int owned = static_cast<int>(strong.size());
-  const int size = std::max(8, static_cast<int>(system.problem().mesh().all_nodes / count));
   constexpr int open = -2;
   std::vector<int> of(owned, open);
   for (int n = 0; n < owned; ++n)
     if (dofs.held(n) && trace(dofs.projector(n)) < 0.5) of[n] = -1;
   int next = 0;
-  std::deque<int> seeds;  // the rim of what is done: new aggregates grow beside old ones
+  std::deque<int> seeds;  // the rim of what is done: new groups grow beside old ones
   const auto grow = [&](int seed) {
     std::deque<int> front{seed};
     of[seed] = next;
@@ -71,21 +67,45 @@ std::vector<int> aggregate(const CoupledSystem& system, const std::array<Distrib
       if (of[seed] == open) grow(seed);
     }
   }
-  // crumbs join a neighbour
-  std::vector<int> members(next);
+  return of;
+}
+
+// Crumbs join a neighbour; numbers without gaps again. Returns how many groups there are.
+int join_crumbs(std::vector<int>& of, const std::vector<std::vector<int>>& strong) {
+  constexpr int least = 4;
+  std::vector<int> members(of.size());
   for (int a : of)
     if (a >= 0) ++members[a];
-  for (int n = 0; n < owned; ++n)
-    if (of[n] >= 0 && members[of[n]] < 4)
+  for (std::size_t n = 0; n < of.size(); ++n)
+    if (of[n] >= 0 && members[of[n]] < least)
       for (int m : strong[n])
-        if (of[m] >= 0 && members[of[m]] >= 4) {
+        if (of[m] >= 0 && members[of[m]] >= least) {
           of[n] = of[m];
           break;
         }
   std::unordered_map<int, int> number;
   for (int& a : of)
     if (a >= 0) a = number.emplace(a, static_cast<int>(number.size())).first->second;
-  return of;
+  return static_cast<int>(number.size());
+}
+
+}  // namespace
+
+Aggregates aggregate(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int nodes) {
+  const LocalMesh& mesh = system.problem().mesh();
+  const auto strong = strong_neighbours(system, scalar);
+  auto of = grow_groups(system.problem().dofs(), strong, nodes);
+  Aggregates a;
+  a.mine = join_crumbs(of, strong);
+  a.bodies = static_cast<int>(system.problem().dofs().bodies().size());
+  a.first = a.bodies + static_cast<int>(mesh.comm.offset(a.mine));
+  a.total = a.bodies + static_cast<int>(mesh.comm.sum(static_cast<long long>(a.mine)));
+  std::vector<double> number(mesh.nodes(), -1);
+  for (int n = 0; n < mesh.owned; ++n)
+    if (of[n] >= 0) number[n] = a.first + of[n];
+  mesh.halo.update(number, 1);
+  a.of.assign(number.begin(), number.end());
+  return a;
 }
 
 }  // namespace bulbus

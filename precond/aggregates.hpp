@@ -6,9 +6,17 @@
 
 namespace bulbus {
 
-/// Groups each rank's owned nodes into about `count` (over all ranks) compact aggregates along strong couplings of the nodal
-/// matrix whose xx, yy and zz parts are given. Returns the aggregate of every owned node, counted from 0 on each rank; nodes of
-/// rigid bodies and wholly held nodes have none (−1). Collective.
-std::vector<int> aggregate(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int count);
+/// Groups of nodes in the numbering of all ranks, which counts rigid bodies first: those are groups as they are.
+struct Aggregates {
+  std::vector<int> of;  ///< group of every local node, ghosts included; −1 of nodes of rigid bodies and of wholly held nodes
+  int bodies = 0;       ///< rigid bodies, groups 0, 1, ..., held by rank 0
+  int first = 0;        ///< first group of this rank's owned nodes
+  int mine = 0;         ///< their groups
+  int total = 0;        ///< groups of all ranks, bodies included
+};
+
+/// Compact aggregates of about `nodes` nodes, each of one rank's owned nodes, along strong couplings of the nodal matrix whose xx,
+/// yy and zz parts are given. Collective.
+Aggregates aggregate(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int nodes);
 
 }  // namespace bulbus

@@ -1,6 +1,9 @@
 #include "precond/displacement.hpp"
 
+#include <optional>
+
 #include "core/base/error.hpp"
+#include "precond/aggregation.hpp"
 #include "precond/assembled.hpp"
 #include "precond/block_jacobi.hpp"
 #include "precond/hybrid.hpp"
@@ -29,25 +32,40 @@ class ScalarAmgAlone final : public Preconditioner {
 
 std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
   if (settings.displacement != "auto") return settings.displacement;
-  return problem.coarser() ? "multigrid" : "hybrid";
+  return problem.coarser() ? "multigrid" : "aggregation";
 }
+
+struct DisplacementFactory::Plans {
+  std::optional<MultigridPlan> multigrid;
+  std::optional<AggregationPlan> aggregation;
+  std::optional<RigidPlan> rigid;
+};
 
 DisplacementFactory::DisplacementFactory(const LinearSettings& settings) : settings_(settings) {}
 DisplacementFactory::~DisplacementFactory() = default;
 
 std::unique_ptr<Preconditioner> DisplacementFactory::make(const CoupledSystem& system) {
-  const std::string name = chosen_displacement(settings_, system.problem());
+  const Problem& problem = system.problem();
+  if (!plans_ || problem_ != &problem) plans_ = std::make_unique<Plans>();
+  problem_ = &problem;
+  const std::string name = chosen_displacement(settings_, problem);
   if (name == "jacobi") return std::make_unique<BlockJacobi>(system);
   if (name == "scalar_amg") return std::make_unique<ScalarAmgAlone>(system);
   if (name == "boomeramg" || name == "boomeramg_nodal") return std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal");
   if (name == "exact") return std::make_unique<ExactBlock>(system);
   if (name == "multigrid") {
-    if (!system.problem().coarser())
-      throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh", "Give mesh.refine, or take 'hybrid'.");
-    if (!plan_ || &plan_->problem() != &system.problem()) plan_ = std::make_unique<MultigridPlan>(system.problem(), settings_);
-    return std::make_unique<Multigrid>(system, *plan_, settings_.multigrid);
+    if (!problem.coarser())
+      throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh", "Give mesh.refine, or take 'aggregation'.");
+    if (!plans_->multigrid) plans_->multigrid.emplace(problem, settings_);
+    return std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid);
   }
-  return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, settings_.aggregates);
+  if (name == "hybrid") {
+    const int nodes = settings_.aggregates > 0 ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates)) : 0;
+    if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, scalar_matrices(system), nodes);
+    return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr);
+  }
+  if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes);
+  return std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation);
 }
 
 }  // namespace bulbus

@@ -18,7 +18,7 @@ class DisplacementBlock final : public LinearOperator {
   const CoupledSystem& system_;
 };
 
-/// What `auto` stands for: multigrid where the problem has a coarser one, hybrid elsewhere. Other names stand for themselves.
+/// What `auto` stands for: multigrid where the problem has a coarser one, aggregation elsewhere. Other names stand for themselves.
 std::string chosen_displacement(const LinearSettings& settings, const Problem& problem);
 
 /// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one problem anew.
@@ -32,7 +32,9 @@ class DisplacementFactory {
 
  private:
   LinearSettings settings_;
-  std::unique_ptr<class MultigridPlan> plan_;
+  struct Plans;  // what they keep from one linearisation to the next
+  std::unique_ptr<Plans> plans_;
+  const Problem* problem_ = nullptr;
 };
 
 }  // namespace bulbus

@@ -1,33 +1,30 @@
 #include "precond/hybrid.hpp"
 
 #include "core/base/memory.hpp"
+#include "core/solve/reduced.hpp"
+#include "precond/correct.hpp"
 #include "precond/scalar_matrices.hpp"
 
 namespace bulbus {
 
-Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, int aggregates)
+Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid)
     : block_(system),
       jacobi_(system),
       smoother_(block_, jacobi_, degree, lowest, system.problem().comm()),
+      amg_(std::make_unique<ScalarAmg>(system, scalar_matrices(system), jacobi_)),
       residual_(block_.size()),
       correction_(block_.size()) {
-  const auto scalar = scalar_matrices(system);
-  amg_ = std::make_unique<ScalarAmg>(system, scalar, jacobi_);
-  if (aggregates > 0) coarse_ = std::make_unique<RigidCoarse>(system, scalar, aggregates);
-}
-
-void Hybrid::correct(const Preconditioner& by, std::span<const double> b, std::span<double> x) const {
-  block_.apply(x, residual_);
-  for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] = b[i] - residual_[i];
-  by.apply(residual_, correction_);
-  for (std::size_t i = 0; i < residual_.size(); ++i) x[i] += correction_[i];
+  if (!rigid) return;
+  coarse_ = std::make_unique<RigidCoarse>(system, *rigid);
+  visit_reduced(system.problem(), system.state(), true, [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
+  coarse_->factorise();
 }
 
 void Hybrid::apply(std::span<const double> b, std::span<double> x) const {
   smoother_.apply(b, x);
-  correct(*amg_, b, x);
-  if (coarse_) correct(*coarse_, b, x);
-  correct(smoother_, b, x);
+  correct(block_, *amg_, b, x, residual_, correction_);
+  if (coarse_) correct(block_, *coarse_, b, x, residual_, correction_);
+  correct(block_, smoother_, b, x, residual_, correction_);
 }
 
 std::size_t Hybrid::bytes() const {

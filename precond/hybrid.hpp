@@ -11,16 +11,15 @@ namespace bulbus {
 /// after one cycle of the three scalar AMGs and a correction with the rigid motions of aggregates. A fixed linear map.
 class Hybrid final : public Preconditioner {
  public:
-  Hybrid(const CoupledSystem& system, int degree, double lowest, int aggregates);
+  /// `rigid`: none without the rigid motions. Collective.
+  Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid);
   int size() const override { return block_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }
-  std::string fault() const override { return amg_->fault(); }
+  std::string fault() const override { return amg_->fault() + (coarse_ ? coarse_->fault() : ""); }
   std::size_t bytes() const override;
 
  private:
-  void correct(const Preconditioner& by, std::span<const double> b, std::span<double> x) const;
-
   DisplacementBlock block_;
   BlockJacobi jacobi_;
   Chebyshev smoother_;

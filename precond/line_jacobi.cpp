@@ -27,21 +27,10 @@ std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
   return next;
 }
 
-// A_(n, next) of every node that has one, 9 numbers by rows.
 std::vector<double> couplings(const CoupledSystem& system, const Lines& lines) {
-  const LocalMesh& mesh = system.problem().mesh();
-  const auto next = followers(mesh, lines);
-  std::vector<double> ahead(9 * static_cast<std::size_t>(mesh.nodes()));
-  visit_reduced(system.problem(), system.state(), true, [&](std::span<const int> d, std::span<const double> K) {
-    const std::size_t n = d.size();
-    for (std::size_t i = 0; i < n && d[i] < 3 * mesh.nodes(); i += 3)
-      for (std::size_t j = 0; j < n && next[d[i] / 3] >= 0; j += 3)
-        if (d[j] == 3 * next[d[i] / 3])
-          for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) ahead[3 * d[i] + 3 * r + c] += K[(i + r) * n + j + c];
-  });
-  mesh.halo.fold(ahead, 9);
-  return ahead;
+  LineCouplings c(system, lines);
+  visit_reduced(system.problem(), system.state(), true, [&](std::span<const int> dofs, std::span<const double> K) { c.add(dofs, K); });
+  return c.sum();
 }
 
 std::array<float, 6> packed(const Block& symmetric) {
@@ -53,12 +42,34 @@ std::array<float, 6> packed(const Block& symmetric) {
 
 }  // namespace
 
-LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines)
+LineCouplings::LineCouplings(const CoupledSystem& system, const Lines& lines)
+    : mesh_(system.problem().mesh()), next_(followers(mesh_, lines)), ahead_(9 * static_cast<std::size_t>(mesh_.nodes())) {}
+
+void LineCouplings::add(std::span<const int> d, std::span<const double> K) {
+  const std::size_t n = d.size();
+  const int nodal = 3 * mesh_.nodes();
+  const auto width = [&](std::size_t i) { return d[i] < nodal ? 3 : 6; };  // of a node, of a rigid body
+  for (std::size_t i = 0; i < n; i += width(i)) {
+    if (d[i] >= nodal || next_[d[i] / 3] < 0) continue;
+    for (std::size_t j = 0; j < n; j += width(j))
+      if (d[j] == 3 * next_[d[i] / 3])
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c) ahead_[3 * d[i] + 3 * r + c] += K[(i + r) * n + j + c];
+  }
+}
+
+std::vector<double> LineCouplings::sum() {
+  mesh_.halo.fold(ahead_, 9);
+  return std::move(ahead_);
+}
+
+LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const std::vector<double>& ahead)
     : size_(system.layout().primal()), lines_(lines), inverse_(lines.nodes.size()), lower_(lines.nodes.size() - lines.count()), bodies_(system) {
-  const auto ahead = couplings(system, lines);
   for (int k = 0; k < lines.count(); ++k)
     if (!factorise(k, system.nodal_blocks(), ahead)) factorise_nodes(k, system.nodal_blocks());
 }
+
+LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines) : LineJacobi(system, lines, couplings(system, lines)) {}
 
 bool LineJacobi::factorise(int line, const std::vector<double>& diagonal, const std::vector<double>& ahead) {
   Block inverse;

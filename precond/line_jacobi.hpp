@@ -8,12 +8,30 @@
 
 namespace bulbus {
 
+/// The couplings along lines, accumulated contribution by contribution.
+class LineCouplings {
+ public:
+  /// Collective.
+  LineCouplings(const CoupledSystem& system, const Lines& lines);
+  /// A contribution to the reduced displacement block (see visit_reduced).
+  void add(std::span<const int> dofs, std::span<const double> K);
+  /// A_(n, next) of every local node n with the next one on its line; 9 numbers by rows. Collective.
+  std::vector<double> sum();
+
+ private:
+  const LocalMesh& mesh_;
+  std::vector<int> next_;  // local node after every local node on its line; −1 at ends and where this rank does not have it
+  std::vector<double> ahead_;
+};
+
 /// Inverses of the displacement block's parts on lines of nodes, block tridiagonal with 3×3 blocks, and on rigid bodies. A line
 /// whose part is not positive definite falls back to its nodes' blocks, so that the result is symmetric positive.
 class LineJacobi final : public Preconditioner {
  public:
   /// Collective.
   LineJacobi(const CoupledSystem& system, const Lines& lines);
+  /// With the couplings that LineCouplings summed. Collective.
+  LineJacobi(const CoupledSystem& system, const Lines& lines, const std::vector<double>& couplings);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
   bool fixed() const override { return true; }

@@ -16,6 +16,18 @@ struct MultigridSettings {
   }
 };
 
+/// Aggregation as a preconditioner of the displacement block.
+struct AggregationSettings {
+  int nodes = 30, degree = 5;
+  double smoothed_part = 0.07;
+  template <class V>
+  void describe(V&& v) {
+    v("nodes", nodes, About{"nodes of an aggregate"}.between(8, 1000));
+    v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
+    v("smoothed_part", smoothed_part, About{"the smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
+  }
+};
+
 /// The linear solver: GMRES on the bordered, augmented system, or MUMPS on the bordered one.
 struct LinearSettings {
   std::string method = "iterative";
@@ -23,6 +35,7 @@ struct LinearSettings {
   std::string op = "cache";
   double gamma = 5, smoothed_part = 0.05;
   int restart = 60, max_iterations = 400, degree = 6, aggregates = 150;
+  AggregationSettings aggregation;
   MultigridSettings multigrid;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
@@ -32,8 +45,8 @@ struct LinearSettings {
   void describe(V&& v) {
     v("method", method, About{"GMRES or the direct solver MUMPS"}.one_of({"iterative", "direct"}));
     v("displacement", displacement,
-      About{"preconditioner of the displacement block; auto: multigrid where the mesh is refined, hybrid elsewhere"}.one_of(
-          {"auto", "hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
+      About{"preconditioner of the displacement block; auto: multigrid where the mesh is refined, aggregation elsewhere"}.one_of(
+          {"auto", "aggregation", "multigrid", "hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
     v("operator", op, About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of(
                           {"recompute", "cache", "assembled"}));
     v("gamma", gamma, About{"augmentation of the incompressibility in the linear system"}.between(0, 1e4));
@@ -42,6 +55,7 @@ struct LinearSettings {
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
     v("smoothed_part", smoothed_part, About{"the Chebyshev smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
     v("aggregates", aggregates, About{"aggregates whose rigid motions correct the hybrid; 0: none"}.between(0, 2000));
+    v("aggregation", aggregation, About{"aggregation, for meshes of any kind"});
     v("multigrid", multigrid, About{"multigrid on the refined meshes"});
     v("dump", dump, About{"folder that receives every linear system with its right-hand side (HDF5); empty: none"});
     v("record_krylov", record_krylov, About{"write the residual of every Krylov iteration, block by block, to krylov.csv"});

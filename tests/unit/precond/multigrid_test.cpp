@@ -215,7 +215,7 @@ TEST(Multigrid, NeedsARefinedMesh) {
 
 TEST(Displacement, AutoTakesMultigridWhereTheMeshIsRefined) {
   const Scene scene = thin_plate();
-  EXPECT_EQ(chosen_displacement({}, Problem(scene.mesh, scene.model, Comm())), "hybrid");
+  EXPECT_EQ(chosen_displacement({}, Problem(scene.mesh, scene.model, Comm())), "aggregation");
   EXPECT_EQ(chosen_displacement({}, Problem(refined(scene.mesh, 1), scene.model, Comm())), "multigrid");
   EXPECT_EQ(chosen_displacement({.displacement = "jacobi"}, Problem(refined(scene.mesh, 1), scene.model, Comm())), "jacobi");
 }

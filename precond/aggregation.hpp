@@ -1,0 +1,39 @@
+#pragma once
+#include "precond/chebyshev.hpp"
+#include "precond/displacement.hpp"
+#include "precond/line_jacobi.hpp"
+#include "precond/rigid_coarse.hpp"
+
+namespace bulbus {
+
+/// What aggregation keeps from one linearisation to the next.
+struct AggregationPlan {
+  /// Collective.
+  AggregationPlan(const CoupledSystem& system, int nodes);
+  Lines lines;
+  RigidPlan rigid;
+};
+
+/// Two grids for meshes of any kind: Chebyshev with line Jacobi on the tangent as it is applied on the fly, before and after a
+/// correction with the rigid motions of aggregates. The matrix is never formed. A fixed linear map, symmetric.
+class Aggregation final : public Preconditioner {
+ public:
+  /// Collective.
+  Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings);
+  int size() const override { return block_.size(); }
+  void apply(std::span<const double> b, std::span<double> x) const override;
+  bool fixed() const override { return true; }
+  std::string fault() const override { return coarse_.fault(); }
+  std::size_t bytes() const override;
+
+ private:
+  LineJacobi set_up(const CoupledSystem& system, const Lines& lines);
+
+  DisplacementBlock block_;
+  RigidCoarse coarse_;
+  LineJacobi jacobi_;
+  Chebyshev smoother_;
+  mutable std::vector<double> residual_, correction_;
+};
+
+}  // namespace bulbus
