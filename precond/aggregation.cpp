@@ -11,7 +11,7 @@ AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes)
     : lines(find_lines(system.problem())), rigid(system, scalar_matrices(system), nodes) {}
 
 Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings)
-    : block_(system),
+    : block_(system, Precision::single),
       coarse_(system, plan.rigid),
       jacobi_(set_up(system, plan.lines)),
       smoother_(block_, jacobi_, settings.degree, settings.smoothed_part, system.problem().comm()),

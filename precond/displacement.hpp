@@ -7,15 +7,16 @@
 
 namespace bulbus {
 
-/// The augmented displacement block K + γ B W Bᵀ as an operator on primal vectors.
+/// The augmented displacement block K + γ B W Bᵀ as an operator on primal vectors; in single precision within preconditioners.
 class DisplacementBlock final : public LinearOperator {
  public:
-  explicit DisplacementBlock(const CoupledSystem& system) : system_(system) {}
+  explicit DisplacementBlock(const CoupledSystem& system, Precision precision = Precision::full) : system_(system), precision_(precision) {}
   int size() const override { return system_.layout().primal(); }
-  void apply(std::span<const double> x, std::span<double> y) const override { system_.apply_displacement(x, y); }
+  void apply(std::span<const double> x, std::span<double> y) const override { system_.apply_displacement(x, y, precision_); }
 
  private:
   const CoupledSystem& system_;
+  Precision precision_;
 };
 
 /// What `auto` stands for: multigrid where the problem has a coarser one, aggregation elsewhere. Other names stand for themselves.

@@ -3,30 +3,39 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace bulbus {
 
 /// Eight elements are computed side by side, one per lane.
 constexpr int lanes = 8;
 
-/// Eight doubles. The compiler's vector type in a struct that broadcasts; wider or narrower machines split it.
-struct Pack {
-  using Vector = double __attribute__((vector_size(lanes * sizeof(double))));
-  Vector v;
+/// Several numbers, of the compiler's vector type V, in a struct that broadcasts; wider or narrower machines split it.
+template <class V>
+struct PackOf {
+  using Vector = V;
+  using Number = std::remove_cvref_t<decltype(V{}[0])>;
+  V v;
 
-  Pack() = default;
-  Pack(double x) : v(Vector{} + x) {}
-  explicit Pack(Vector x) : v(x) {}
-  Pack& operator+=(const Pack& b) { return v += b.v, *this; }
-  Pack& operator-=(const Pack& b) { return v -= b.v, *this; }
-  Pack& operator*=(const Pack& b) { return v *= b.v, *this; }
-  double operator[](int lane) const { return v[lane]; }
-  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.v + b.v); }
-  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.v - b.v); }
-  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v * b.v); }
-  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v / b.v); }
-  friend Pack operator-(const Pack& a) { return Pack(-a.v); }
+  PackOf() = default;
+  PackOf(double x) : v(V{} + static_cast<Number>(x)) {}
+  explicit PackOf(V x) : v(x) {}
+  PackOf& operator+=(const PackOf& b) { return v += b.v, *this; }
+  PackOf& operator-=(const PackOf& b) { return v -= b.v, *this; }
+  PackOf& operator*=(const PackOf& b) { return v *= b.v, *this; }
+  Number operator[](int lane) const { return v[lane]; }
+  friend PackOf operator+(const PackOf& a, const PackOf& b) { return PackOf(V(a.v + b.v)); }
+  friend PackOf operator-(const PackOf& a, const PackOf& b) { return PackOf(V(a.v - b.v)); }
+  friend PackOf operator*(const PackOf& a, const PackOf& b) { return PackOf(V(a.v * b.v)); }
+  friend PackOf operator/(const PackOf& a, const PackOf& b) { return PackOf(V(a.v / b.v)); }
+  friend PackOf operator-(const PackOf& a) { return PackOf(V(-a.v)); }
 };
+
+using DoubleVector = double __attribute__((vector_size(lanes * sizeof(double))));
+using SingleVector = float __attribute__((vector_size(2 * lanes * sizeof(float))));
+using Pack = PackOf<DoubleVector>;
+/// Two packs side by side in single precision: the same registers for twice the elements.
+using SinglePack = PackOf<SingleVector>;
 
 inline Pack load(const double* p) {
   Pack::Vector v;

@@ -79,6 +79,7 @@ void Solid::linearize(std::span<const double> x, std::span<const double> lambda,
   lambda_ = lambda;
   gamma_ = gamma;
   source_ = source;
+  single_.x.clear();
   update_moduli();
   if (source == StrainSource::cache) fill_cache();
   else std::vector<float>().swap(cache_);
@@ -135,10 +136,10 @@ void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, s
     Pack theta;
     if (source_ == StrainSource::cache) {
       const CachedStrain strain{cache_.data() + static_cast<std::size_t>(p) * 8 * cached_floats * lanes};
-      const auto strain_of = [&](const PointValues&) { return strain; };
+      const auto strain_of = [&](const PointValues<Pack>&) { return strain; };
       scatter_add(pack, tangent_action(material, strain_of, gx, gd, lambda, dl, penalty, theta), force);
     } else {
-      const auto strain_of = [&](const PointValues& det) { return RecomputedStrain(reference_gradient(gather<8>(pack, X_)), det); };
+      const auto strain_of = [&](const PointValues<Pack>& det) { return RecomputedStrain(reference_gradient(gather<8>(pack, X_)), det); };
       scatter_add(pack, tangent_action(material, strain_of, gx, gd, lambda, dl, penalty, theta), force);
     }
     if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
@@ -174,7 +175,8 @@ void Solid::volume_change(std::span<const double> dx, std::span<double> volume_c
 }
 
 std::size_t Solid::bytes() const {
-  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_);
+  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) + bytes_of(single_.x) + bytes_of(single_.dx) +
+         bytes_of(single_.force);
 }
 
 std::size_t Solid::cache_bytes() const { return bytes_of(cache_); }

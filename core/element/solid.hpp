@@ -58,6 +58,8 @@ class Solid {
   /// not written.
   void apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
              std::span<double> volume_change) const;
+  /// The same without dlambda in single precision where the strain is cached: for smoothers.
+  void apply_single(std::span<const double> dx, std::span<double> force) const;
   /// volume_change = bᵀ dx.
   void volume_change(std::span<const double> dx, std::span<double> volume_change) const;
   /// force += b dlambda.
@@ -101,6 +103,10 @@ class Solid {
   std::vector<int> rigid_;
   std::vector<float> cache_;
   std::span<const double> x_, lambda_;
+  struct Single {
+    std::vector<float> x, dx, force;  // x: of the linearised state, empty until it is asked for
+  };
+  mutable Single single_;
   double gamma_ = 0;
   StrainSource source_ = StrainSource::recompute;
 };

@@ -32,13 +32,14 @@ PointStrain<T> point_strain(const Mat3<T>& a, const T& det_a, const Mat3<T>& A) 
 }
 
 /// One number per Gauss point i + 2j + 4k of a pack.
-using PointValues = std::array<Pack, 8>;
+template <class P>
+using PointValues = std::array<P, 8>;
 
 /// The strain of a pack's Gauss points, computed from both configurations. Divisions and roots, which take long but can overlap,
 /// are done for all points at once.
 class RecomputedStrain {
  public:
-  RecomputedStrain(const ReferenceGradient<Pack>& A, const PointValues& det_a) {
+  RecomputedStrain(const ReferenceGradient<Pack>& A, const PointValues<Pack>& det_a) {
     for_each_gauss_point([&](int i, int j, int k) {
       const int p = i + 2 * j + 4 * k;
       const Mat3<Pack> a = A.at(i, j, k);
@@ -57,7 +58,7 @@ class RecomputedStrain {
 
  private:
   std::array<Mat3<Pack>, 8> cofactor_;
-  PointValues dV0_, factor_;  // factor: J^(-2/3) / dV0²
+  PointValues<Pack> dV0_, factor_;  // factor: J^(-2/3) / dV0²
 };
 
 /// Floats kept per element and Gauss point by the cache: b and dV0.
@@ -99,38 +100,38 @@ NodalVectors<Pack> internal_force(const Material& material, const ReferenceGradi
 
 /// Action of a pack's tangent: forces K δx + b (δλ + γ W θ), where θ = bᵀ δx, b = ∂V_e/∂u, is returned too.
 /// `penalty` is γ W = γ μ_e / V_e; `strain_of` gives the strain of the points from their det ∂x/∂ξ.
-template <class Material, class StrainOf>
-NodalVectors<Pack> tangent_action(const Material& material, StrainOf strain_of, const ReferenceGradient<Pack>& x,
-                                  const ReferenceGradient<Pack>& dx, const Pack& lambda, const Pack& dlambda,
-                                  const Pack& penalty, Pack& theta) {
+template <class P, class Material, class StrainOf>
+NodalVectors<P> tangent_action(const Material& material, StrainOf strain_of, const ReferenceGradient<P>& x,
+                                  const ReferenceGradient<P>& dx, const P& lambda, const P& dlambda,
+                                  const P& penalty, P& theta) {
   struct Kinematics {
-    Mat3<Pack> cof, l;
+    Mat3<P> cof, l;
   };
   std::array<Kinematics, 8> points;
-  PointValues det, inverse;
+  PointValues<P> det, inverse;
   theta = 0;
   for_each_gauss_point([&](int i, int j, int k) {
     const int n = i + 2 * j + 4 * k;
-    Kinematics& p = points[n];
-    const Mat3<Pack> a = x.at(i, j, k);
-    p.cof = cofactor(a);
-    det[n] = determinant(a, p.cof);
-    p.l = times_transposed(dx.at(i, j, k), p.cof);  // l det
-    theta += trace(p.l);
+    Kinematics& point = points[n];
+    const Mat3<P> a = x.at(i, j, k);
+    point.cof = cofactor(a);
+    det[n] = determinant(a, point.cof);
+    point.l = times_transposed(dx.at(i, j, k), point.cof);  // l det
+    theta += trace(point.l);
   });
   for (int n = 0; n < 8; ++n) inverse[n] = 1.0 / det[n];
   const auto strain = strain_of(det);
-  const Pack pressure = dlambda + penalty * theta;
-  ReferenceGradient<Pack> flux{};
+  const P pressure = dlambda + penalty * theta;
+  ReferenceGradient<P> flux{};
   for_each_gauss_point([&](int i, int j, int k) {
     const int n = i + 2 * j + 4 * k;
-    const Kinematics& p = points[n];
-    const PointStrain<Pack> s = strain.at(i, j, k, x.at(i, j, k));
+    const Kinematics& point = points[n];
+    const PointStrain<P> s = strain.at(i, j, k, x.at(i, j, k));
     // T is linear in l: hand over l det and divide once. Everything carries one more 1/det for a⁻ᵀ = cof / det.
-    const Pack dV0 = s.dV0 * inverse[n] * inverse[n];
-    Mat3<Pack> t = material.tangent(s.b, p.l, dV0, Pack(lambda * inverse[n]));
+    const P dV0 = s.dV0 * inverse[n] * inverse[n];
+    Mat3<P> t = material.tangent(s.b, point.l, dV0, P(lambda * inverse[n]));
     for (int r = 0; r < 3; ++r) t(r, r) += pressure;
-    flux.add(i, j, k, t * p.cof);
+    flux.add(i, j, k, t * point.cof);
   });
   return transposed_gradient(flux);
 }

@@ -70,7 +70,7 @@ struct CoupledSystem::Action {
 };
 
 CoupledSystem::Action CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda,
-                                                  bool volume) const {
+                                                  bool volume, Precision precision) const {
   force_.assign(dx.size(), 0);
   Action a{force_, std::vector<double>(volume ? layout_.hexes : 0)};
   if (assembled_) {
@@ -78,7 +78,10 @@ CoupledSystem::Action CoupledSystem::nodal_action(std::span<const double> dx, st
     if (!dlambda.empty()) problem_.solid().apply_pressure(dlambda, force_);
     if (volume) problem_.solid().volume_change(dx, a.volume);
   } else {
-    problem_.solid().apply(dx, dlambda, force_, a.volume);
+    if (precision == Precision::single)
+      problem_.solid().apply_single(dx, force_);
+    else
+      problem_.solid().apply(dx, dlambda, force_, a.volume);
     for (const auto& term : problem_.terms()) term->add_action(dx, force_);
     for (std::size_t i = 0; i < state_->P.size(); ++i)
       if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force_);
@@ -111,11 +114,11 @@ std::vector<CoupledSystem::Entry> CoupledSystem::body_extra() const {
   return extra;
 }
 
-void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y) const {
+void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y, Precision precision) const {
   const DofMap& dofs = problem_.dofs();
   dx_.resize(state_->x.size());
   dofs.expand(*state_, x, dx_);
-  const Action a = nodal_action(dx_, {}, false);
+  const Action a = nodal_action(dx_, {}, false, precision);
   dofs.reduce(*state_, a.force, y);
   dofs.add_held(x, dx_, held_scale_, y);
   add_body_geometry(x, y);

@@ -22,6 +22,8 @@ struct Layout {
   auto pressures(V&& v) const { return std::span(v).subspan(primal() + hexes, liquids); }
 };
 
+enum class Precision { full, single };
+
 /// The bordered, augmented tangent in one state (formulation, section 3), applied without being formed:
 ///
 ///     [ K + γ B W Bᵀ + Σ ω g gᵀ     B    −(1 − ω V_i/K) g ]
@@ -47,8 +49,8 @@ class CoupledSystem final : public LinearOperator {
   /// −residual − tangent · ū, for held increments ū still to be made (3 per local node), with the augmentation's part.
   std::vector<double> right_hand_side(const Residual& r, std::span<const double> held) const;
 
-  /// y = (K + γ B W Bᵀ) x on primal vectors, without the liquids' ω.
-  void apply_displacement(std::span<const double> x, std::span<double> y) const;
+  /// y = (K + γ B W Bᵀ) x on primal vectors, without the liquids' ω. In single precision the elements' part is good to 1e-6 or so.
+  void apply_displacement(std::span<const double> x, std::span<double> y, Precision precision = Precision::full) const;
   /// primal += factor · B λ
   void add_pressure_force(std::span<const double> lambda, double factor, std::span<double> primal) const;
   /// g of each liquid in primal form (empty where its pressure is given).
@@ -82,7 +84,7 @@ class CoupledSystem final : public LinearOperator {
 
  private:
   struct Action;
-  Action nodal_action(std::span<const double> dx, std::span<const double> dlambda, bool volume) const;
+  Action nodal_action(std::span<const double> dx, std::span<const double> dlambda, bool volume, Precision precision = Precision::full) const;
   void take_liquid_columns();
   void take_blocks();
   void take_scaling();
