@@ -30,9 +30,23 @@ inline Vec3<SinglePack> gather_nodes(const PackPair& p, int a, const float* v) {
   return {even(xy01, xy23), odd(xy01, xy23), even(second(p0, p1), second(p2, p3))};
 }
 
+inline SinglePack join(const Pack& low, const Pack& high) {
+  return SinglePack(SingleVector(__builtin_shufflevector(__builtin_convertvector(low.v, FloatVector), __builtin_convertvector(high.v, FloatVector), 0, 1, 2, 3,
+                                                         4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)));
+}
+
 inline std::array<Vec3<SinglePack>, 8> gather(const PackPair& p, const std::vector<float>& v) {
   std::array<Vec3<SinglePack>, 8> out;
   for (int a = 0; a < 8; ++a) out[a] = gather_nodes(p, a, v.data());
+  return out;
+}
+
+/// Relative to the first node of each element, in double precision: a rigid motion must not drown the strain in rounding.
+inline std::array<Vec3<SinglePack>, 8> gather_relative(const PackPair& p, std::span<const double> v) {
+  const auto low = gather(p.low, v), high = gather(p.high, v);
+  std::array<Vec3<SinglePack>, 8> out;
+  for (int a = 0; a < 8; ++a)
+    for (int c = 0; c < 3; ++c) out[a][c] = join(low[a][c] - low[0][c], high[a][c] - high[0][c]);
   return out;
 }
 

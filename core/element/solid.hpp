@@ -104,7 +104,7 @@ class Solid {
   std::vector<float> cache_;
   std::span<const double> x_, lambda_;
   struct Single {
-    std::vector<float> x, dx, force;  // x: of the linearised state, empty until it is asked for
+    std::vector<float> x, force;  // x: of the linearised state, empty until it is asked for
   };
   mutable Single single_;
   double gamma_ = 0;

@@ -37,7 +37,6 @@ void Solid::apply_single(std::span<const double> dx, std::span<double> force) co
   if (source_ != StrainSource::cache) return apply(dx, {}, force, {});
   auto& s = single_;
   if (s.x.empty()) to_single(x_, s.x);
-  to_single(dx, s.dx);
   s.force.assign(dx.size(), 0);
   constexpr int per_pack = 8 * cached_floats * lanes;
   for (const SolidRegion& r : regions_) {
@@ -49,7 +48,7 @@ void Solid::apply_single(std::span<const double> dx, std::span<double> force) co
         const PairedStrain strain{&cache_[static_cast<std::size_t>(p) * per_pack], &cache_[static_cast<std::size_t>(other) * per_pack]};
         const auto strain_of = [&](const PointValues<SinglePack>&) { return strain; };
         SinglePack theta;
-        scatter_add(pair, tangent_action(material, strain_of, reference_gradient(gather(pair, s.x)), reference_gradient(gather(pair, s.dx)),
+        scatter_add(pair, tangent_action(material, strain_of, reference_gradient(gather(pair, s.x)), reference_gradient(gather_relative(pair, dx)),
                                          load_single(lambda_, first, pair.used), SinglePack(0.), load_single(penalty_, first, pair.used), theta),
                     s.force);
       }
