@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 namespace bulbus {
+namespace {
 
-void BodyFiles::save(int number, double time) {
+std::string file_of(int number) { return fmt::format("bodies_{:04d}.vtp", number); }
+
+}  // namespace
+
+void BodyFiles::save(int number) const {
   if (operation_->bodies().empty()) return;
   std::vector<double> points;
   std::vector<std::array<int, 3>> triangles;
@@ -21,9 +26,11 @@ void BodyFiles::save(int number, double time) {
     for (std::size_t p = 0; p < surface->parts.size(); ++p)
       part.values.insert(part.values.end(), surface->parts[p].triangles, static_cast<double>(p));
   }
-  const std::string file = fmt::format("bodies_{:04d}.vtp", number);
-  write_vtp(folder_ + "/" + file, points, triangles, {body, part});
-  index_.add(file, time);
+  write_vtp(folder_ + "/" + file_of(number), points, triangles, {body, part});
+}
+
+void BodyFiles::list(int number, double time) {
+  if (!operation_->bodies().empty()) index_.add(file_of(number), time);
 }
 
 }  // namespace bulbus

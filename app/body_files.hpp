@@ -12,7 +12,9 @@ class BodyFiles {
       : operation_(std::move(operation)), folder_(folder), index_(folder + "/bodies.pvd") {}
 
   /// Nothing if there are no bodies. Throws std::runtime_error.
-  void save(int number, double time);
+  void save(int number) const;
+  /// Adds what was saved to the index. Throws std::runtime_error.
+  void list(int number, double time);
 
  private:
   std::shared_ptr<const Operation> operation_;

@@ -18,13 +18,14 @@ struct Estimate {
   double bytes;
 };
 
-std::vector<Estimate> estimate(const Problem& problem, const Sizes& s, const LinearSettings& l) {
+std::vector<Estimate> estimate(const Problem& problem, const Sizes& s, const LinearSettings& l, bool checkpoints) {
   const double nodes = static_cast<double>(s.nodes), cells = static_cast<double>(s.element_pressure),
                unknowns = static_cast<double>(s.unknowns());
   const Comm& comm = problem.comm();
   std::vector<Estimate> parts{
       {"mesh and elements", comm.sum(static_cast<double>(problem.mesh().bytes() + problem.solid().bytes()))},
       {"vectors", 30 * 8 * unknowns}};
+  if (checkpoints) parts.push_back({"checkpoints", 90 * nodes + 32 * cells});  // start of the step, keys, and a table on its way to the file
   if (l.method == "direct") {
     // measured on eyes of 7,000 hexahedra and more; the factors of a compact body grow with the power 4/3
     parts.push_back({"matrix and its copies", 11e3 * cells});
@@ -68,7 +69,7 @@ int check(const Scene& scene, const Comm& comm) {
   log.info(fmt::format("memory to expect with the {} solver, over all ranks (MB, a rough estimate):",
                        scene.solver.linear.method));
   double total = 0;
-  for (const auto& [part, bytes] : estimate(problem, sizes, scene.solver.linear)) {
+  for (const auto& [part, bytes] : estimate(problem, sizes, scene.solver.linear, scene.output.checkpoint > 0)) {
     log.info(fmt::format("  {:<20} {:>10.1f}", part, bytes / megabyte));
     total += bytes;
   }

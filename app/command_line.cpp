@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/checkpoints.hpp"
 #include "app/commands.hpp"
 #include "app/help.hpp"
 #include "app/version.hpp"
@@ -14,7 +15,7 @@ namespace bulbus {
 namespace {
 
 struct Arguments {
-  std::string scene, out, topic;
+  std::string scene, out, restart, topic;
   std::vector<std::string> set;
   bool text = false;
 };
@@ -28,6 +29,8 @@ struct Parser {
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
   CLI::App* help = app.add_subcommand("help", "every key of a scene or a study, or the JSON schema of a scene");
 
+  CLI::Option* restart = nullptr;
+
   Parser() {
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("bulbus ") + version);
@@ -39,6 +42,9 @@ struct Parser {
     add_set(study);
     for (CLI::App* command : {run, study})
       command->add_option("-o", given.out, "folder of the results (default: results/ and the file's name)")->type_name("DIR");
+    restart = run->add_option("--restart", given.restart, "go on from the checkpoint of the results' folder, or of another folder or file")
+                  ->type_name("[FROM]")
+                  ->expected(0, 1);
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
     mesh->add_flag("--text", given.text, "write MSH 2.2 text instead");
     help->add_option("TOPIC", given.topic, "scene, study or schema")
@@ -65,6 +71,14 @@ std::vector<std::string> one_set_each(const std::vector<std::string>& arguments)
     out.push_back(a);
   }
   return out;
+}
+
+// `--restart SCENE` becomes `SCENE --restart`: CLI11 would take the scene for the checkpoint.
+std::vector<std::string> scene_before_restart(std::vector<std::string> arguments) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i)
+    if (arguments[i] == "--restart" && (arguments[i + 1].ends_with(".yaml") || arguments[i + 1].ends_with(".yml")))
+      std::swap(arguments[i], arguments[i + 1]);
+  return arguments;
 }
 
 std::string results_of(const std::string& scene) {
@@ -95,6 +109,18 @@ void print_topic(const std::string& topic, std::ostream& out) {
     out << scene_schema().dump(2) << "\n";
 }
 
+// Where the run writes, and what it goes on from: of these two, what is not said follows from what is.
+std::pair<std::string, std::string> places_of(const Parser& parser) {
+  namespace fs = std::filesystem;
+  const Arguments& given = parser.given;
+  const bool named = !given.restart.empty();
+  const std::string checkpoint = named && fs::is_directory(given.restart) ? checkpoint_in(given.restart) : given.restart;
+  std::string out = given.out;
+  if (out.empty()) out = named ? fs::path(checkpoint).parent_path().string() : results_of(given.scene);
+  if (out.empty()) out = ".";
+  return {out, *parser.restart && !named ? checkpoint_in(out) : checkpoint};
+}
+
 bool is_a_study(const std::string& path, const std::vector<std::string>&) { return is_study(path); }
 
 void expect_fitting(const Parser& parser, bool of_a_study) {
@@ -111,7 +137,7 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
     print_topic(given.topic, out);
     return 0;
   }
-  const std::string out_dir = given.out.empty() ? results_of(given.scene) : given.out;
+  const auto [out_dir, checkpoint] = places_of(parser);
   const bool of_a_study = read_together(given, comm, is_a_study);
   expect_fitting(parser, of_a_study);
   if (of_a_study) {
@@ -120,7 +146,7 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
   }
   const Scene scene = read_together(given, comm, read_scene);
   if (*parser.check) return check(scene, comm);
-  if (*parser.run) return run(scene, given.scene, out_dir, comm);
+  if (*parser.run) return run(scene, given.scene, out_dir, comm, Log::Screen::shown, checkpoint);
   return write_mesh(scene, given.out, given.text ? GmshFormat{false, false} : GmshFormat{}, comm);
 }
 
@@ -131,7 +157,7 @@ int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostr
   std::ostream &said = comm.rank() == 0 ? out : silent, &faults = comm.rank() == 0 ? err : silent;
   Parser parser;
   try {
-    arguments = one_set_each(arguments);
+    arguments = scene_before_restart(one_set_each(arguments));
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     parser.app.parse(arguments);
     return obey(parser, comm, said);

@@ -8,10 +8,10 @@
 
 namespace bulbus {
 
-/// Solves the scene into the folder. Returns the exit status: 0 finished, 1 not converged. Collective. Throws
-/// InputError before anything is written.
+/// Solves the scene into the folder, or goes on from a checkpoint (empty: none) and adds to the records beside that. Returns the exit
+/// status: 0 finished, 1 not converged. Collective. Throws InputError before anything is written.
 int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm,
-        Log::Screen screen = Log::Screen::shown);
+        Log::Screen screen = Log::Screen::shown, const std::string& checkpoint = "");
 
 /// Prints sizes, mesh quality and a memory estimate; solves nothing. Collective. Throws InputError.
 int check(const Scene& scene, const Comm& comm);

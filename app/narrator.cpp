@@ -7,6 +7,11 @@
 #include "app/sizes.hpp"
 
 namespace bulbus {
+namespace {
+
+constexpr double worth_telling = 10;  // seconds to go
+
+}  // namespace
 
 std::string duration(double seconds) {
   if (seconds < 10) return fmt::format("{:.1f} s", seconds);
@@ -19,7 +24,13 @@ std::string duration(double seconds) {
 Narrator::Narrator(const Log& log, const Problem& problem)
     : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)) {}
 
-void Narrator::step_begins(int step, const StepSpec& spec) {
+void Narrator::resumes(const MarchPlace& place) {
+  log_.info("");
+  log_.info(fmt::format("goes on after increment {}: {:.4g} of step {} of {} is done", place.report.increments, place.done, place.step + 1,
+                        model_.steps.size()));
+}
+
+void Narrator::step_begins(int step, const StepSpec& spec, const State&) {
   log_.info("");
   log_.info(fmt::format("step {} of {}{}: {} increment{}", step + 1, model_.steps.size(),
                         spec.name.empty() ? "" : " '" + spec.name + "'", spec.increments,
@@ -47,22 +58,12 @@ void Narrator::increment_cut(const NewtonReport& report, double from, double to)
                         report.iterations.size(), report.reason));
 }
 
-// Increments are taken to cost the same; how many a step will need is what the scene says.
-double Narrator::remaining(const Increment& increment) const {
-  double all = 0, done = 0;
-  for (std::size_t k = 0; k < model_.steps.size(); ++k) {
-    const int n = model_.steps[k].increments;
-    all += n;
-    if (static_cast<int>(k) < increment.step) done += n;
-    if (static_cast<int>(k) == increment.step) done += n * increment.progress;
-  }
-  return elapsed() * (all - done) / done;
-}
-
 void Narrator::increment_done(const Increment& i, const State&) {
-  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}; about {} to go",
-                        i.number, i.newton.iterations.size(), i.newton.krylov_iterations(),
-                        duration(i.seconds), duration(remaining(i))));
+  const double left = forecast_.after(i, model_.steps, Clock::now() - since_);
+  since_ = Clock::now();
+  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}{}", i.number, i.newton.iterations.size(),
+                        i.newton.krylov_iterations(), duration(i.seconds),
+                        left < worth_telling ? "" : "; about " + duration(left) + " to go"));
   const long long surplus = i.newton.negative_pivots - stable_pivots_;
   if (i.newton.negative_pivots >= 0 && surplus != 0)
     log_.warn(fmt::format(

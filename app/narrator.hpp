@@ -1,4 +1,5 @@
 #pragma once
+#include "app/forecast.hpp"
 #include "contact/operation_figures.hpp"
 #include "core/io/log.hpp"
 #include "core/problem/probe_record.hpp"
@@ -12,7 +13,8 @@ class Narrator final : public MarchObserver {
  public:
   Narrator(const Log& log, const Problem& problem);
 
-  void step_begins(int step, const StepSpec& spec) override;
+  void step_begins(int step, const StepSpec& spec, const State& state) override;
+  void resumes(const MarchPlace& place);
   void increment_begins(int step, double from, double to) override;
   void newton_iteration(const NewtonIteration& i) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;
@@ -22,12 +24,12 @@ class Narrator final : public MarchObserver {
 
  private:
   double elapsed() const { return Clock::now() - start_; }
-  double remaining(const Increment& increment) const;
 
   const Log& log_;
   const Model& model_;
   long long stable_pivots_;
-  double start_ = Clock::now();
+  Forecast forecast_;
+  double start_ = Clock::now(), since_ = start_;  // of the run, of the increment with its failed attempts
 };
 
 /// "12 s", "4 min 10 s", "2 h 05 min".

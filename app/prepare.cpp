@@ -20,19 +20,11 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
   return meshes;
 }
 
-// Prescribed displacements are carried along, so that each step starts where the one before leaves its sets.
 void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
   Problem problem(mesh, model, comm);
   const auto operation = Operation::attach(problem, mesh);
   const ProbeSet probes(problem, operation_probes(operation));
-  State state = problem.initial_state();
-  std::vector<double> held(state.x.size());
-  for (std::size_t k = 0; k < model.steps.size(); ++k) {
-    problem.begin_step(static_cast<int>(k), state);
-    problem.dofs().defect(state, 1, held);
-    for (std::size_t i = 0; i < held.size(); ++i) state.x[i] += held[i];
-    problem.end_step();
-  }
+  problem.rehearse(static_cast<int>(model.steps.size()));
 }
 
 }  // namespace

@@ -15,24 +15,28 @@ std::vector<std::string> history_columns(const ProbeSet& probes) {
 }  // namespace
 
 Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
-                   Meters& meters)
+                   Meters& meters, CsvTable::File file)
     : problem_(*prepared.problem),
       operation_(prepared.operation),
       meters_(meters),
       narrator_(log, problem_),
       probes_(problem_, operation_probes(operation_)),
       record_(probes_),
-      results_(scene.output, operation_, folder) {
+      results_(scene.output, operation_, folder),
+      checkpoints_(scene, problem_, *this, folder) {
   if (problem_.comm().rank() != 0) return;
-  history_.emplace(folder + "/history.csv", history_columns(probes_));
+  history_.emplace(folder + "/history.csv", history_columns(probes_), file);
   if (scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum)
     krylov_.emplace(folder + "/krylov.csv",
-                    std::vector<std::string>{"increment", "newton", "iteration", "residual", "displacement", "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"});
+                    std::vector<std::string>{"increment", "newton", "iteration", "residual", "displacement", "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"},
+                    file);
 }
 
-void Recorder::step_begins(int step, const StepSpec& spec) {
+void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
   steps_.push_back({.name = spec.name});
-  narrator_.step_begins(step, spec);
+  narrator_.step_begins(step, spec, start);
+  checkpoints_.step_begins(start);
+  meters_.memory.set("checkpoints", checkpoints_.bytes());
 }
 
 void Recorder::increment_begins(int step, double from, double to) {
@@ -84,7 +88,32 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   results_.increment_done(increment.number, increment.time, snapshot);
 }
 
+void Recorder::rests(const MarchPlace& place, State& state, bool last) {
+  const auto scope = meters_.clock.measure("checkpoints");
+  checkpoints_.rests(place, state, last);
+}
+
+void Recorder::remember(Keeper& keeper, const MarchPlace& place) {
+  keeper.scalars("counts", increments_, cuts_, negative_pivots_);
+  steps_.resize(place.step + 1);
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    StepRecord& s = steps_[k];
+    s.name = problem_.model().steps[k].name;
+    keeper.scalars("step " + std::to_string(k), s.increments, s.newton_iterations, s.krylov_iterations, s.cuts, s.seconds);
+  }
+  record_.remember(keeper, place.step + (place.done == 1));
+  results_.remember(keeper, problem_.comm());
+}
+
+Resumed Recorder::resume(Checkpoint& checkpoint) {
+  Resumed from = checkpoint.resume(problem_, *this);
+  checkpoints_.resumed(from);
+  narrator_.resumes(from.place);
+  return from;
+}
+
 void Recorder::take(Snapshot& snapshot) {
+  taken_ = true;
   values_ = record_.values(snapshot);
   contacts_.clear();
   for (const Operation::Contact& contact : operation_->contacts()) contacts_.push_back(standing(contact, snapshot));
@@ -103,7 +132,7 @@ void Recorder::append_history(const Increment& i) {
 void Recorder::finish(const State& state) {
   const auto scope = meters_.clock.measure("records");
   Snapshot snapshot(problem_, state);
-  if (increments_ == 0) take(snapshot);
+  if (!taken_) take(snapshot);
   results_.finish(snapshot);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "app/checkpoints.hpp"
 #include "app/narrator.hpp"
 #include "app/prepare.hpp"
 #include "app/result_files.hpp"
@@ -17,18 +18,22 @@ struct StepRecord {
 
 /// Writes the records of a march as it goes: log, history.csv, krylov.csv, result files. Disk faults are
 /// std::runtime_error. All members that take a state are collective.
-class Recorder final : public MarchObserver {
+class Recorder final : public MarchObserver, public Remembering {
  public:
   Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
-           Meters& meters);
+           Meters& meters, CsvTable::File file = CsvTable::File::anew);
 
-  void step_begins(int step, const StepSpec& spec) override;
+  void step_begins(int step, const StepSpec& spec, const State& start) override;
   void increment_begins(int step, double from, double to) override;
   void newton_iteration(const NewtonIteration& iteration) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
+  void rests(const MarchPlace& place, State& state, bool last) override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
+  void remember(Keeper& keeper, const MarchPlace& place) override;
+  /// Goes on as the records of a run that was left. Collective.
+  Resumed resume(Checkpoint& checkpoint);
 
   const ProbeSet& probes() const { return probes_; }
   /// Of the last state recorded.
@@ -46,18 +51,20 @@ class Recorder final : public MarchObserver {
   void take(Snapshot& snapshot);
   void append_history(const Increment& increment);
 
-  const Problem& problem_;
+  Problem& problem_;
   std::shared_ptr<const Operation> operation_;
   Meters& meters_;
   Narrator narrator_;
   ProbeSet probes_;
   ProbeRecord record_;
   ResultFiles results_;
+  Checkpoints checkpoints_;
   std::optional<CsvTable> history_, krylov_;  // on rank 0
   ProbeValues values_;
   std::vector<ContactStanding> contacts_;
   std::vector<StepRecord> steps_;
   int increments_ = 0, cuts_ = 0, negative_pivots_ = -1;
+  bool taken_ = false;  // are the values of the last state?
   double since_ = Clock::now();
 };
 

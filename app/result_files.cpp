@@ -11,6 +11,8 @@
 namespace bulbus {
 namespace {
 
+std::string file_of(int number) { return fmt::format("result_{:04d}.vtkhdf", number); }
+
 std::vector<Point> reference_points(const LocalMesh& mesh) {
   std::vector<Point> points(mesh.nodes());
   for (int n = 0; n < mesh.nodes(); ++n) points[n] = {mesh.X[3 * n], mesh.X[3 * n + 1], mesh.X[3 * n + 2]};
@@ -99,19 +101,31 @@ void ResultFiles::increment_done(int number, double time, Snapshot& snapshot) {
 }
 
 void ResultFiles::finish(Snapshot& snapshot) {
-  if (saved_ != last_) save(snapshot);
+  if (saved_.empty() || saved_[saved_.size() - 2] != last_) save(snapshot);
 }
 
 void ResultFiles::save(Snapshot& s) {
   if (!settings_.vtk) return;
-  const std::string file = fmt::format("result_{:04d}.vtkhdf", last_);
+  const std::string file = file_of(last_);
   const auto points = reference_points(s.problem.mesh());
   write_vtkhdf(folder_ + "/" + file, piece_of(s, *operation_, settings_, points), s.problem.comm());
   if (s.problem.comm().rank() == 0) {
-    series_.add(file, time_);
-    bodies_.save(last_, time_);
+    bodies_.save(last_);
+    list(last_, time_);
   }
-  saved_ = last_;
+  saved_.insert(saved_.end(), {static_cast<double>(last_), time_});
+}
+
+void ResultFiles::list(int number, double time) {
+  series_.add(file_of(number), time);
+  bodies_.list(number, time);
+}
+
+void ResultFiles::remember(Keeper& keeper, const Comm& comm) {
+  keeper.scalars("last result", last_, time_);
+  keeper.numbers("results", saved_);
+  if (!keeper.reading() || comm.rank() != 0) return;
+  for (std::size_t i = 0; i < saved_.size(); i += 2) list(static_cast<int>(saved_[i]), saved_[i + 1]);
 }
 
 }  // namespace bulbus

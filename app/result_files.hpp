@@ -18,17 +18,21 @@ class ResultFiles {
   void increment_done(int number, double time, Snapshot& snapshot);
   /// Saves the state of the last increment unless that is done. Collective. Throws std::runtime_error.
   void finish(Snapshot& snapshot);
+  /// Which increments have their files, and when they were. Collective.
+  void remember(Keeper& keeper, const Comm& comm);
 
  private:
   void save(Snapshot& snapshot);
+  void list(int number, double time);
 
   OutputSettings settings_;
   std::shared_ptr<const Operation> operation_;
   std::string folder_;
   Series series_;
   BodyFiles bodies_;
-  int last_ = 0, saved_ = 0;
+  int last_ = 0;
   double time_ = 0;
+  std::vector<double> saved_;  // number and time of each
 };
 
 }  // namespace bulbus

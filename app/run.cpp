@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -87,10 +88,15 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
   log.info("results in " + folder);
 }
 
+std::string folder_of(const std::string& file) {
+  const auto folder = std::filesystem::path(file).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
 }  // namespace
 
 int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm,
-        Log::Screen screen) {
+        Log::Screen screen, const std::string& checkpoint) {
   const double start = Clock::now();
   Meters meters;
   Prepared prepared;
@@ -99,20 +105,25 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
     prepared = prepare(scene, comm);
   }
   Problem& problem = *prepared.problem;
-  make_results_folder(out_dir, comm);
+  std::optional<Checkpoint> from;
+  if (!checkpoint.empty()) from.emplace(checkpoint, scene, problem);
+  if (from)
+    continue_results_folder(folder_of(checkpoint), out_dir, from->place().report.increments, comm);
+  else
+    make_results_folder(out_dir, comm);
   if (comm.rank() == 0) write_whole(out_dir + "/resolved.yaml", resolved_yaml(with_materials_of(problem, scene)));
-  const Log log(out_dir + "/run.log", comm, screen);
+  const Log log(out_dir + "/run.log", comm, screen, from ? Log::File::continued : Log::File::anew);
   write_header(log, scene, scene_path, prepared);
 
-  Recorder recorder(prepared, scene, out_dir, log, meters);
+  Recorder recorder(prepared, scene, out_dir, log, meters, from ? CsvTable::File::continued : CsvTable::File::anew);
   const LinearSettings& linear = scene.solver.linear;
   CoupledSystem system(problem, settings_of_system(linear));
   auto solver = make_solver(linear, meters);
   if (!linear.dump.empty())
     solver = make_dumping_solver(
         std::move(solver), linear.dump, [&] { return recorder.increments() + 1; }, comm);
-  State state = problem.initial_state();
-  const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder);
+  auto [place, step_start, state] = from ? recorder.resume(*from) : Resumed{.state = problem.initial_state()};
+  const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder, place);
 
   recorder.finish(state);
   measure_memory(problem, system, meters);

@@ -37,15 +37,56 @@ void ContactTerm::commit(const State& state) {
   for (const Touch& t : find(state, limits_, Search::remembering).touches) current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
   found_.key.clear();
-  if (master_.rigid()) {
-    const auto places = master_.at(state).places;
-    places_.assign(places.begin(), places.end());
-  }
+  leave_places();
 }
 
 void ContactTerm::roll_back() {
   current_ = committed_;
   begin_increment();
+}
+
+void ContactTerm::remember(Keeper& keeper) {
+  const Keeper::Group group(keeper, "contact " + name_);
+  keeper.scalars("augmentation", augmentation_.updates, augmentation_.violation, augmentation_.gave_up);
+  Keeper::Keys slots;
+  std::vector<double> rows;
+  const std::vector<double> overlap(current_.overlap.empty() ? std::vector<double>(changes_.size()) : current_.overlap);
+  const auto points = points_.keys(slave_);
+  for (std::size_t k = 0; k < changes_.size(); ++k) {
+    const std::size_t point = k / master_.pieces(), piece = k % master_.pieces();
+    const bool worth = current_.triangle[k] >= 0 || current_.pressure[k] != 0 || overlap[k] != 0 || held_[k] >= 0 || changes_[k] > 0;
+    slots.add(points[point] * master_.pieces() + static_cast<long long>(piece), worth && points_[static_cast<int>(point)].mine);
+    rows.insert(rows.end(), {1. * current_.triangle[k], current_.pressure[k], overlap[k], 1. * held_[k], 1. * changes_[k]});
+  }
+  if (!keeper.reading()) return keeper.rows("pairs", slots, 5, rows);
+  for (std::size_t k = 0; k < changes_.size(); ++k) std::ranges::copy(std::array{-1., 0., 0., -1., 0.}, &rows[5 * k]);
+  keeper.rows("pairs", slots, 5, rows);
+  recall(rows);
+}
+
+// Triangle, multiplier, overlap, held triangle and changes of every slot, as at the end of an increment.
+void ContactTerm::recall(std::span<const double> rows) {
+  current_.overlap.assign(changes_.size(), 0);
+  for (std::size_t k = 0; k < changes_.size(); ++k) {
+    const double* row = &rows[5 * k];
+    current_.triangle[k] = static_cast<int>(row[0]);
+    current_.pressure[k] = row[1];
+    current_.overlap[k] = row[2];
+    held_[k] = static_cast<int>(row[3]);
+    changes_[k] = static_cast<int>(row[4]);
+  }
+  if (std::ranges::count(current_.overlap, 0.) == std::ssize(current_.overlap)) current_.overlap.clear();
+  committed_ = current_;
+  soft_ = false;
+  found_.key.clear();
+  leave_places();
+}
+
+// Where a rigid master is as the increment ends.
+void ContactTerm::leave_places() {
+  if (!master_.rigid()) return;
+  const auto places = master_.at({}).places;
+  places_.assign(places.begin(), places.end());
 }
 
 double ContactTerm::penetration(const Found& f) const {

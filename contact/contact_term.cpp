@@ -24,7 +24,8 @@ double overshoot(const Pair& p) {
 }  // namespace
 
 ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides, const Comm& comm)
-    : comm_(comm),
+    : name_(spec.name),
+      comm_(comm),
       master_(sides.master),
       slave_(sides.X, sides.owned, sides.slave, master_.nodes(), sides.symmetry),
       points_(slave_, sides.owned, master_.nodes(), spec.divisions),

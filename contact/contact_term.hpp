@@ -58,6 +58,7 @@ class ContactTerm final : public Term {
   void freeze() override;
   void commit(const State& state) override;
   void roll_back() override;
+  void remember(Keeper& keeper) override;
 
   /// N·mm
   double potential(const State& state) const;
@@ -107,8 +108,11 @@ class ContactTerm final : public Term {
   bool smoothed(int slot) const;
   double way() const;
   void begin_increment();
+  void leave_places();
+  void recall(std::span<const double> rows);
   void watch(const std::vector<int>& now);
 
+  std::string name_;
   Comm comm_;
   Master master_;
   SlaveSurface slave_;

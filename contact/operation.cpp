@@ -220,4 +220,8 @@ void Operation::freeze() {
   for (auto& [name, motion] : motions_) motion.freeze();
 }
 
+void Operation::remember(Keeper& keeper) {
+  for (auto& [name, motion] : motions_) motion.remember(keeper);
+}
+
 }  // namespace bulbus

@@ -44,6 +44,7 @@ class Operation final : public Term {
   void begin_step(int step, const State& start) override;
   void set_progress(double s) override;
   void freeze() override;
+  void remember(Keeper& keeper) override;
 
  private:
   Operation(Problem& problem, const Mesh& mesh);

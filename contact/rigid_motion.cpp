@@ -124,6 +124,13 @@ void RigidMotion::set_progress(double s) {
   place();
 }
 
+void RigidMotion::remember(Keeper& keeper) {
+  const Keeper::Group group(keeper, "rigid body " + surface_->name);
+  bulbus::remember(keeper, "start", start_);
+  bulbus::remember(keeper, "now", now_);
+  place();
+}
+
 void RigidMotion::freeze() {
   set_progress(1);
   start_ = now_;

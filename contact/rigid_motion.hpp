@@ -27,7 +27,9 @@ class RigidMotion {
   /// The end of the step stays.
   void freeze();
 
-  /// Where the parts are now; for restart, with set_poses().
+  void remember(Keeper& keeper);
+
+  /// Where the parts are now.
   const std::vector<Pose>& poses() const { return now_; }
   void set_poses(std::vector<Pose> poses);
 

@@ -1,6 +1,7 @@
 #include "contact/slave_points.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "contact/curved_facets.hpp"
 
@@ -28,6 +29,20 @@ SlavePoints::SlavePoints(const SlaveSurface& surface, int owned, std::span<const
         points_.push_back(p);
       }
   }
+}
+
+std::vector<long long> SlavePoints::keys(const SlaveSurface& surface) const {
+  std::map<int, long long> of_node;  // its first corner
+  std::map<Quad, long long> of_face;
+  for (std::size_t f = 0; f < surface.faces().size(); ++f) {
+    const Quad& q = surface.faces()[f];
+    const long long number = surface.numbers()[f];
+    of_face.emplace(q, number * divisions_ * divisions_);
+    for (int k = 0; k < 4; ++k) of_node.emplace(q[k], 4 * number + k);
+  }
+  std::vector<long long> keys;
+  for (const Point& p : points_) keys.push_back(on_faces() ? of_face.at(p.nodes)++ : of_node.at(p.nodes[0]));
+  return keys;
 }
 
 void SlavePoints::bulge(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry) {

@@ -24,6 +24,8 @@ class SlavePoints {
   void bulge(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry);
 
   int size() const { return static_cast<int>(points_.size()); }
+  /// Of each point a number that is its own on every rank, provided that all faces of the surface were given in the same order.
+  std::vector<long long> keys(const SlaveSurface& surface) const;
   const Point& operator[](int i) const { return points_[i]; }
   /// 3 per point, mm.
   std::vector<double> places(std::span<const double> x) const;

@@ -22,11 +22,13 @@ SlaveSurface::SlaveSurface(std::span<const double> X, int owned, std::span<const
   std::erase_if(nodes_, [&](int n) { return std::ranges::binary_search(excluded, n); });
   std::map<int, int> index;
   for (int n : nodes_) index.insert({n, static_cast<int>(index.size())});
-  for (const Quad& q : faces) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Quad& q = faces[f];
     std::array<int, 4> at;
     for (int i = 0; i < 4; ++i) at[i] = index.contains(q[i]) ? index[q[i]] : -1;
     if (std::ranges::all_of(at, [](int i) { return i < 0; })) continue;
     faces_.push_back(q);
+    numbers_.push_back(static_cast<int>(f));
     corners_.push_back(at);
   }
   double size = 0;

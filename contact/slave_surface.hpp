@@ -26,10 +26,13 @@ class SlaveSurface {
   /// Ascending.
   std::span<const int> nodes() const { return nodes_; }
   std::span<const Quad> faces() const { return faces_; }
+  /// Of each of them among the faces that were given.
+  std::span<const int> numbers() const { return numbers_; }
   Shape shape(std::span<const double> x) const;
 
  private:
   std::vector<Quad> faces_;
+  std::vector<int> numbers_;
   std::vector<std::array<int, 4>> corners_;  // index in nodes_ of each face's corners, −1: not one of them
   std::vector<int> nodes_;
   std::vector<std::array<bool, 3>> mirrored_;

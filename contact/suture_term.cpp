@@ -100,6 +100,25 @@ void SutureTerm::commit(const State& state) {
   if (!idle()) update(state);
 }
 
+void SutureTerm::remember(Keeper& keeper) {
+  std::vector<double> values;
+  const auto visit = [&](auto take) {
+    for (std::size_t b = 0; b < bites_.size(); ++b) {
+      auto& [S, T, direction, force, lost] = strings_[b];
+      auto& [origin, normal, along, away] = bites_[b].plane;
+      for (auto* v : {&S, &T, &direction, &origin, &normal, &along, &away})
+        for (double& c : *v) take(c);
+      double flag = lost;
+      take(flag);
+      lost = flag != 0;
+    }
+  };
+  visit([&](double v) { values.push_back(v); });
+  keeper.numbers(key_, values);
+  std::size_t i = 0;
+  visit([&](double& v) { v = values.at(i++); });
+}
+
 void SutureTerm::set_progress(double s) {
   now_ = start_ + (end_ - start_) * s;
   for (std::size_t b = 0; b < bites_.size(); ++b) strings_[b].force = now_;

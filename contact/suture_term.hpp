@@ -51,6 +51,7 @@ class SutureTerm final : public Term {
   void freeze() override;
   /// Collective.
   void commit(const State& state) override;
+  void remember(Keeper& keeper) override;
 
  private:
   struct Patch {

@@ -10,20 +10,20 @@
 namespace bulbus {
 namespace {
 
-std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen screen) {
+std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen screen, Log::File file) {
   std::vector<spdlog::sink_ptr> sinks;
   if (screen == Log::Screen::shown) sinks.push_back(std::make_shared<spdlog::sinks::stdout_sink_st>());
-  if (!path.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, true));
+  if (!path.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, file == Log::File::anew));
   return sinks;
 }
 
 }  // namespace
 
-Log::Log(const std::string& path, const Comm& comm, Screen screen) {
+Log::Log(const std::string& path, const Comm& comm, Screen screen, File file) {
   std::vector<spdlog::sink_ptr> sinks;
   bool failed = false;
   try {
-    if (comm.rank() == 0) sinks = open_sinks(path, screen);
+    if (comm.rank() == 0) sinks = open_sinks(path, screen, file);
   } catch (const spdlog::spdlog_ex&) {
     failed = true;
   }

@@ -14,9 +14,10 @@ namespace bulbus {
 class Log {
  public:
   enum class Screen { shown, silent };
-  /// Collective. Starts the file anew; an empty path means the screen only. Throws std::runtime_error on
+  enum class File { anew, continued };
+  /// Collective. An empty path means the screen only. Throws std::runtime_error on
   /// every rank if the file cannot be opened.
-  Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown);
+  Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown, File file = File::anew);
 
   void info(const std::string& line) const;
   /// The line behind "warning: ".

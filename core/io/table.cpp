@@ -19,9 +19,11 @@ std::string text_of(long long cell) { return fmt::format("{}", cell); }
 
 }  // namespace
 
-CsvTable::CsvTable(std::string path, const std::vector<std::string>& columns)
-    : path_(std::move(path)), width_(columns.size()), out_(path_, std::ios::binary) {
-  write_line({columns.begin(), columns.end()});
+CsvTable::CsvTable(std::string path, const std::vector<std::string>& columns, File file)
+    : path_(std::move(path)), width_(columns.size()) {
+  const bool goes_on = file == File::continued && std::ifstream(path_).peek() != EOF;
+  out_.open(path_, std::ios::binary | (goes_on ? std::ios::app : std::ios::trunc));
+  if (!goes_on) write_line({columns.begin(), columns.end()});
 }
 
 void CsvTable::append(const std::vector<Cell>& row) {

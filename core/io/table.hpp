@@ -11,8 +11,10 @@ class CsvTable {
  public:
   using Cell = std::variant<double, long long, std::string>;
 
-  /// Starts the file anew. Throws std::runtime_error.
-  CsvTable(std::string path, const std::vector<std::string>& columns);
+  enum class File { anew, continued };
+
+  /// A file that is continued keeps its rows, if it has any. Throws std::runtime_error.
+  CsvTable(std::string path, const std::vector<std::string>& columns, File file = File::anew);
   /// Throws std::invalid_argument if there are not as many cells as columns, std::runtime_error if the disk
   /// is full.
   void append(const std::vector<Cell>& row);

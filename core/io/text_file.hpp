@@ -10,4 +10,8 @@ void write_whole(const std::string& path, const std::string& text);
 /// The second half of the same, for files that a library writes. Throws std::runtime_error.
 void rename_to(const std::string& temporary, const std::string& path);
 
+/// The same, once the file's content is on the disk: the name outlives a power cut only with what it names. Throws
+/// std::runtime_error.
+void settle(const std::string& temporary, const std::string& path);
+
 }  // namespace bulbus

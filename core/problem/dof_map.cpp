@@ -19,13 +19,32 @@ DofMap::DofMap(const LocalMesh& mesh, std::vector<RigidBody> bodies)
     for (int n : bodies_[b].nodes()) body_of_[n] = static_cast<int>(b);
 }
 
-void DofMap::hold(const std::string& name, std::vector<Hold> holds) { holds_[name] = std::move(holds); }
+void DofMap::hold(const std::string& name, std::vector<Hold> holds) {
+  holds_[name] = std::move(holds);
+  moving_.insert(name);
+}
 
 bool DofMap::release(const std::string& name) { return holds_.erase(name) > 0; }
 
 void DofMap::freeze() {
   for (auto& [name, holds] : holds_)
     for (Hold& h : holds) h.value = [end = h.value(1)](double) { return end; };
+  moving_.clear();
+}
+
+void DofMap::remember(Keeper& keeper) {
+  for (auto& [name, holds] : holds_) {
+    if (moving_.contains(name)) continue;
+    Keeper::Keys nodes;
+    std::vector<double> rows;
+    for (const Hold& h : holds) {
+      nodes.add(mesh_.input_node[h.node], h.node < mesh_.owned);
+      rows.insert(rows.end(), {h.direction[0], h.direction[1], h.direction[2], h.value(1)});
+    }
+    keeper.rows("hold " + name, nodes, 4, rows);
+    for (std::size_t i = 0; i < holds.size(); ++i)
+      holds[i] = {holds[i].node, {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]}, [end = rows[4 * i + 3]](double) { return end; }};
+  }
 }
 
 // Gram-Schmidt: a direction that the others span already must ask for what they give.

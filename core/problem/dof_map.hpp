@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ class DofMap {
   bool release(const std::string& name);
   /// From now on every hold stays where it is at s = 1.
   void freeze();
+  /// What steps before the present one prescribe: direction and place of every hold. Read before the next build().
+  void remember(Keeper& keeper);
   /// To be called after a change of holds. Throws InputError where two holds of one node contradict each other.
   void build();
 
@@ -74,6 +77,7 @@ class DofMap {
   std::vector<RigidBody> bodies_;
   std::vector<int> body_of_, slot_;
   std::map<std::string, std::vector<Hold>> holds_;
+  std::set<std::string> moving_;  // names of the holds since freeze()
   std::vector<Node> nodes_;
 };
 

@@ -19,6 +19,16 @@ void ProbeRecord::step_ended(int step, Snapshot& s) {
   }
 }
 
+void ProbeRecord::remember(Keeper& keeper, int ended) {
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    if (probes_.since(i) < 0 || probes_.since(i) >= ended) continue;
+    Start& start = starts_[probes_.since(i)];
+    const Keeper::Group group(keeper, "probe " + probes_.name(i));
+    keeper.nodes("x", start.x);
+    keeper.scalars("value", start.values[i]);
+  }
+}
+
 ProbeValues ProbeRecord::values(Snapshot& s) const {
   ProbeValues values(probes_.size());
   for (std::size_t i = 0; i < probes_.size(); ++i) {

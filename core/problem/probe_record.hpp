@@ -19,6 +19,8 @@ class ProbeRecord {
   void step_ended(int step, Snapshot& snapshot);
   /// Collective.
   ProbeValues values(Snapshot& snapshot) const;
+  /// `ended`: how many steps have. Collective.
+  void remember(Keeper& keeper, int ended);
 
  private:
   struct Start {

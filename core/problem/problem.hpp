@@ -76,6 +76,14 @@ class Problem {
   /// Loads, given pressures and added liquid follow the part s of the step done.
   void set_progress(double s, State& state);
   void end_step();
+  /// Goes through the first steps without solving them: prescribed displacements are carried along, so that each step starts
+  /// where the one before leaves its sets. Throws InputError. Collective.
+  void rehearse(int steps);
+  /// What steps and increments have left behind, terms included. Collective.
+  void remember(Keeper& keeper);
+  /// Goes back to the middle of a step, given its start and what `kept` gives; the problem must be new. `now` gets the pressures
+  /// of that progress. Collective.
+  void resume(int step, const State& start, double s, State& now, Keeper& kept);
   /// Asks every term whether Newton, which has converged, has to go on. Collective.
   bool provisional() const;
   bool revise(const State& state);

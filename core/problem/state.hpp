@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/tensor.hpp"
+#include "core/io/keeper.hpp"
 
 namespace bulbus {
 
@@ -18,6 +19,10 @@ struct State {
   std::vector<double> lambda;  ///< Cauchy mean stress of the local hexahedra, MPa
   std::vector<double> P;       ///< pressure of every liquid, the same on every rank, MPa
   std::vector<Pose> bodies;    ///< the same on every rank
+  void remember(Keeper& keeper);
 };
+
+/// Rotation by rows and shift, 12 numbers each.
+void remember(Keeper& keeper, const std::string& name, std::vector<Pose>& poses);
 
 }  // namespace bulbus

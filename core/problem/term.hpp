@@ -35,6 +35,9 @@ class Term {
   /// What the term remembers follows the increments: kept when one has converged, dropped when it is cut.
   virtual void commit(const State&) {}
   virtual void roll_back() {}
+  /// All that the term has from increments before, but for what begin_step() and set_progress() make anew: for a checkpoint. Read
+  /// after the step has begun and its progress is set. Collective.
+  virtual void remember(Keeper&) {}
 };
 
 }  // namespace bulbus

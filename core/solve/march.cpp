@@ -10,7 +10,9 @@ namespace {
 // The part of a step that comes next: whole increments as long as nothing fails.
 class Increments {
  public:
-  Increments(int count, const SteppingSettings& settings) : settings_(settings), largest_(1.0 / count), size_(largest_) {}
+  Increments(int count, const SteppingSettings& settings, double size)
+      : settings_(settings), largest_(1.0 / count), size_(std::min(size, largest_)) {}
+  double size() const { return size_; }
   double next(double from) const {
     const double to = from + size_;
     return to > 1 - 0.01 * size_ ? 1 : to;
@@ -30,15 +32,23 @@ class Increments {
 
 }  // namespace
 
+void MarchPlace::remember(Keeper& keeper) {
+  keeper.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations, report.krylov_iterations);
+}
+
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
-                  Meters& meters, MarchObserver& observer) {
-  MarchReport report;
+                  Meters& meters, MarchObserver& observer, MarchPlace place) {
+  MarchReport& report = place.report;
+  double& done = place.done;
   const auto& steps = problem.model().steps;
-  for (int k = 0; k < static_cast<int>(steps.size()); ++k) {
-    observer.step_begins(k, steps[k]);
-    problem.begin_step(k, state);
-    Increments increments(steps[k].increments, settings.stepping);
-    for (double done = 0; done < 1;) {
+  for (int& k = place.step; k < static_cast<int>(steps.size()); ++k, place.begun = false, done = 0, place.size = 1) {
+    if (!place.begun) {
+      observer.step_begins(k, steps[k], state);
+      problem.begin_step(k, state);
+      place.begun = true;
+    }
+    Increments increments(steps[k].increments, settings.stepping, place.size);
+    while (done < 1) {
       const double to = increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = state;
@@ -54,14 +64,17 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {} (smallest increment reached)", steps[k].name, done,
                                     newton.reason);
         problem.set_progress(done, state);
+        observer.rests(place, state, true);
         return report;
       }
       state = std::move(trial);
       for (const auto& term : problem.terms()) term->commit(state);
       done = to;
       increments.succeeded(static_cast<int>(newton.iterations.size()));
-      const Increment increment{k, ++report.increments, steps[k].name, done, k + done, Clock::now() - start, std::move(newton)};
+      place.size = increments.size();
+      const Increment increment{k, ++report.increments, steps[k].name, done, k + done, Clock::now() - start, std::move(newton), place.size};
       observer.increment_done(increment, state);
+      observer.rests(place, state, done == 1 && k + 1 == static_cast<int>(steps.size()));
     }
     problem.end_step();
   }

@@ -11,30 +11,43 @@ struct Increment {
   double time = 0;           ///< steps done + progress
   double seconds = 0;
   NewtonReport newton;
+  double next = 0;           ///< part of the step that comes next at a time, if nothing fails
 };
 
-/// Receives what happens; values only.
-class MarchObserver {
- public:
-  virtual ~MarchObserver() = default;
-  virtual void step_begins(int, const StepSpec&) {}
-  virtual void increment_begins(int /*step*/, double /*from*/, double /*to*/) {}
-  virtual void newton_iteration(const NewtonIteration&) {}
-  virtual void increment_cut(const NewtonReport&, double /*from*/, double /*to*/) {}
-  /// The state has been accepted.
-  virtual void increment_done(const Increment&, const State&) {}
-};
-
-/// How a march ended.
+/// How a march ended, or what it has come to.
 struct MarchReport {
   bool converged = false;
   std::string reason;  ///< why not
   int increments = 0, cuts = 0, newton_iterations = 0, krylov_iterations = 0;
 };
 
+/// Where a march stands between two increments: by this, the state and the problem's memory it can go on later.
+struct MarchPlace {
+  int step = 0;
+  bool begun = false;
+  double done = 0;  ///< part of the step
+  double size = 1;  ///< of the next increment
+  MarchReport report;
+  void remember(Keeper& keeper);
+};
+
+/// Receives what happens; values only.
+class MarchObserver {
+ public:
+  virtual ~MarchObserver() = default;
+  virtual void step_begins(int, const StepSpec&, const State&) {}
+  virtual void increment_begins(int /*step*/, double /*from*/, double /*to*/) {}
+  virtual void newton_iteration(const NewtonIteration&) {}
+  virtual void increment_cut(const NewtonReport&, double /*from*/, double /*to*/) {}
+  /// The state has been accepted.
+  virtual void increment_done(const Increment&, const State&) {}
+  /// All of that is over: here the march may be left and taken up again. `last`: it ends here, finished or not.
+  virtual void rests(const MarchPlace&, State&, bool /*last*/) {}
+};
+
 /// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. On return `state` is the last
-/// good one. Collective.
+/// good one. A `place` in the middle is one to which problem and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
-                  Meters& meters, MarchObserver& observer);
+                  Meters& meters, MarchObserver& observer, MarchPlace place = {});
 
 }  // namespace bulbus

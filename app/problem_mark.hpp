@@ -1,0 +1,21 @@
+#pragma once
+#include "app/scene.hpp"
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+
+/// What tells one problem from another: the mesh in a few numbers and the scene up to the step that is under way, but for title,
+/// solver, output, how the mesh is made and how the steps are divided.
+struct ProblemMark {
+  std::string scene;         ///< YAML
+  std::vector<double> mesh;  ///< hexahedra, nodes, a hash of who is whose corner, and weighted sums of the places
+  void remember(Keeper& keeper);
+};
+
+/// Collective.
+ProblemMark mark_of(const Scene& scene, const Problem& problem, int step);
+
+/// Throws InputError that names what differs; `path` is that of the checkpoint.
+void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::string& path);
+
+}  // namespace bulbus

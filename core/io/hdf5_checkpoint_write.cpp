@@ -1,0 +1,104 @@
+#include <cstdio>
+#include <set>
+#include <stdexcept>
+
+#include "core/io/checkpoint.hpp"
+#include "core/io/checkpoint_sum.hpp"
+#include "core/io/hdf5_file.hpp"
+#include "core/io/text_file.hpp"
+
+namespace bulbus {
+namespace {
+
+using hdf5::Handle;
+
+hid_t create(const std::string& path, const Comm& comm) {
+  const std::string fault = "cannot be created (no such folder, no permission, or a full disk?)";
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, fault);
+  hdf5::check(H5Pset_fapl_mpio(access, comm.raw(), MPI_INFO_NULL), fault);
+  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+}
+
+class Writer final : public Keeper {
+ public:
+  Writer(const std::string& path, const LocalMesh& mesh)
+      : Keeper(mesh), comm_(mesh.comm), file_(create(path, comm_), H5Fclose, "cannot be created (no such folder, no permission, or a full disk?)") {}
+
+  bool reading() const override { return false; }
+  bool knows(const std::string&) const override { return true; }
+  void numbers(const std::string& name, std::vector<double>& values) override { write_first(path_of(name), std::span<const double>(values)); }
+  void text(const std::string& name, std::string& value) override {
+    write_first(path_of(name), std::span(reinterpret_cast<const unsigned char*>(value.data()), value.size()));
+  }
+  void rows(const std::string& name, const Keys& keys, int width, std::vector<double>& values) override {
+    write_keys(path_of(name) + "/key", keys);
+    write(path_of(name) + "/value", std::span<const double>(of_mine(keys, width, values)), width);
+  }
+  void mesh_table(const std::string& name, const std::string& of, const Keys& keys, int width, std::vector<double>& values) override {
+    if (kept_.insert(of).second) write_keys(of, keys);
+    write(path_of(name), std::span<const double>(of_mine(keys, width, values)), width);
+  }
+  // What makes the file complete.
+  void finish() {
+    const long long sum = comm_.sum(sum_.value()) & static_cast<long long>(CheckpointSum::bits);
+    write_first("sum", std::span(&sum, 1));
+    hdf5::check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot be written (a full disk?)");
+  }
+
+ private:
+  static std::vector<double> of_mine(const Keys& keys, int width, const std::vector<double>& values) {
+    std::vector<double> mine;
+    for (std::size_t i = 0; i < keys.keys.size(); ++i)
+      if (keys.mine[i]) mine.insert(mine.end(), values.begin() + width * i, values.begin() + width * (i + 1));
+    return mine;
+  }
+  void write_keys(const std::string& name, const Keys& keys) {
+    std::vector<long long> mine;
+    for (std::size_t i = 0; i < keys.keys.size(); ++i)
+      if (keys.mine[i]) mine.push_back(keys.keys[i]);
+    write(name, std::span<const long long>(mine), 0);
+  }
+  template <class T>
+  void write_first(const std::string& name, std::span<const T> values) {
+    write(name, comm_.rank() == 0 ? values : std::span<const T>{}, 0);
+  }
+  template <class T>
+  void write(const std::string& name, std::span<const T> values, int columns) {
+    for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
+      if (groups_.insert(name.substr(0, slash)).second)
+        Handle(H5Gcreate2(file_, name.substr(0, slash).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
+    sum_.add(name, comm_.offset(static_cast<long long>(values.size())), values);
+    hdf5::write_rows(file_, name, values, columns, comm_);
+  }
+
+  Comm comm_;
+  Handle file_;
+  CheckpointSum sum_;
+  std::set<std::string> kept_, groups_;
+};
+
+}  // namespace
+
+void write_checkpoint(const std::string& path, const LocalMesh& mesh, const std::function<void(Keeper&)>& remember) {
+  const Comm& comm = mesh.comm;
+  const hdf5::Quiet quiet;
+  const std::string temporary = path + ".tmp";
+  std::string fault;
+  try {
+    Writer writer(temporary, mesh);
+    remember(writer);
+    writer.finish();
+  } catch (const std::runtime_error& e) {
+    fault = e.what();
+  }
+  const bool failed = comm.any(!fault.empty());
+  try {
+    if (comm.rank() == 0 && failed) std::remove(temporary.c_str());
+    if (comm.rank() == 0 && !failed) settle(temporary, path);
+  } catch (const std::runtime_error& e) {
+    fault = e.what();
+  }
+  if (comm.any(!fault.empty())) throw std::runtime_error(path + ": " + (fault.empty() ? "not written" : fault));
+}
+
+}  // namespace bulbus

@@ -1,0 +1,12 @@
+#include "core/io/keeper.hpp"
+
+#include "core/mesh/local_mesh.hpp"
+
+namespace bulbus {
+
+Keeper::Keeper(const LocalMesh& mesh) {
+  for (int n = 0; n < mesh.nodes(); ++n) nodes_.add(mesh.input_node[n], n < mesh.owned);
+  for (int h : mesh.input_hex) hexes_.add(h, true);
+}
+
+}  // namespace bulbus

@@ -1,0 +1,35 @@
+// What a Problem takes into a checkpoint, and how it comes back to where it was.
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+
+void Problem::remember(Keeper& keeper) {
+  dofs_->remember(keeper);
+  for (Liquid& l : liquids_) l.remember(keeper);
+  for (const auto& term : terms()) term->remember(keeper);
+  if (!coarser_ || !keeper.knows("coarser")) return;  // kept by a run that had no use for the coarser meshes
+  const Keeper::Group group(keeper, "coarser");
+  coarser_->remember(keeper);
+}
+
+void Problem::rehearse(int steps) {
+  State state = initial_state();
+  std::vector<double> held(state.x.size());
+  for (int k = 0; k < steps; ++k) {
+    begin_step(k, state);
+    dofs_->defect(state, 1, held);
+    for (std::size_t i = 0; i < held.size(); ++i) state.x[i] += held[i];
+    end_step();
+  }
+}
+
+// Read twice: the step builds on what was held before it, and its begin changes what was kept later.
+void Problem::resume(int step, const State& start, double s, State& now, Keeper& kept) {
+  rehearse(step);
+  remember(kept);
+  begin_step(step, start);
+  set_progress(s, now);
+  remember(kept);
+}
+
+}  // namespace bulbus
