@@ -29,7 +29,8 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   p = z;
   double rz = inner(r, z, comm), beta = 0, alpha = 1;
   std::vector<double> diagonal, off;
-  for (int k = 0; k < steps && rz != 0; ++k) {
+  const double least = 1e-11 * std::abs(rz);  // below it the rounding of single precision makes eigenvalues of its own
+  for (int k = 0; k < steps && std::abs(rz) > least; ++k) {
     A.apply(p, q);
     const double before = alpha, pq = inner(p, q, comm);
     if (pq == 0 || !std::isfinite(pq)) break;

@@ -151,11 +151,6 @@ double residual_norm(const LinearOperator& A, std::span<const double> b, std::sp
   return norm(r, comm);
 }
 
-// A run begins with the residual that the one before ended with.
-void append(std::vector<double>& all, const std::vector<double>& run) {
-  all.insert(all.end(), run.begin() + (all.empty() || run.empty() ? 0 : 1), run.end());
-}
-
 }  // namespace
 
 KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<const double> b,
@@ -191,20 +186,10 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   long long basis = std::min<long long>(options.restart, map->getGlobalNumElements()) + 1;
   report.basis_bytes = (flexible ? 2 : 1) * basis * b.size() * sizeof(double);
   std::vector<double> guess(x.begin(), x.end());
-  std::string failure;
-  KrylovOptions left = options;
-  // A preconditioner that rounds is not quite one linear map: what the method's residual then hides, another run from there removes.
-  for (bool gains = true; gains && left.max_iterations > 0 && report.final > 1.1 * options.tolerance * scale;) {
-    std::vector<double> history;
-    failure = run(problem, rcp(new Recorder(history, observer, flexible)), left, flexible);
-    append(report.history, history);
-    left.max_iterations -= std::max(1, static_cast<int>(history.size()) - 1);
-    const double before = report.final;
-    report.final = residual_norm(A, b, x, comm);
-    gains = report.final < 0.5 * before;
-    problem->setProblem();
-  }
+  std::string failure =
+      run(problem, rcp(new Recorder(report.history, observer, flexible)), options, flexible);
   report.iterations = std::max(0, static_cast<int>(report.history.size()) - 1);
+  report.final = residual_norm(A, b, x, comm);
   if (!(report.final <= report.initial)) {  // worse than nothing, or NaN
     std::copy(guess.begin(), guess.end(), x.begin());
     report.final = report.initial;

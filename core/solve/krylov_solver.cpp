@@ -81,7 +81,9 @@ class KrylovSolver final : public LinearSolver {
     std::fill(x.begin(), x.end(), 0.0);
     const Scaled A(system);
     const ScaledPreconditioner M(system, *preconditioner_);
-    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, !M.fixed()};
+    // preconditioners in single precision are linear up to rounding, and so is what plain GMRES then says of its residual
+    const bool flexible = !M.fixed() || tolerance < 1e-5;
+    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, flexible};
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
     if (settings_.record_krylov)

@@ -18,7 +18,7 @@ class LinearOperator {
 /// An approximate inverse: y ≈ A⁻¹ x.
 class Preconditioner : public LinearOperator {
  public:
-  /// True if apply is one fixed linear map: needed by every Krylov method that is not flexible.
+  /// True if apply is one fixed linear map, be it rounded to single precision: needed by every Krylov method that is not flexible.
   virtual bool fixed() const = 0;
   /// Why it cannot be used, the same on every rank; empty if it can.
   virtual std::string fault() const { return {}; }

@@ -260,6 +260,28 @@ TEST(Contact, KeepsNodesThatAnIncrementDrivesDeeperThanAllowed) {
   EXPECT_EQ(term.figures(deep).pairs, two.slaves()) << "seen in front before";
 }
 
+// What was far a moment ago is not looked at; that must never show. A term that has seen nothing but the last converged state judges.
+TEST(Contact, SparesPointsThatCannotTouchOnly) {
+  const TwoSheets two(-.2);
+  auto spec = contact_spec(50, .1);
+  auto term = two.term(spec);
+  const State start = two.sheets.state();
+  State state = start;
+  term.begin_step(0, state);
+  int touched = 0;
+  for (int move = 0; move < 200; ++move) {
+    state = start;
+    const double down = .4 * std::abs(noise(1, move)), tilt = .3 * noise(2, move);
+    for (int n = 0; n < two.slaves(); ++n) state.x[3 * n + 2] -= down + tilt * (state.x[3 * n] - .5);
+    auto fresh = two.term(spec);
+    fresh.begin_step(0, start);
+    ASSERT_EQ(force(term, state), force(fresh, state)) << move;
+    touched += term.figures(state).pairs > 0;
+  }
+  EXPECT_GT(touched, 30);
+  EXPECT_LT(touched, 170);
+}
+
 TEST(Contact, IsQuietAboutStatesThatAreNotFinite) {
   const TwoSheets two(.01);
   auto term = two.term(contact_spec(50, .1));

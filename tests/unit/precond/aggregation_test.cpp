@@ -1,0 +1,123 @@
+#include "precond/aggregation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/solve/reduced.hpp"
+#include "precond/make_preconditioner.hpp"
+#include "precond/scalar_matrices.hpp"
+#include "tests/support/small_eye.hpp"
+#include "tests/unit/precond/linearised.hpp"
+
+namespace bulbus {
+namespace {
+
+
+TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
+  Linearised l(small_eye(8), 0, 0);
+  for (int nodes : {15, 40}) {
+    const Aggregates groups = aggregate(l.system, scalar_matrices(l.system), nodes);
+    std::vector<int> members(groups.total);
+    const DofMap& dofs = l.problem.dofs();
+    for (int n = 0; n < l.problem.mesh().owned; ++n) {
+      const bool wholly_held = dofs.held(n) && trace(dofs.projector(n)) < .5;
+      EXPECT_EQ(groups.of[n] < 0, wholly_held);
+      if (groups.of[n] >= 0) ++members[groups.of[n]];
+    }
+    EXPECT_GT(*std::ranges::min_element(members), 0);
+    EXPECT_LE(*std::ranges::max_element(members), nodes + 10);
+    EXPECT_GT(l.problem.mesh().owned / static_cast<double>(groups.total), .6 * nodes);
+  }
+}
+
+// Of any coarse vector: Zᵀ A Z c by the operator, and by the matrix that was accumulated.
+TEST(CoarseMatrix, IsTheGalerkinProjection) {
+  for (const Scene& scene : {thin_plate(), filled_shell("octant"), small_eye(8)}) {
+    Linearised l(scene, 0, .001);
+    RigidPlan plan(l.system, scalar_matrices(l.system), 20);
+    const RigidModes modes = rigid_modes(l.system, plan.groups);
+    plan.matrix.clear();
+    visit_reduced(l.problem, l.state, true, [&](std::span<const int> d, std::span<const double> K) { plan.matrix.add(plan.groups, modes.of, d, K); });
+    const int size = 6 * plan.groups.total, owned = l.problem.mesh().owned;
+    std::vector<double> c = noise_vector(size, 3), got(size), want(size), fine(l.system.layout().primal()), Af(fine);
+    const int bodies = l.system.layout().bodies;
+    const auto each = [&](auto visit) {
+      for (int i = 0; i < bodies; ++i) visit(3 * owned + i, i, 1);
+      for (int n = 0; n < owned; ++n)
+        if (plan.groups.of[n] >= 0)
+          for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 6; ++k) visit(3 * n + i, 6 * plan.groups.of[n] + k, modes.of[n][i][k]);
+    };
+    each([&](int i, int k, double Z) { fine[i] += Z * c[k]; });
+    l.system.apply_displacement(fine, Af);
+    each([&](int i, int k, double Z) { want[k] += Z * Af[i]; });
+    for (const auto& e : l.system.body_extra()) got[e.row] += e.value * c[e.column];
+    const Triplets t = plan.matrix.triplets();
+    for (std::size_t e = 0; e < t.row.size(); ++e) {
+      got[t.row[e]] += t.value[e] * c[t.col[e]];
+      if (l.problem.symmetric() && t.row[e] != t.col[e]) got[t.col[e]] += t.value[e] * c[t.row[e]];
+    }
+    // modes are floats and not quite without held directions
+    EXPECT_LT(relative_difference(got, want), 1e-6) << scene.model.regions.size();
+  }
+}
+
+TEST(RigidModes, AreOrthonormalInEveryAggregate) {
+  Linearised l(small_eye(8), 0, 0);
+  const Aggregates groups = aggregate(l.system, scalar_matrices(l.system), 30);
+  const RigidModes modes = rigid_modes(l.system, groups);
+  std::vector<std::array<double, 36>> gram(groups.total);
+  for (int n = 0; n < l.problem.mesh().owned; ++n)
+    if (groups.of[n] >= 0)
+      for (int i = 0; i < 36; ++i)
+        for (int r = 0; r < 3; ++r) gram[groups.of[n]][i] += modes.of[n][r][i / 6] * modes.of[n][r][i % 6];
+  const std::set<int> missing(modes.missing.begin(), modes.missing.end());
+  for (int a = 0; a < groups.total; ++a)
+    for (int i = 0; i < 36; ++i) {
+      const bool one = i / 6 == i % 6 && !missing.contains(6 * a + i / 6);
+      EXPECT_NEAR(gram[a][i], one, 1e-5);
+    }
+}
+
+TEST(Aggregation, IsSymmetricAndPositive) {
+  Scene eye = small_eye(8);
+  eye.model.steps[0].pressures["vitreous"] = "0";  // on a state that is not in equilibrium pressure need not leave it definite
+  for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant"), eye}) {
+    Linearised l(scene, 0, 0);
+    AggregationPlan plan(l.system, 20);
+    const Aggregation M(l.system, plan, {});
+    EXPECT_EQ(M.fault(), "");
+    const auto a = noise_primal(l.problem, 1), b = noise_primal(l.problem, 2);
+    std::vector<double> Ma(a.size(), std::nan("")), Mb(a.size(), std::nan(""));
+    M.apply(a, Ma);
+    M.apply(b, Mb);
+    EXPECT_NEAR(inner(b, Ma), inner(a, Mb), 1e-4 * std::sqrt(inner(a, Ma) * inner(b, Mb)));
+    EXPECT_GT(inner(a, Ma), 0) << scene.model.regions.size();
+  }
+}
+
+// What a new linearisation makes with an old plan is what it makes with its own.
+TEST(Aggregation, PlansServeEveryLinearisation) {
+  Linearised l(filled_shell("octant"), 0, 0);
+  AggregationPlan plan(l.system, 20);
+  { const Aggregation first(l.system, plan, {}); }
+  l.state = shaken(l.problem, l.state, .001, 7);
+  l.system.linearize(l.state, l.problem.residual(l.state));
+  const auto b = noise_primal(l.problem, 1);
+  std::vector<double> old(b.size()), own(b.size());
+  Aggregation(l.system, plan, {}).apply(b, old);
+  AggregationPlan fresh(l.system, 20);
+  fresh.rigid.groups = plan.rigid.groups;
+  Aggregation(l.system, fresh, {}).apply(b, own);
+  EXPECT_LT(relative_difference(old, own), 1e-5);
+}
+
+TEST(Aggregation, TakesFewerIterationsThanTheHybrid) {
+  for (const Scene& scene : {thin_plate(), small_eye(8)})
+    EXPECT_LE(iterations(scene, 0, "aggregation"), iterations(scene, 0, "hybrid"));
+  EXPECT_LE(iterations(thin_plate(), 0, "aggregation"), 14);
+}
+
+}  // namespace
+}  // namespace bulbus

@@ -1,0 +1,53 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include "precond/make_preconditioner.hpp"
+#include "tests/support/models.hpp"
+
+namespace bulbus {
+
+// A refined problem in a state of its first step, with its tangent.
+struct Linearised {
+  Problem problem;
+  State state;
+  LinearSettings settings;
+  CoupledSystem system;
+  Linearised(const Scene& scene, int refine, double shake)
+      : problem(refined(scene.mesh, refine), scene.model, Comm()), state(problem.initial_state()), system(problem, settings) {
+    problem.begin_step(0, state);
+    problem.set_progress(.1, state);
+    if (shake > 0) state = shaken(problem, state, shake, 7);
+    system.linearize(state, problem.residual(state));
+  }
+};
+
+inline Scene thin_plate() {
+  Scene scene = stretched_block(4, ".1");
+  scene.mesh = generate(BlockShape{.upper = {4, 4, .5}, .nx = 4, .ny = 4, .nz = 3});
+  return scene;
+}
+
+inline Scene cylinder() {
+  Scene scene{generate(CylinderShape{.n = 2, .rings = 1, .layers = 3}), {}};
+  scene.model.regions["cylinder"] = neo_hooke(.5);
+  scene.model.fix.push_back({"bottom", {"x", "y", "z"}});
+  scene.model.steps = {step("rest")};
+  return scene;
+}
+
+/// To 1e-6, of the first linear system.
+inline int iterations(const Scene& scene, int refine, const std::string& displacement) {
+  Linearised l(scene, refine, 0);
+  l.settings.displacement = displacement;
+  Meters meters;
+  auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
+  const Residual r = l.problem.residual(l.state);
+  EXPECT_TRUE(solver->prepare(l.system).ok);
+  std::vector<double> held(l.state.x.size()), x(l.system.size());
+  l.problem.dofs().defect(l.state, .1, held);
+  const LinearReport report = solver->solve(l.system, l.system.right_hand_side(r, held), x, 1e-6);
+  EXPECT_TRUE(report.ok) << report.reason;
+  return report.iterations;
+}
+
+}  // namespace bulbus
