@@ -30,8 +30,7 @@ LineJacobi Aggregation::set_up(const CoupledSystem& system, const Lines& lines) 
 }
 
 void Aggregation::apply(std::span<const double> b, std::span<double> x) const {
-  smoother_.apply(b, x);
-  correct(block_, coarse_, b, x, residual_, correction_);
+  coarse_.apply(b, x);
   correct(block_, smoother_, b, x, residual_, correction_);
 }
 

@@ -18,8 +18,8 @@ struct MultigridSettings {
 
 /// Aggregation as a preconditioner of the displacement block.
 struct AggregationSettings {
-  int nodes = 30, degree = 5;
-  double smoothed_part = 0.07;
+  int nodes = 30, degree = 8;
+  double smoothed_part = 0.04;
   template <class V>
   void describe(V&& v) {
     v("nodes", nodes, About{"nodes of an aggregate"}.between(8, 1000));

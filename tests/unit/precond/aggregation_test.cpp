@@ -80,21 +80,36 @@ TEST(RigidModes, AreOrthonormalInEveryAggregate) {
     }
 }
 
-TEST(Aggregation, IsSymmetricAndPositive) {
-  Scene eye = small_eye(8);
-  eye.model.steps[0].pressures["vitreous"] = "0";  // on a state that is not in equilibrium pressure need not leave it definite
-  for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant"), eye}) {
+TEST(Aggregation, IsOneLinearMap) {
+  for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, 0);
     AggregationPlan plan(l.system, 20);
     const Aggregation M(l.system, plan, {});
     EXPECT_EQ(M.fault(), "");
+    EXPECT_TRUE(M.fixed());
     const auto a = noise_primal(l.problem, 1), b = noise_primal(l.problem, 2);
-    std::vector<double> Ma(a.size(), std::nan("")), Mb(a.size(), std::nan(""));
+    std::vector<double> Ma(a.size(), std::nan("")), Mb(Ma), Mab(Ma);
     M.apply(a, Ma);
     M.apply(b, Mb);
-    EXPECT_NEAR(inner(b, Ma), inner(a, Mb), 1e-4 * std::sqrt(inner(a, Ma) * inner(b, Mb)));
-    EXPECT_GT(inner(a, Ma), 0) << scene.model.regions.size();
+    M.apply(plus(a, 3, b), Mab);
+    EXPECT_LT(relative_difference(Mab, plus(Ma, 3, Mb)), 1e-4);
   }
+}
+
+// M A takes the rigid motions that the aggregates have, and all that is rough, for what they are.
+TEST(Aggregation, InvertsOnTheCoarseSpace) {
+  Linearised l(thin_plate(), 0, 0);
+  AggregationPlan plan(l.system, 20);
+  const Aggregation M(l.system, plan, {});
+  const RigidModes modes = rigid_modes(l.system, plan.rigid.groups);
+  std::vector<double> rigid(l.system.layout().primal()), A(rigid), MA(rigid);
+  for (int n = 0; n < l.problem.mesh().owned; ++n)
+    if (plan.rigid.groups.of[n] >= 0)
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 6; ++k) rigid[3 * n + i] += modes.of[n][i][k] * noise(4, 6 * plan.rigid.groups.of[n] + k);
+  DisplacementBlock(l.system).apply(rigid, A);
+  M.apply(A, MA);
+  EXPECT_LT(relative_difference(MA, rigid), 1e-5);
 }
 
 // What a new linearisation makes with an old plan is what it makes with its own.
@@ -113,10 +128,9 @@ TEST(Aggregation, PlansServeEveryLinearisation) {
   EXPECT_LT(relative_difference(old, own), 1e-5);
 }
 
-TEST(Aggregation, TakesFewerIterationsThanTheHybrid) {
-  for (const Scene& scene : {thin_plate(), small_eye(8)})
-    EXPECT_LE(iterations(scene, 0, "aggregation"), iterations(scene, 0, "hybrid"));
-  EXPECT_LE(iterations(thin_plate(), 0, "aggregation"), 14);
+TEST(Aggregation, TakesFewIterations) {
+  EXPECT_LE(iterations(thin_plate(), 0, "aggregation"), 12);
+  EXPECT_LE(iterations(small_eye(8), 0, "aggregation"), iterations(small_eye(8), 0, "hybrid"));
 }
 
 }  // namespace
