@@ -58,6 +58,25 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
   return sums;
 }
 
+// A preconditioner in single precision is linear up to rounding only. Below this tolerance, and near limit points, what plain GMRES says
+// of its residual is not true any more.
+constexpr double roundings = 1e-5;
+
+// Plain GMRES needs one basis; where it fails, the flexible one goes on from what it has reached.
+KrylovReport plain_then_flexible(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
+                                 KrylovOptions options, const Comm& comm, const KrylovObserver& observer) {
+  KrylovReport plain = fgmres(A, &M, b, x, options, comm, observer);
+  options.max_iterations -= plain.iterations;
+  if (plain.converged || options.flexible || options.max_iterations <= 0) return plain;
+  options.flexible = true;
+  KrylovReport k = fgmres(A, &M, b, x, options, comm, observer);
+  k.initial = plain.initial;
+  k.iterations += plain.iterations;
+  if (!k.history.empty()) plain.history.insert(plain.history.end(), k.history.begin() + 1, k.history.end());
+  k.history = std::move(plain.history);
+  return k;
+}
+
 class KrylovSolver final : public LinearSolver {
  public:
   KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters)
@@ -81,14 +100,12 @@ class KrylovSolver final : public LinearSolver {
     std::fill(x.begin(), x.end(), 0.0);
     const Scaled A(system);
     const ScaledPreconditioner M(system, *preconditioner_);
-    // preconditioners in single precision are linear up to rounding, and so is what plain GMRES then says of its residual
-    const bool flexible = !M.fixed() || tolerance < 1e-5;
-    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, flexible};
+    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, !M.fixed() || tolerance < roundings};
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
     if (settings_.record_krylov)
       observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, scaled, iterate)); };
-    const KrylovReport k = fgmres(A, &M, scaled, x, options, system.problem().comm(), observer);
+    const KrylovReport k = plain_then_flexible(A, M, scaled, x, options, system.problem().comm(), observer);
     meters_.memory.set("Krylov basis", k.basis_bytes);
     for (std::size_t i = 0; i < scaled.size(); ++i) x[i] *= s[i];
     LinearReport r{k.converged, k.reason, k.iterations, k.initial > 0 ? k.final / k.initial : 0, -1, k.history};
