@@ -1,6 +1,4 @@
-#include <cstdio>
 #include <set>
-#include <stdexcept>
 
 #include "core/io/checkpoint.hpp"
 #include "core/io/checkpoint_sum.hpp"
@@ -12,17 +10,10 @@ namespace {
 
 using hdf5::Handle;
 
-hid_t create(const std::string& path, const Comm& comm) {
-  const std::string fault = "cannot be created (no such folder, no permission, or a full disk?)";
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, fault);
-  hdf5::check(H5Pset_fapl_mpio(access, comm.raw(), MPI_INFO_NULL), fault);
-  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-}
-
 class Writer final : public Keeper {
  public:
   Writer(const std::string& path, const LocalMesh& mesh)
-      : Keeper(mesh), comm_(mesh.comm), file_(create(path, comm_), H5Fclose, "cannot be created (no such folder, no permission, or a full disk?)") {}
+      : Keeper(mesh), comm_(mesh.comm), file_(hdf5::create(path, comm_), H5Fclose, hdf5::not_created) {}
 
   bool reading() const override { return false; }
   bool knows(const std::string&) const override { return true; }
@@ -80,25 +71,12 @@ class Writer final : public Keeper {
 }  // namespace
 
 void write_checkpoint(const std::string& path, const LocalMesh& mesh, const std::function<void(Keeper&)>& remember) {
-  const Comm& comm = mesh.comm;
-  const hdf5::Quiet quiet;
-  const std::string temporary = path + ".tmp";
-  std::string fault;
-  try {
+  const auto write = [&](const std::string& temporary) {
     Writer writer(temporary, mesh);
     remember(writer);
     writer.finish();
-  } catch (const std::runtime_error& e) {
-    fault = e.what();
-  }
-  const bool failed = comm.any(!fault.empty());
-  try {
-    if (comm.rank() == 0 && failed) std::remove(temporary.c_str());
-    if (comm.rank() == 0 && !failed) settle(temporary, path);
-  } catch (const std::runtime_error& e) {
-    fault = e.what();
-  }
-  if (comm.any(!fault.empty())) throw std::runtime_error(path + ": " + (fault.empty() ? "not written" : fault));
+  };
+  hdf5::write_whole(path, mesh.comm, write, settle);
 }
 
 }  // namespace bulbus

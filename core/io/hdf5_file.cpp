@@ -43,4 +43,30 @@ void write_rows(hid_t group, const std::string& name, hid_t type, const void* da
   check(H5Dwrite(set, type, memory_space, file_space, transfer, data), fault);
 }
 
+hid_t create(const std::string& path, const Comm& comm) {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, not_created);
+  check(H5Pset_fapl_mpio(access, comm.raw(), MPI_INFO_NULL), not_created);
+  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+}
+
+void write_whole(const std::string& path, const Comm& comm, const std::function<void(const std::string&)>& write,
+                 void (*place)(const std::string&, const std::string&)) {
+  const Quiet quiet;
+  const std::string temporary = path + ".tmp";
+  std::string fault;
+  try {
+    write(temporary);
+  } catch (const std::runtime_error& e) {
+    fault = e.what();
+  }
+  const bool failed = comm.any(!fault.empty());
+  try {
+    if (comm.rank() == 0 && failed) std::remove(temporary.c_str());
+    if (comm.rank() == 0 && !failed) place(temporary, path);
+  } catch (const std::runtime_error& e) {
+    fault = e.what();
+  }
+  if (comm.any(!fault.empty())) throw std::runtime_error(path + ": " + (fault.empty() ? "not written" : fault));
+}
+
 }  // namespace bulbus::hdf5

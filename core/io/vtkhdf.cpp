@@ -1,7 +1,6 @@
 #include "core/io/vtkhdf.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <stdexcept>
 
@@ -110,11 +109,8 @@ void write_fields(hid_t root, const std::string& name, const std::vector<Field>&
 }
 
 void write_file(const std::string& path, const Piece& piece, const Comm& comm) {
-  const std::string fault = "cannot be created (no such folder, no permission, or a full disk?)";
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, fault);
-  hdf5::check(H5Pset_fapl_mpio(access, comm.raw(), MPI_INFO_NULL), fault);
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, fault);
-  Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, fault);
+  Handle file(hdf5::create(path, comm), H5Fclose, hdf5::not_created);
+  Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, hdf5::not_created);
   write_attributes(root);
   write_mesh(root, piece, comm);
   write_fields(root, "PointData", piece.point_fields, comm);
@@ -125,23 +121,7 @@ void write_file(const std::string& path, const Piece& piece, const Comm& comm) {
 
 void write_vtkhdf(const std::string& path, const Piece& piece, const Comm& comm) {
   refuse_faults(path, piece, comm);
-  const hdf5::Quiet quiet;
-  const std::string temporary = path + ".tmp";
-  std::string fault;
-  try {
-    write_file(temporary, piece, comm);
-  } catch (const std::runtime_error& e) {
-    fault = e.what();
-  }
-  const bool failed = comm.any(!fault.empty());
-  try {
-    if (comm.rank() == 0 && failed) std::remove(temporary.c_str());
-    if (comm.rank() == 0 && !failed) rename_to(temporary, path);
-  } catch (const std::runtime_error& e) {
-    fault = e.what();
-  }
-  if (comm.any(!fault.empty()))
-    throw std::runtime_error(path + ": " + (fault.empty() ? "not written" : fault));
+  hdf5::write_whole(path, comm, [&](const std::string& temporary) { write_file(temporary, piece, comm); }, rename_to);
 }
 
 }  // namespace bulbus
