@@ -2,6 +2,7 @@
 
 #include "core/base/memory.hpp"
 #include "precond/assembled.hpp"
+#include "precond/correct.hpp"
 
 namespace bulbus {
 
@@ -69,10 +70,7 @@ void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<d
   level.restrict_residual(b, x);
   cycle(number + 1, level.coarse_residual, level.coarse_correction);
   level.add_prolonged(x);
-  level.block.apply(x, level.residual);
-  for (std::size_t i = 0; i < level.residual.size(); ++i) level.residual[i] = b[i] - level.residual[i];
-  level.smoother.apply(level.residual, level.correction);
-  for (std::size_t i = 0; i < level.residual.size(); ++i) x[i] += level.correction[i];
+  correct(level.block, level.smoother, b, x, level.residual, level.correction);
 }
 
 std::size_t Multigrid::bytes() const {
