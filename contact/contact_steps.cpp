@@ -85,7 +85,7 @@ void ContactTerm::recall(std::span<const double> rows) {
 // Where a rigid master is as the increment ends.
 void ContactTerm::leave_places() {
   if (!master_.rigid()) return;
-  const auto places = master_.at({}).places;
+  const auto places = master_.places({});
   places_.assign(places.begin(), places.end());
 }
 
@@ -107,7 +107,7 @@ double ContactTerm::violation(const Found& f) const {
 double ContactTerm::way() const {
   double most = 0;
   if (!master_.rigid()) return most;
-  const auto now = master_.at({}).places;
+  const auto now = master_.places({});
   for (std::size_t i = 0; i < places_.size(); i += 3)
     most = std::max(most, norm(Vec3<double>{now[i] - places_[i], now[i + 1] - places_[i + 1], now[i + 2] - places_[i + 2]}));
   return most;

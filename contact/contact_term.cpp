@@ -56,7 +56,7 @@ std::vector<double> ContactTerm::surfaces(const State& state) const {
   for (const Quad& q : slave_.faces()) std::ranges::for_each(q, add);
   std::ranges::for_each(master_.nodes(), add);
   if (master_.rigid()) {
-    const auto places = master_.at(state).places;
+    const auto places = master_.places(state);
     key.insert(key.end(), places.begin(), places.end());
   }
   return key;

@@ -19,8 +19,8 @@ Master::Master(std::shared_ptr<const RigidSurface> surface)
 }
 
 MasterSurface Master::at(const State& state) const {
-  if (surface_) return {facets(), surface_->places, surface_->normals};
-  return {facets(), state.x};
+  if (surface_) return {facets(), places(state), surface_->normals};
+  return {facets(), places(state)};
 }
 
 }  // namespace bulbus

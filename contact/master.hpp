@@ -19,6 +19,8 @@ class Master {
   int pieces() const { return pieces_; }
   int piece_of(int triangle) const { return piece_[triangle]; }
   MasterSurface at(const State& state) const;
+  /// Where its corners are.
+  std::span<const double> places(const State& state) const { return surface_ ? std::span<const double>(surface_->places) : state.x; }
   /// The mesh nodes of its corners, ascending; none of a rigid body.
   const std::vector<int>& nodes() const { return nodes_; }
 
