@@ -5,27 +5,31 @@
 
 namespace bulbus {
 
-/// Geometric multigrid as a preconditioner of the displacement block.
-struct MultigridSettings {
-  int degree = 6;
-  double smoothed_part = 0.05;
+/// The Chebyshev smoother of a preconditioner of the displacement block.
+struct SmootherSettings {
+  int degree;
+  double smoothed_part;
   template <class V>
   void describe(V&& v) {
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
-    v("smoothed_part", smoothed_part, About{"the smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
+    v("smoothed_part", smoothed_part, About{"the Chebyshev smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
   }
 };
 
 /// Aggregation as a preconditioner of the displacement block.
-struct AggregationSettings {
-  int nodes = 30, degree = 8;
-  double smoothed_part = 0.04;
+struct AggregationSettings : SmootherSettings {
+  int nodes = 30;
+  AggregationSettings() : SmootherSettings{8, 0.04} {}
   template <class V>
   void describe(V&& v) {
     v("nodes", nodes, About{"nodes of an aggregate"}.between(8, 1000));
-    v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
-    v("smoothed_part", smoothed_part, About{"the smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
+    SmootherSettings::describe(v);
   }
+};
+
+/// Geometric multigrid as a preconditioner of the displacement block.
+struct MultigridSettings : SmootherSettings {
+  MultigridSettings() : SmootherSettings{6, 0.05} {}
 };
 
 /// The linear solver: GMRES on the bordered, augmented system, or MUMPS on the bordered one.
