@@ -5,11 +5,14 @@
 #include <deque>
 #include <unordered_map>
 
+#include "precond/scalar_matrices.hpp"
+
 namespace bulbus {
 namespace {
 
 // Strongly coupled owned neighbours of every owned node: |tr A_ij| > threshold √(tr A_ii tr A_jj).
-std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar) {
+std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
+  const auto scalar = scalar_matrices(system);
   constexpr double threshold = 0.02;
   const LocalMesh& mesh = system.problem().mesh();
   const int owned = mesh.owned;
@@ -91,9 +94,9 @@ int join_crumbs(std::vector<int>& of, const std::vector<std::vector<int>>& stron
 
 }  // namespace
 
-Aggregates aggregate(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int nodes) {
+Aggregates aggregate(const CoupledSystem& system, int nodes) {
   const LocalMesh& mesh = system.problem().mesh();
-  const auto strong = strong_neighbours(system, scalar);
+  const auto strong = strong_neighbours(system);
   auto of = grow_groups(system.problem().dofs(), strong, nodes);
   Aggregates a;
   a.mine = join_crumbs(of, strong);

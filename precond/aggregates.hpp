@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
-#include "precond/boomeramg.hpp"
 
 namespace bulbus {
 
@@ -15,8 +14,8 @@ struct Aggregates {
   int total = 0;        ///< groups of all ranks, bodies included
 };
 
-/// Compact aggregates of about `nodes` nodes, each of one rank's owned nodes, along strong couplings of the nodal matrix whose xx,
-/// yy and zz parts are given. Collective.
-Aggregates aggregate(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int nodes);
+/// Compact aggregates of about `nodes` nodes, each of one rank's owned nodes, along strong couplings of the linearised displacement
+/// block. Collective.
+Aggregates aggregate(const CoupledSystem& system, int nodes);
 
 }  // namespace bulbus

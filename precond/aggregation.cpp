@@ -3,12 +3,11 @@
 #include "core/base/memory.hpp"
 #include "core/solve/reduced.hpp"
 #include "precond/correct.hpp"
-#include "precond/scalar_matrices.hpp"
 
 namespace bulbus {
 
 AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes)
-    : lines(find_lines(system.problem())), rigid(system, scalar_matrices(system), nodes) {}
+    : lines(find_lines(system.problem())), rigid(system, nodes) {}
 
 Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings)
     : block_(system, Precision::single),

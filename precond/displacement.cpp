@@ -36,6 +36,7 @@ std::string chosen_displacement(const LinearSettings& settings, const Problem& p
 }
 
 struct DisplacementFactory::Plans {
+  const Problem* problem;
   std::optional<MultigridPlan> multigrid;
   std::optional<AggregationPlan> aggregation;
   std::optional<RigidPlan> rigid;
@@ -46,8 +47,7 @@ DisplacementFactory::~DisplacementFactory() = default;
 
 std::unique_ptr<Preconditioner> DisplacementFactory::make(const CoupledSystem& system) {
   const Problem& problem = system.problem();
-  if (!plans_ || problem_ != &problem) plans_ = std::make_unique<Plans>();
-  problem_ = &problem;
+  if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const std::string name = chosen_displacement(settings_, problem);
   if (name == "jacobi") return std::make_unique<BlockJacobi>(system);
   if (name == "scalar_amg") return std::make_unique<ScalarAmgAlone>(system);
@@ -61,7 +61,7 @@ std::unique_ptr<Preconditioner> DisplacementFactory::make(const CoupledSystem& s
   }
   if (name == "hybrid") {
     const int nodes = settings_.aggregates > 0 ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates)) : 0;
-    if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, scalar_matrices(system), nodes);
+    if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes);
     return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr);
   }
   if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes);

@@ -35,7 +35,6 @@ class DisplacementFactory {
   LinearSettings settings_;
   struct Plans;  // what they keep from one linearisation to the next
   std::unique_ptr<Plans> plans_;
-  const Problem* problem_ = nullptr;
 };
 
 }  // namespace bulbus

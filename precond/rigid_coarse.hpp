@@ -10,7 +10,7 @@ namespace bulbus {
 /// and its analysis.
 struct RigidPlan {
   /// Aggregates of about `nodes` nodes. Collective.
-  RigidPlan(const CoupledSystem& system, const std::array<DistributedCsr, 3>& scalar, int nodes);
+  RigidPlan(const CoupledSystem& system, int nodes);
   Aggregates groups;
   CoarseMatrix matrix;
   Mumps factor;

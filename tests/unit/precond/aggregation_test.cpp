@@ -6,7 +6,6 @@
 
 #include "core/solve/reduced.hpp"
 #include "precond/make_preconditioner.hpp"
-#include "precond/scalar_matrices.hpp"
 #include "tests/support/small_eye.hpp"
 #include "tests/unit/precond/linearised.hpp"
 
@@ -17,7 +16,7 @@ namespace {
 TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
   Linearised l(small_eye(8), 0, 0);
   for (int nodes : {15, 40}) {
-    const Aggregates groups = aggregate(l.system, scalar_matrices(l.system), nodes);
+    const Aggregates groups = aggregate(l.system, nodes);
     std::vector<int> members(groups.total);
     const DofMap& dofs = l.problem.dofs();
     for (int n = 0; n < l.problem.mesh().owned; ++n) {
@@ -35,7 +34,7 @@ TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
 TEST(CoarseMatrix, IsTheGalerkinProjection) {
   for (const Scene& scene : {thin_plate(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, .001);
-    RigidPlan plan(l.system, scalar_matrices(l.system), 20);
+    RigidPlan plan(l.system, 20);
     const RigidModes modes = rigid_modes(l.system, plan.groups);
     plan.matrix.clear();
     visit_reduced(l.problem, l.state, true, [&](std::span<const int> d, std::span<const double> K) { plan.matrix.add(plan.groups, modes.of, d, K); });
@@ -65,7 +64,7 @@ TEST(CoarseMatrix, IsTheGalerkinProjection) {
 
 TEST(RigidModes, AreOrthonormalInEveryAggregate) {
   Linearised l(small_eye(8), 0, 0);
-  const Aggregates groups = aggregate(l.system, scalar_matrices(l.system), 30);
+  const Aggregates groups = aggregate(l.system, 30);
   const RigidModes modes = rigid_modes(l.system, groups);
   std::vector<std::array<double, 36>> gram(groups.total);
   for (int n = 0; n < l.problem.mesh().owned; ++n)
