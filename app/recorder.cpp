@@ -15,7 +15,7 @@ std::vector<std::string> history_columns(const ProbeSet& probes) {
 }  // namespace
 
 Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
-                   Meters& meters, CsvTable::File file)
+                   Meters& meters, FileStart start)
     : problem_(*prepared.problem),
       operation_(prepared.operation),
       meters_(meters),
@@ -25,11 +25,11 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::stri
       results_(scene.output, operation_, folder),
       checkpoints_(scene, problem_, *this, folder) {
   if (problem_.comm().rank() != 0) return;
-  history_.emplace(folder + "/history.csv", history_columns(probes_), file);
+  history_.emplace(folder + "/history.csv", history_columns(probes_), start);
   if (scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum)
     krylov_.emplace(folder + "/krylov.csv",
                     std::vector<std::string>{"increment", "newton", "iteration", "residual", "displacement", "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"},
-                    file);
+                    start);
 }
 
 void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {

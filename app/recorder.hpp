@@ -21,7 +21,7 @@ struct StepRecord {
 class Recorder final : public MarchObserver, public Remembering {
  public:
   Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
-           Meters& meters, CsvTable::File file = CsvTable::File::anew);
+           Meters& meters, FileStart start = FileStart::anew);
 
   void step_begins(int step, const StepSpec& spec, const State& start) override;
   void increment_begins(int step, double from, double to) override;

@@ -112,10 +112,11 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   else
     make_results_folder(out_dir, comm);
   if (comm.rank() == 0) write_whole(out_dir + "/resolved.yaml", resolved_yaml(with_materials_of(problem, scene)));
-  const Log log(out_dir + "/run.log", comm, screen, from ? Log::File::continued : Log::File::anew);
+  const FileStart start_of_records = from ? FileStart::continued : FileStart::anew;
+  const Log log(out_dir + "/run.log", comm, screen, start_of_records);
   write_header(log, scene, scene_path, prepared);
 
-  Recorder recorder(prepared, scene, out_dir, log, meters, from ? CsvTable::File::continued : CsvTable::File::anew);
+  Recorder recorder(prepared, scene, out_dir, log, meters, start_of_records);
   const LinearSettings& linear = scene.solver.linear;
   CoupledSystem system(problem, settings_of_system(linear));
   auto solver = make_solver(linear, meters);

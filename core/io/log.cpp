@@ -10,20 +10,20 @@
 namespace bulbus {
 namespace {
 
-std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen screen, Log::File file) {
+std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen screen, FileStart start) {
   std::vector<spdlog::sink_ptr> sinks;
   if (screen == Log::Screen::shown) sinks.push_back(std::make_shared<spdlog::sinks::stdout_sink_st>());
-  if (!path.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, file == Log::File::anew));
+  if (!path.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, start == FileStart::anew));
   return sinks;
 }
 
 }  // namespace
 
-Log::Log(const std::string& path, const Comm& comm, Screen screen, File file) {
+Log::Log(const std::string& path, const Comm& comm, Screen screen, FileStart start) {
   std::vector<spdlog::sink_ptr> sinks;
   bool failed = false;
   try {
-    if (comm.rank() == 0) sinks = open_sinks(path, screen, file);
+    if (comm.rank() == 0) sinks = open_sinks(path, screen, start);
   } catch (const spdlog::spdlog_ex&) {
     failed = true;
   }

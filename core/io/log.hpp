@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/parallel.hpp"
+#include "core/io/text_file.hpp"
 
 namespace spdlog {
 class logger;
@@ -14,10 +15,9 @@ namespace bulbus {
 class Log {
  public:
   enum class Screen { shown, silent };
-  enum class File { anew, continued };
   /// Collective. An empty path means the screen only. Throws std::runtime_error on
   /// every rank if the file cannot be opened.
-  Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown, File file = File::anew);
+  Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown, FileStart start = FileStart::anew);
 
   void info(const std::string& line) const;
   /// The line behind "warning: ".

@@ -19,9 +19,9 @@ std::string text_of(long long cell) { return fmt::format("{}", cell); }
 
 }  // namespace
 
-CsvTable::CsvTable(std::string path, const std::vector<std::string>& columns, File file)
+CsvTable::CsvTable(std::string path, const std::vector<std::string>& columns, FileStart start)
     : path_(std::move(path)), width_(columns.size()) {
-  const bool goes_on = file == File::continued && std::ifstream(path_).peek() != EOF;
+  const bool goes_on = start == FileStart::continued && std::ifstream(path_).peek() != EOF;
   out_.open(path_, std::ios::binary | (goes_on ? std::ios::app : std::ios::trunc));
   if (!goes_on) write_line({columns.begin(), columns.end()});
 }
