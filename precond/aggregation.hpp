@@ -26,6 +26,7 @@ class Aggregation final : public Preconditioner {
   bool fixed() const override { return true; }
   std::string fault() const override { return coarse_.fault(); }
   std::size_t bytes() const override;
+  const LineJacobi& lines() const { return jacobi_; }
 
  private:
   LineJacobi set_up(const CoupledSystem& system, const Lines& lines);

@@ -2,7 +2,6 @@
 
 #include "core/base/memory.hpp"
 #include "precond/chebyshev.hpp"
-#include "precond/displacement.hpp"
 
 namespace bulbus {
 namespace {
@@ -15,8 +14,11 @@ double local_product(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-BlockTriangular::BlockTriangular(CoupledSystem& system, std::unique_ptr<Preconditioner> displacement)
-    : system_(system), displacement_(std::move(displacement)), inverse_schur_(system.inverse_pressure_schur()), work_(system.layout().primal()) {
+BlockTriangular::BlockTriangular(CoupledSystem& system, DisplacementInverse displacement, const PressureSettings& pressures)
+    : system_(system),
+      displacement_(std::move(displacement.inverse)),
+      inverse_schur_(system, displacement.lines, pressures),
+      work_(system.layout().primal()) {
   const auto& g = system.liquid_columns();
   for (int i = 0; i < static_cast<int>(g.size()); ++i)
     if (system.problem().liquids()[i].coupled()) {
@@ -56,7 +58,8 @@ void BlockTriangular::apply(std::span<const double> r, std::span<double> z) cons
   const Layout& layout = system_.layout();
   const auto zu = layout.primal(z), zl = layout.lambda(z), zP = layout.pressures(z);
   const auto ru = layout.primal(r), rl = layout.lambda(r), rP = layout.pressures(r);
-  for (std::size_t e = 0; e < zl.size(); ++e) zl[e] = -inverse_schur_[e] * rl[e];
+  inverse_schur_.apply(rl, zl);
+  for (double& v : zl) v = -v;
   std::copy(ru.begin(), ru.end(), work_.begin());
   system_.add_pressure_force(zl, -1, work_);
 
@@ -92,7 +95,7 @@ std::array<double, 2> BlockTriangular::displacement_spectrum() const {
 }
 
 std::size_t BlockTriangular::bytes() const {
-  std::size_t total = displacement_->bytes() + bytes_of(inverse_schur_) + bytes_of(work_);
+  std::size_t total = displacement_->bytes() + inverse_schur_.bytes() + bytes_of(work_);
   for (const auto& z : Z_) total += bytes_of(z);
   return total;
 }

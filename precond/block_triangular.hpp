@@ -4,12 +4,14 @@
 
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_solver.hpp"
+#include "precond/displacement.hpp"
+#include "precond/pressure_schur.hpp"
 
 namespace bulbus {
 
 /// Block upper-triangular preconditioner of the bordered system:
 ///
-///     [ Â_ω   B    −(I − ωC) G ]        Ŝ = V_e / ((1 + γ) μ_e)
+///     [ Â_ω   B    −(I − ωC) G ]        Ŝ: see PressureSchur
 ///     [ 0    −Ŝ     0          ]        S_c = C + Gᵀ Â_ω⁻¹ G (I − ωC),   C = V_i/K
 ///     [ 0     0    −S_c        ]
 ///
@@ -17,11 +19,14 @@ namespace bulbus {
 class BlockTriangular final : public CoupledPreconditioner {
  public:
   /// Collective.
-  BlockTriangular(CoupledSystem& system, std::unique_ptr<Preconditioner> displacement);
+  BlockTriangular(CoupledSystem& system, DisplacementInverse displacement, const PressureSettings& pressures);
   int size() const override { return system_.size(); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return displacement_->fixed(); }
   std::string fault() const override { return displacement_->fault(); }
+  /// The pressures' weak patterns.
+  bool holds_back() const override { return inverse_schur_.holds_back(); }
+  void strengthen() override { inverse_schur_.strengthen(); }
   std::size_t bytes() const override;
   std::array<double, 2> displacement_spectrum() const override;
 
@@ -30,7 +35,7 @@ class BlockTriangular final : public CoupledPreconditioner {
 
   CoupledSystem& system_;
   std::unique_ptr<Preconditioner> displacement_;
-  std::vector<double> inverse_schur_;
+  PressureSchur inverse_schur_;
   std::vector<std::vector<double>> Z_;
   std::vector<int> coupled_;           // liquids with an unknown pressure
   Eigen::MatrixXd woodbury_;           // (Ω⁻¹ + GᵀZ)⁻¹

@@ -28,6 +28,12 @@ class ScalarAmgAlone final : public Preconditioner {
   ScalarAmg amg_;
 };
 
+template <class P>
+DisplacementInverse with_lines(std::unique_ptr<P> inverse) {
+  const LineJacobi* lines = &inverse->lines();
+  return {std::move(inverse), lines};
+}
+
 }  // namespace
 
 std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
@@ -45,27 +51,27 @@ struct DisplacementFactory::Plans {
 DisplacementFactory::DisplacementFactory(const LinearSettings& settings) : settings_(settings) {}
 DisplacementFactory::~DisplacementFactory() = default;
 
-std::unique_ptr<Preconditioner> DisplacementFactory::make(const CoupledSystem& system) {
+DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
   const Problem& problem = system.problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const std::string name = chosen_displacement(settings_, problem);
-  if (name == "jacobi") return std::make_unique<BlockJacobi>(system);
-  if (name == "scalar_amg") return std::make_unique<ScalarAmgAlone>(system);
-  if (name == "boomeramg" || name == "boomeramg_nodal") return std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal");
-  if (name == "exact") return std::make_unique<ExactBlock>(system);
+  if (name == "jacobi") return {std::make_unique<BlockJacobi>(system)};
+  if (name == "scalar_amg") return {std::make_unique<ScalarAmgAlone>(system)};
+  if (name == "boomeramg" || name == "boomeramg_nodal") return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};
+  if (name == "exact") return {std::make_unique<ExactBlock>(system)};
   if (name == "multigrid") {
     if (!problem.coarser())
       throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh", "Give mesh.refine, or take 'aggregation'.");
     if (!plans_->multigrid) plans_->multigrid.emplace(problem, settings_);
-    return std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid);
+    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid));
   }
   if (name == "hybrid") {
     const int nodes = settings_.aggregates > 0 ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates)) : 0;
     if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes);
-    return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr);
+    return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr)};
   }
   if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes);
-  return std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation);
+  return with_lines(std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation));
 }
 
 }  // namespace bulbus

@@ -4,6 +4,7 @@
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
 #include "core/solve/settings.hpp"
+#include "precond/line_jacobi.hpp"
 
 namespace bulbus {
 
@@ -22,14 +23,19 @@ class DisplacementBlock final : public LinearOperator {
 /// What `auto` stands for: multigrid where the problem has a coarser one, aggregation elsewhere. Other names stand for themselves.
 std::string chosen_displacement(const LinearSettings& settings, const Problem& problem);
 
+/// An approximate inverse of the displacement block, on primal vectors, and the lines it smooths with; null where it has none.
+struct DisplacementInverse {
+  std::unique_ptr<Preconditioner> inverse;
+  const LineJacobi* lines = nullptr;
+};
+
 /// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one problem anew.
-/// Works on primal vectors.
 class DisplacementFactory {
  public:
   explicit DisplacementFactory(const LinearSettings& settings);
   ~DisplacementFactory();
   /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a refined mesh.
-  std::unique_ptr<Preconditioner> make(const CoupledSystem& system);
+  DisplacementInverse make(const CoupledSystem& system);
 
  private:
   LinearSettings settings_;

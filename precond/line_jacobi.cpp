@@ -98,8 +98,8 @@ void LineJacobi::factorise_nodes(int line, const std::vector<double>& diagonal) 
 }
 
 // L D Lᵀ y = x along every line.
-void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
-  const auto node = [&](int i) { return 3 * static_cast<std::size_t>(lines_.nodes[i]); };
+void LineJacobi::solve(const double* x, double* y, int stride) const {
+  const auto node = [&](int i) { return stride * static_cast<std::size_t>(lines_.nodes[i]); };
   for (int k = 0; k < lines_.count(); ++k) {
     const int first = lines_.start[k], last = lines_.start[k + 1] - 1;
     for (int i = first; i <= last; ++i) {
@@ -124,6 +124,10 @@ void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
       for (int c = 0; c < 3; ++c) to[c] -= L[c] * after[0] + L[3 + c] * after[1] + L[6 + c] * after[2];
     }
   }
+}
+
+void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
+  solve(x.data(), y.data(), 3);
   bodies_.apply(x, y);
 }
 

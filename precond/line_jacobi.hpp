@@ -34,12 +34,15 @@ class LineJacobi final : public Preconditioner {
   LineJacobi(const CoupledSystem& system, const Lines& lines, const std::vector<double>& couplings);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
+  /// The nodes' part, in place; four numbers per owned node, the last one unused.
+  void apply_nodal(std::span<double> v) const { solve(v.data(), v.data(), 4); }
   bool fixed() const override { return true; }
   std::size_t bytes() const override;
 
  private:
   bool factorise(int line, const std::vector<double>& diagonal, const std::vector<double>& ahead);
   void factorise_nodes(int line, const std::vector<double>& diagonal);
+  void solve(const double* x, double* y, int stride) const;
 
   int size_;
   const Lines& lines_;

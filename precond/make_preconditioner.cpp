@@ -6,10 +6,10 @@
 namespace bulbus {
 
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Meters& meters) {
-  return [factory = std::make_shared<DisplacementFactory>(settings), &meters](CoupledSystem& system) {
+  return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures, &meters](CoupledSystem& system) {
     auto displacement = factory->make(system);
-    meters.memory.set("displacement preconditioner", displacement->bytes());
-    return std::make_unique<BlockTriangular>(system, std::move(displacement));
+    meters.memory.set("displacement preconditioner", displacement.inverse->bytes());
+    return std::make_unique<BlockTriangular>(system, std::move(displacement), pressures);
   };
 }
 

@@ -42,6 +42,8 @@ class Multigrid final : public Preconditioner {
   void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
   bool fixed() const override { return true; }
   std::size_t bytes() const override;
+  /// Of the finest level.
+  const LineJacobi& lines() const { return levels_.front()->jacobi; }
 
  private:
   struct Level {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/solve/linear_solver.hpp"
 
@@ -62,19 +64,15 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
 // of its residual is not true any more.
 constexpr double roundings = 1e-5;
 
-// Plain GMRES needs one basis; where it fails, the flexible one goes on from what it has reached.
-KrylovReport plain_then_flexible(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
-                                 KrylovOptions options, const Comm& comm, const KrylovObserver& observer) {
-  KrylovReport plain = fgmres(A, &M, b, x, options, comm, observer);
-  options.max_iterations -= plain.iterations;
-  if (plain.converged || options.flexible || options.max_iterations <= 0) return plain;
-  options.flexible = true;
-  KrylovReport k = fgmres(A, &M, b, x, options, comm, observer);
-  k.initial = plain.initial;
-  k.iterations += plain.iterations;
-  if (!k.history.empty()) plain.history.insert(plain.history.end(), k.history.begin() + 1, k.history.end());
-  k.history = std::move(plain.history);
-  return k;
+// What two solves in a row did, the second from where the first had come to.
+KrylovReport joined(KrylovReport first, KrylovReport then) {
+  if (first.history.empty()) return then;
+  then.initial = first.initial;
+  then.iterations += first.iterations;
+  then.basis_bytes = std::max(first.basis_bytes, then.basis_bytes);
+  if (!then.history.empty()) first.history.insert(first.history.end(), then.history.begin() + 1, then.history.end());
+  then.history = std::move(first.history);
+  return then;
 }
 
 class KrylovSolver final : public LinearSolver {
@@ -100,12 +98,11 @@ class KrylovSolver final : public LinearSolver {
     std::fill(x.begin(), x.end(), 0.0);
     const Scaled A(system);
     const ScaledPreconditioner M(system, *preconditioner_);
-    const KrylovOptions options{tolerance, settings_.restart, settings_.max_iterations, !M.fixed() || tolerance < roundings};
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
     if (settings_.record_krylov)
       observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, scaled, iterate)); };
-    const KrylovReport k = plain_then_flexible(A, M, scaled, x, options, system.problem().comm(), observer);
+    const KrylovReport k = solve_in_stages(A, M, scaled, x, tolerance, system.problem().comm(), observer);
     meters_.memory.set("Krylov basis", k.basis_bytes);
     for (std::size_t i = 0; i < scaled.size(); ++i) x[i] *= s[i];
     LinearReport r{k.converged, k.reason, k.iterations, k.initial > 0 ? k.final / k.initial : 0, -1, k.history};
@@ -116,6 +113,30 @@ class KrylovSolver final : public LinearSolver {
   }
 
  private:
+  // As it is; then with the strengthened preconditioner; where plain GMRES, which needs one basis only, still fails, the flexible one.
+  KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
+                               double tolerance, const Comm& comm, const KrylovObserver& observer) {
+    KrylovReport report;
+    bool flexible = !M.fixed() || tolerance < roundings;
+    const auto go_on = [&](int most) {
+      if (report.converged || most <= 0) return;
+      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible};
+      report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
+    };
+    if (tolerance < settings_.pressures.below && preconditioner_->holds_back()) {
+      go_on(std::min(settings_.pressures.after, settings_.max_iterations));
+      if (!report.converged) strengthen();
+    }
+    go_on(settings_.max_iterations - report.iterations);
+    if (!std::exchange(flexible, true)) go_on(settings_.max_iterations - report.iterations);
+    return report;
+  }
+
+  void strengthen() {
+    preconditioner_->strengthen();
+    meters_.memory.set("preconditioner", preconditioner_->bytes());
+  }
+
   LinearSettings settings_;
   PreconditionerFactory factory_;
   Meters& meters_;

@@ -42,9 +42,13 @@ class LinearSolver {
                              double tolerance) = 0;
 };
 
-/// A preconditioner of the whole system that knows the spectrum of its displacement block.
+/// A preconditioner of the whole system.
 class CoupledPreconditioner : public Preconditioner {
  public:
+  /// Is there a part that is too dear for easy solves?
+  virtual bool holds_back() const = 0;
+  /// A solve drags: takes that part up, until the next linearisation. Collective.
+  virtual void strengthen() = 0;
   /// Extreme eigenvalues of Â⁻¹ A on displacements, estimated by a few Lanczos steps. Collective.
   virtual std::array<double, 2> displacement_spectrum() const = 0;
 };

@@ -32,15 +32,31 @@ struct MultigridSettings : SmootherSettings {
   MultigridSettings() : SmootherSettings{6, 0.05} {}
 };
 
+/// The part of the element pressures' preconditioner that knows their weak patterns: too dear for loose and for easy solves.
+struct PressureSettings {
+  double below = 1e-4;
+  int after = 20, degree = 16;
+  double smallest = 0.003, weight = 0.15;
+  template <class V>
+  void describe(V&& v) {
+    v("below", below, About{"taken up by solves to a smaller relative tolerance; 0: by none"}.between(0, 1));
+    v("after", after, About{"Krylov iterations before that"}.between(0, 100000));
+    v("degree", degree, About{"degree of the polynomial that inverts what weak patterns meet"}.between(1, 100));
+    v("smallest", smallest, About{"smallest eigenvalue that it inverts, as a part of the largest"}.between(1e-5, 0.9));
+    v("weight", weight, About{"weight beside the part that knows strains only"}.between(0, 1));
+  }
+};
+
 /// The linear solver: GMRES on the bordered, augmented system, or MUMPS on the bordered one.
 struct LinearSettings {
   std::string method = "iterative";
   std::string displacement = "auto";
   std::string op = "cache";
   double gamma = 5, smoothed_part = 0.05;
-  int restart = 60, max_iterations = 400, degree = 6, aggregates = 150;
+  int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;
   AggregationSettings aggregation;
   MultigridSettings multigrid;
+  PressureSettings pressures;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
   /// Are the coarser meshes of a refined one of any use?
@@ -61,6 +77,7 @@ struct LinearSettings {
     v("aggregates", aggregates, About{"aggregates whose rigid motions correct the hybrid; 0: none"}.between(0, 2000));
     v("aggregation", aggregation, About{"aggregation, for meshes of any kind"});
     v("multigrid", multigrid, About{"multigrid on the refined meshes"});
+    v("pressures", pressures, About{"weak patterns of element pressures, with aggregation and multigrid"});
     v("dump", dump, About{"folder that receives every linear system with its right-hand side (HDF5); empty: none"});
     v("record_krylov", record_krylov, About{"write the residual of every Krylov iteration, block by block, to krylov.csv"});
     v("record_spectrum", record_spectrum, About{"write eigenvalue estimates of every preconditioned system to krylov.csv"});
