@@ -158,6 +158,7 @@ struct Mumps::Instance {
 
   FactorReport& analyse() {
     report = {};
+    report.matrix_entries = static_cast<double>(comm.sum(static_cast<long long>(matrix.row.size())));
     double begin = Clock::now();
     analysed = run(analysis);
     report.seconds_analysis = Clock::now() - begin;
@@ -178,7 +179,8 @@ struct Mumps::Instance {
     auto finite = [](double v) { return std::isfinite(v); };
     if (!comm.all(std::all_of(matrix.value.begin(), matrix.value.end(), finite)))
       return fail("the matrix is not finite");
-    if (options.memory_limit_mb > 0 && report.estimated_mb > options.memory_limit_mb)
+    report.too_large = options.memory_limit_mb > 0 && report.estimated_mb > options.memory_limit_mb;
+    if (report.too_large)
       return fail("the factors need about " + std::to_string(std::llround(report.estimated_mb)) +
                   " MB, more than the " + std::to_string(std::llround(options.memory_limit_mb)) +
                   " MB allowed");

@@ -23,7 +23,9 @@ struct FactorReport {
   bool ok = false;
   std::string reason;                             ///< why not ok
   int code = 0;                                   ///< INFOG(1)
+  bool too_large = false;                         ///< refused by its estimate
   std::string ordering;                           ///< the one that ran
+  double matrix_entries = 0;                      ///< of all ranks; of a symmetric matrix those of one triangle
   double estimated_mb = 0, estimated_max_mb = 0;  ///< of all ranks; of the greediest one
   double estimated_flops = 0, estimated_entries = 0;
   double memory_mb = 0, memory_max_mb = 0;  ///< really used
