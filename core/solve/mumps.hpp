@@ -14,8 +14,7 @@ struct MumpsOptions {
   MumpsOrdering ordering = MumpsOrdering::scotch;
   int refinements = 0;  ///< most steps of iterative refinement in a solve
   int relaxations = 5;  ///< times that the workspace may be doubled when pivoting outgrows the estimate
-  double memory_limit_mb =
-      0;  ///< over all ranks: refuse to factorise when the estimate is larger; 0: no limit
+  double memory_limit_mb = 0;  ///< over all ranks: refuse to factorise when matrix and estimate are larger; 0: no limit
 };
 
 /// What analysis foretold and the factorisation found. Memory in MB (10⁶ bytes).
