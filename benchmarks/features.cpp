@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   single_threaded(argv);
   const Options o = parse(argc, argv, {14}, {4}, 1);
   json report = new_report("features", o);
+  for (const Variant& v : variants) report["parameters"]["set"][v.name] = v.set;
   report["notes"] = "`bulbus run` of data/scenes as processes of their own; minutes are processor time, those of parts wall time per Newton, "
                     "of the linear solve per Krylov iteration; probes: how much a rigid lens changes them, relative to the largest magnitude "
                     "they had in either run";
