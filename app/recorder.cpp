@@ -46,6 +46,10 @@ void Recorder::increment_begins(int step, double from, double to) {
 
 void Recorder::newton_iteration(const NewtonIteration& i) {
   narrator_.newton_iteration(i);
+  if (i.linear.factor) {
+    factor_ = i.linear.factor;
+    worst_reduction_ = std::max(worst_reduction_, i.linear.reduction);
+  }
   if (!krylov_) return;
   for (std::size_t k = 0; k < i.linear.history.size(); ++k) {
     std::vector<CsvTable::Cell> row{static_cast<long long>(increments_ + 1), static_cast<long long>(i.number),

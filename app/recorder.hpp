@@ -45,6 +45,9 @@ class Recorder final : public MarchObserver, public Remembering {
   int increments() const { return increments_; }
   /// Of the last factorisation; -1 if there was none of a symmetric matrix.
   int negative_pivots() const { return negative_pivots_; }
+  /// Of the direct solver's last factorisation, and the largest residual that its solutions left, ‖s r‖ / ‖s b‖.
+  const std::optional<FactorReport>& factor() const { return factor_; }
+  double worst_reduction() const { return worst_reduction_; }
 
  private:
   void count(const NewtonReport& report);
@@ -64,6 +67,8 @@ class Recorder final : public MarchObserver, public Remembering {
   std::vector<ContactStanding> contacts_;
   std::vector<StepRecord> steps_;
   int increments_ = 0, cuts_ = 0, negative_pivots_ = -1;
+  std::optional<FactorReport> factor_;
+  double worst_reduction_ = 0;
   bool taken_ = false;  // are the values of the last state?
   double since_ = Clock::now();
 };

@@ -30,10 +30,11 @@ std::unique_ptr<LinearSolver> make_solver(const LinearSettings& linear, Meters& 
 }
 
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
-  if (l.method == "direct") return "direct (MUMPS)";
+  const std::string liquids = l.formulation == "eliminated" ? ", liquid pressures eliminated" : "";
+  if (l.method == "direct") return "direct (MUMPS)" + liquids;
   const std::string why = l.displacement != "auto" ? "" : problem.coarser() ? " (the mesh is refined)" : " (the mesh is not refined)";
-  return fmt::format("GMRES({}), displacement block by {}{}, operator {}, gamma {:g}", l.restart,
-                     chosen_displacement(l, problem), why, l.op, l.gamma);
+  return fmt::format("GMRES({}), displacement block by {}{}, operator {}, gamma {:g}{}", l.restart,
+                     chosen_displacement(l, problem), why, l.op, l.gamma, liquids);
 }
 
 std::vector<std::string> lines_of_levels(const Problem& problem) {

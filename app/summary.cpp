@@ -60,6 +60,12 @@ json totals_of(const MarchReport& m) {
           {"cuts", m.cuts}};
 }
 
+json factor_of(const FactorReport& f, double worst_reduction) {
+  return {{"matrix_entries", f.matrix_entries}, {"factor_entries", f.factor_entries}, {"estimated_mb", f.estimated_mb},
+          {"memory_mb", f.memory_mb},           {"flops", f.flops},                   {"ordering", f.ordering},
+          {"largest_residual", worst_reduction}};
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> versions() {
@@ -106,6 +112,7 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
     s["negative_pivots"] = recorder.negative_pivots();
     s["negative_pivots_if_stable"] = stable_pivots(problem);
   }
+  if (recorder.factor()) s["factor"] = factor_of(*recorder.factor(), recorder.worst_reduction());
   for (const auto& [name, v] : versions()) s["versions"][name] = v;
   return s;
 }

@@ -28,6 +28,9 @@ void single_threaded(char** argv);
 /// peak of a process tells more of fragmentation than of need. Call after MPI has started.
 void return_freed_memory();
 
+/// Lets the peak that core/base/memory.hpp tells begin anew with what is resident now (Linux; elsewhere it stays).
+void reset_peak_resident();
+
 /// Seconds of processor time of this process: what a machine shared with others leaves comparable.
 double cpu_seconds();
 

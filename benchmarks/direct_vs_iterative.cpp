@@ -1,15 +1,16 @@
-// The half eye from rest through 15 mmHg to the first coupled increment (0.5 mm), by the direct and by the iterative solver. Each
-// size and method runs as a child process of its own, so that peak memory is its own.
-#include <unistd.h>
-
+// The half eye from rest through 15 mmHg to the first coupled increment (0.5 mm), by the direct and by the iterative solver, on growing
+// meshes; how time and memory grow; and what the direct solver would need where it does not fit. Each size and method runs as a process
+// of its own, so that peak memory is its own.
+//
+//     bench_direct_vs_iterative [-n CELLS,...] [-r REPETITIONS] [--memory MB] [-o FILE]      the limit of a factorisation
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include <stdexcept>
 
-#include "benchmarks/common.hpp"
+#include "benchmarks/child.hpp"
 #include "benchmarks/half_eye.hpp"
+#include "benchmarks/timed_solver.hpp"
 #include "core/io/json_file.hpp"
 #include "precond/make_preconditioner.hpp"
 
@@ -18,47 +19,25 @@ using namespace bulbus::bench;
 
 namespace {
 
-// Seconds, iterations and reached reduction of every linear solve: set-up or factorisation, then the solution.
-class Timed final : public LinearSolver {
- public:
-  explicit Timed(std::unique_ptr<LinearSolver> inner) : inner_(std::move(inner)) {}
-  LinearReport prepare(CoupledSystem& system) override {
-    const double start = cpu_seconds();
-    const LinearReport report = inner_->prepare(system);
-    setup.push_back(cpu_seconds() - start);
-    return report;
-  }
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double tolerance) override {
-    const double start = cpu_seconds();
-    const LinearReport report = inner_->solve(system, b, x, tolerance);
-    solution.push_back(cpu_seconds() - start);
-    iterations.push_back(report.iterations);
-    reductions.push_back(report.reduction);
-    return report;
-  }
-  std::vector<double> setup, solution, reductions;
-  std::vector<int> iterations;
-
- private:
-  std::unique_ptr<LinearSolver> inner_;
-};
-
-SolverSettings settings_of(const std::string& method) {
+SolverSettings settings_of(const std::string& method, double memory_mb) {
   SolverSettings s;
   s.linear.method = method;
+  s.linear.memory_limit = memory_mb;
   if (method == "direct") s.linear.gamma = 0;  // the direct solver takes the system as it is
   return s;
 }
 
-json run(const std::string& method, int n) {
+json run(const std::vector<std::string>& words) {
   const double start = cpu_seconds();
+  const std::string& method = words.at(0);
+  const int n = std::stoi(words.at(1));
   const Comm comm;
-  const SolverSettings settings = settings_of(method);
+  const SolverSettings settings = settings_of(method, std::stod(words.at(2)));
   Meters meters;
   auto problem = half_eye(n, comm);
   CoupledSystem system(*problem, settings.linear);
-  Timed solver(method == "direct" ? make_direct_solver(settings.linear, meters)
-                                  : make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
+  TimedSolver solver(method == "direct" ? make_direct_solver(settings.linear, meters)
+                                        : make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
   State state = problem->initial_state();
   json row{{"n", n}, {"method", method}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)}};
   for (auto [step, progress] : {std::pair{0, 1.}, {1, .25}}) {
@@ -90,65 +69,99 @@ json run(const std::string& method, int n) {
   for (int i : solver.iterations) krylov += i;
   row["krylov"] = krylov;
   row["peak_mb"] = 1e-6 * peak_resident_bytes();
+  if (solver.factor) {
+    row["estimated_mb"] = solver.factor->estimated_mb;
+    row["estimated_gflop"] = 1e-9 * solver.factor->estimated_flops;
+    row["too_large"] = solver.factor->too_large;
+  }
   for (const auto& [part, bytes] : meters.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
   return row;
 }
 
-// The child writes its row to a file: its standard output belongs to the libraries.
-json run_as_child(const std::string& method, int n) {
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe"), file = std::filesystem::temp_directory_path() /
-      ("bulbus_" + std::to_string(getpid()) + "_" + method + "_" + std::to_string(n) + ".json");
-  const std::string command = "'" + self + "' --child " + method + " " + std::to_string(n) + " '" + file + "'";
-  const int status = std::system(command.c_str());
-  std::ifstream in(file);
-  json row = json::parse(in, nullptr, false);
-  std::filesystem::remove(file);
-  if (status != 0 || row.is_discarded())
-    row = {{"n", n}, {"method", method}, {"reason", "the process ended with status " + std::to_string(status)}};
-  return row;
-}
-
 // Of several runs, the one with the median time of a linear solve; the others' figures are kept beside it.
-json median_run(const std::string& method, int n, int repetitions) {
+json median_run(const std::string& method, int n, int repetitions, double memory_mb) {
   std::vector<json> rows;
-  for (int r = 0; r < repetitions; ++r) rows.push_back(run_as_child(method, n));
+  for (int r = 0; r < repetitions; ++r) {
+    rows.push_back(row_of_child({method, std::to_string(n), std::to_string(memory_mb)}));
+    rows.back().update({{"n", n}, {"method", method}});
+  }
   std::ranges::sort(rows, {}, [](const json& row) { return row.value("linear_s", 0.); });
   json row = rows[rows.size() / 2];
   for (const json& other : rows) row["linear_s_of_runs"].push_back(other.value("linear_s", 0.));
   return row;
 }
 
+// Iterative over direct; where the direct solver does not fit, its memory by estimate.
+json ratio(const json& iterative, const json& direct) {
+  json r{{"n", iterative["n"]}, {"unknowns", iterative["unknowns"]}};
+  const auto over = [&](const char* key, const json& value) { r[key] = iterative[key].get<double>() / value.get<double>(); };
+  if (direct.contains("reason")) return over("peak_mb", direct["estimated_mb"]), r["direct"] = "estimated", r;
+  for (const char* key : {"linear_s", "total_s", "peak_mb"}) over(key, direct[key]);
+  return r["direct"] = "measured", r;
+}
+
+// p of figure ~ unknowns^p, by least squares of the logarithms over the rows of a method, from a size on, that have the figure.
+json growth(const json& rows, const std::string& method, int from) {
+  json g{{"method", method}, {"from_n", from}};
+  for (const char* key : {"setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb", "estimated_gflop"}) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const json& row : rows) {
+      const bool estimate = std::string(key).starts_with("estimated");
+      if (row["method"] != method || row["n"] < from || row.value(key, 0.) <= 0 || (row.contains("reason") && !estimate)) continue;
+      const double a = std::log(row["unknowns"].get<double>()), b = std::log(row[key].get<double>());
+      n += 1, x += a, y += b, xx += a * a, xy += a * b;
+    }
+    if (n > 1) g[key] = (n * xy - x * y) / (n * xx - x * x);
+  }
+  return g;
+}
+
+// Over all sizes, and over the larger half of them, where what every process holds does not matter any more.
+json growths(const json& rows, std::vector<int> sizes) {
+  json all = json::array();
+  std::ranges::sort(sizes);
+  for (const char* method : {"iterative", "direct"})
+    for (int from : {sizes[0], sizes[sizes.size() / 2]})
+      if (json g = growth(rows, method, from); g.contains("setup_s")) all.push_back(g);
+  return all;
+}
+
+double memory_limit_in(const Options& o) {
+  if (o.rest.empty()) return 20000;
+  if (o.rest.size() != 2 || o.rest[0] != "--memory") throw std::invalid_argument("unknown option " + o.rest[0]);
+  return std::stod(o.rest[1]);
+}
+
+bool failed(const json& row) { return row.contains("reason") && !row.value("too_large", false); }
+
 }  // namespace
 
 int main(int argc, char** argv) {
   single_threaded(argv);
-  if (argc == 5 && argv[1] == std::string("--child")) {
-    Session session(argc, argv);
-    return_freed_memory();
-    write_json(argv[4], run(argv[2], std::stoi(argv[3])));
-    return 0;
-  }
-  const Options o = parse(argc, argv, {8, 14}, {4}, 3);
+  if (ran_as_child(argc, argv, run)) return 0;
+  const Options o = parse(argc, argv, {4, 8, 14, 20, 28}, {4, 6}, 3);
+  const double memory_mb = memory_limit_in(o);
   json report = new_report("direct_vs_iterative", o);
   const SolverSettings s;
   report["parameters"].update({{"displacement", s.linear.displacement}, {"gamma", s.linear.gamma}, {"operator", s.linear.op},
                                {"restart", s.linear.restart}, {"degree", s.linear.degree}, {"aggregates", s.linear.aggregates},
-                               {"eta_max", s.newton.eta_max}, {"direct_gamma", 0}});
+                               {"eta_max", s.newton.eta_max}, {"direct_gamma", 0}, {"memory_limit_mb", memory_mb}});
   report["notes"] = "seconds are processor time; linear_s: median over the linear solves of set-up (or factorisation) and solution, "
-                    "in the run that is the median of the repetitions; peak_mb: VmHWM of the process";
+                    "in the run that is the median of the repetitions; peak_mb: VmHWM of the process; estimated: by MUMPS's analysis; "
+                    "growth: p of unknowns^p by least squares, from size n on";
   for (int n : o.sizes) {
-    const json iterative = median_run("iterative", n, o.repetitions), direct = median_run("direct", n, n > 20 ? 1 : o.repetitions);
+    const int repetitions = n > 20 ? 1 : o.repetitions;
+    const json iterative = median_run("iterative", n, repetitions, memory_mb), direct = median_run("direct", n, repetitions, memory_mb);
     report["rows"].push_back(iterative);
     report["rows"].push_back(direct);
-    if (iterative.contains("linear_s") && direct.contains("linear_s"))
-      report["ratios"].push_back({{"n", n}, {"unknowns", iterative["unknowns"]},
-                                  {"linear_s", iterative["linear_s"].get<double>() / direct["linear_s"].get<double>()},
-                                  {"total_s", iterative["total_s"].get<double>() / direct["total_s"].get<double>()},
-                                  {"peak_mb", iterative["peak_mb"].get<double>() / direct["peak_mb"].get<double>()}});
+    if (!failed(iterative) && !failed(direct)) report["ratios"].push_back(ratio(iterative, direct));
+    report["growth"] = growths(report["rows"], o.sizes);
     if (!o.out.empty()) write_json(o.out, report);  // what is measured so far
   }
-  finish(report, {"n", "unknowns", "method", "linear_solves", "krylov", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "reason"}, o);
+  finish(report, {"n", "unknowns", "method", "linear_solves", "krylov", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb", "reason"}, o);
   std::printf("iterative / direct\n");
-  print_table(report["ratios"], {"n", "unknowns", "linear_s", "total_s", "peak_mb"});
-  return std::ranges::any_of(report["rows"], [](const json& row) { return row.contains("reason"); });
+  print_table(report["ratios"], {"n", "unknowns", "direct", "linear_s", "total_s", "peak_mb"});
+  std::printf("powers of the unknowns\n");
+  print_table(report["growth"], {"method", "from_n", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb", "estimated_gflop"});
+  return std::ranges::any_of(report["rows"], failed);
 }

@@ -2,37 +2,18 @@
 // same. Each runs as a process of its own, one after the other, on one thread.
 //
 //     bench_operation [--scene FILE] [--set KEY=VALUE ...] [--n CELLS] [--json FILE] [--timeout SECONDS]
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <stdexcept>
 
-#include "benchmarks/common.hpp"
+#include "benchmarks/scene_run.hpp"
 #include "core/io/json_file.hpp"
 
 using namespace bulbus::bench;
-namespace fs = std::filesystem;
 
 namespace {
 
-struct Given {
-  std::string scene = BULBUS_SOURCE "/data/scenes/encircling.yaml";
-  std::vector<std::string> set;
-  unsigned timeout = 900;  // seconds, of each run
-};
-
-Given given_in(Options& o) {
-  Given given;
+SceneRun given_in(Options& o) {
+  SceneRun given{scene_file("encircling")};
   for (std::size_t i = 0; i < o.rest.size(); i += 2) {
     const std::string key = o.rest[i], value = i + 1 < o.rest.size() ? o.rest[i + 1] : "";
     if (key == "--scene") given.scene = value;
@@ -46,113 +27,26 @@ Given given_in(Options& o) {
   return given;
 }
 
-struct Ended {
-  int status = 0;
-  double wall = 0, cpu = 0, peak_mb = 0;
-};
-
-// What the system counted for the child alone; an alarm outlives exec and ends it when its time is up.
-Ended run_child(const std::vector<std::string>& arguments, unsigned timeout) {
-  const auto start = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child == 0) {
-    std::vector<char*> argv;
-    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
-    argv.push_back(nullptr);
-    alarm(timeout);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  Ended e;
-  rusage used{};
-  wait4(child, &e.status, 0, &used);
-  const auto seconds = [](const timeval& t) { return t.tv_sec + 1e-6 * t.tv_usec; };
-  e.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  e.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
-  e.peak_mb = used.ru_maxrss * 1024e-6;
-  return e;
-}
-
-std::string reason_of(int status) {
-  if (WIFSIGNALED(status))
-    return WTERMSIG(status) == SIGALRM ? "out of time" : "ended by signal " + std::to_string(WTERMSIG(status));
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
-}
-
-// Largest magnitude of every column of a history: the scale of a probe that may end near zero.
-std::map<std::string, double> scales_of(const fs::path& history) {
-  std::map<std::string, double> scales;
-  std::vector<std::string> names;
-  std::ifstream in(history);
-  for (std::string line, cell; std::getline(in, line);) {
-    std::stringstream cells(line);
-    if (names.empty()) {
-      while (std::getline(cells, cell, ',')) names.push_back(cell);
-      continue;
-    }
-    for (std::size_t c = 0; c < names.size() && std::getline(cells, cell, ','); ++c)
-      scales[names[c]] = std::max(scales[names[c]], std::abs(std::strtod(cell.c_str(), nullptr)));
-  }
-  return scales;
-}
-
-json run(const std::string& method, const Given& given) {
-  const fs::path folder = fs::temp_directory_path() / ("bulbus_" + std::to_string(getpid()) + "_" + method);
-  std::vector<std::string> arguments{BULBUS_PROGRAM, "run", given.scene, "-o", folder};
-  for (const std::string& s : given.set) arguments.insert(arguments.end(), {"--set", s});
-  arguments.insert(arguments.end(), {"--set", "solver.linear.method=" + method});
-  const Ended e = run_child(arguments, given.timeout);
-  std::ifstream in(folder / "summary.json");
-  const json s = json::parse(in, nullptr, false);
-  json row{{"method", method}, {"converged", false}, {"wall_s", e.wall}, {"cpu_s", e.cpu}, {"cpu_min", e.cpu / 60}};
-  row["peak_mb"] = e.peak_mb;
-  if (s.is_discarded()) {
-    row["reason"] = reason_of(e.status);
-  } else {
-    for (const char* key : {"converged", "hexahedra", "steps", "probes", "units"}) row[key] = s[key];
-    if (!s["converged"]) row["reason"] = s["reason"];
-    row["unknowns"] = s["unknowns"]["total"];
-    row["seconds"] = s["seconds"];
-    for (const auto& [key, value] : s["totals"].items()) row[key] = value;
-    for (const auto& [part, mb] : s["memory_mb"]["parts"].items()) row["memory_mb"][part] = mb["all_ranks"];
-    row["scales"] = scales_of(folder / "history.csv");
-  }
-  fs::remove_all(folder);
-  return row;
-}
-
-// Every probe by both solvers; the difference relative to the largest magnitude the probe had in either run.
-json compared(const json& a, const json& b) {
-  std::vector<json> rows;
-  if (!a["converged"] || !b["converged"]) return rows;
-  for (const auto& [name, value] : a["probes"].items()) {
-    json row{{"probe", name}, {"unit", a["units"][name]}, {"iterative", value}, {"direct", b["probes"][name]}};
-    const double scale = std::max(a["scales"].value(name, 0.), b["scales"].value(name, 0.));
-    if (value.is_number() && row["direct"].is_number())
-      row["relative"] = scale > 0 ? std::abs(value.get<double>() - row["direct"].get<double>()) / scale : 0;
-    rows.push_back(row);
-  }
-  std::ranges::stable_sort(rows, std::greater{}, [](const json& row) { return row.value("relative", 0.); });
-  return rows;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   single_threaded(argv);
   Options o = parse(argc, argv, {}, {}, 1);
-  Given given = given_in(o);
-  if (o.smoke) given.scene = BULBUS_SOURCE "/data/scenes/suture.yaml";
+  SceneRun given = given_in(o);
+  if (o.smoke) given.scene = scene_file("suture");
   json report = new_report("operation", o);
-  report["parameters"].update({{"scene", fs::path(given.scene).filename()}, {"set", given.set}, {"timeout_s", given.timeout}});
+  report["parameters"].update({{"scene", std::filesystem::path(given.scene).filename()}, {"set", given.set}, {"timeout_s", given.timeout}});
   report["notes"] = "`bulbus run` of the scene as a process of its own; minutes are processor time as the system counts it, peak MB the "
                     "largest resident set; the seconds by part in the record are wall time; probes differ relative to the largest "
                     "magnitude they had in either run";
   for (const char* method : {"iterative", "direct"}) {
-    report["rows"].push_back(run(method, given));
+    SceneRun one = given;
+    one.set.push_back(std::string("solver.linear.method=") + method);
+    report["rows"].push_back(run_scene(one));
+    report["rows"].back()["method"] = method;
     if (!o.out.empty()) bulbus::write_json(o.out, report);  // what is measured so far
   }
-  report["probes"] = compared(report["rows"][0], report["rows"][1]);
+  report["probes"] = compared_probes(report["rows"][0], "iterative", report["rows"][1], "direct");
   finish(report, {"method", "hexahedra", "unknowns", "cpu_s", "wall_s", "peak_mb", "increments", "newton_iterations",
                   "krylov_iterations", "cuts", "converged", "reason"}, o);
   print_table(report["probes"], {"probe", "unit", "iterative", "direct", "relative"});

@@ -29,21 +29,26 @@ BlockTriangular::BlockTriangular(CoupledSystem& system, DisplacementInverse disp
   const int n = static_cast<int>(coupled_.size());
   std::vector<double> omega(g.size());
   if (n == 0) return;
-  Eigen::MatrixXd H(n, n), Omega = Eigen::MatrixXd::Zero(n, n), C = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd H(n, n), Omega = Eigen::MatrixXd::Zero(n, n), C = Omega, column = Omega;
   for (int j = 0; j < n; ++j) {
-    const auto column = liquid_products(Z_[j]);
-    for (int i = 0; i < n; ++i) H(i, j) = column[i];
+    const auto products = liquid_products(Z_[j]);
+    for (int i = 0; i < n; ++i) H(i, j) = products[i];
   }
   for (int i = 0; i < n; ++i) {
-    if (H(i, i) > 0) omega[coupled_[i]] = 1 / H(i, i);
+    const int k = coupled_[i];
+    if (system.eliminated()) omega[k] = 1 / system.compliance(k);
+    else if (H(i, i) > 0) omega[k] = 1 / H(i, i);
+  }
+  system.set_liquid_augmentation(omega);
+  for (int i = 0; i < n; ++i) {
     Omega(i, i) = omega[coupled_[i]];
     C(i, i) = system.compliance(coupled_[i]);
+    column(i, i) = system.column_part(coupled_[i]);
   }
   const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
   woodbury_ = Omega * (I + H * Omega).inverse();
   const Eigen::MatrixXd H_omega = H - H * woodbury_ * H;
-  inverse_liquid_schur_ = (C + H_omega * (I - Omega * C)).inverse();
-  system.set_liquid_augmentation(omega);
+  inverse_liquid_schur_ = (C + H_omega * column).inverse();
 }
 
 // gᵀ v of every coupled liquid. Collective.
@@ -76,7 +81,7 @@ void BlockTriangular::apply(std::span<const double> r, std::span<double> z) cons
     }
     system_.problem().comm().broadcast(P);
     for (int i : coupled_) {
-      const double factor = (1 - system_.liquid_augmentation()[i] * system_.compliance(i)) * P[i];
+      const double factor = system_.column_part(i) * P[i];
       const auto& g = system_.liquid_columns()[i];
       for (std::size_t k = 0; k < g.size(); ++k) work_[k] += factor * g[k];
     }

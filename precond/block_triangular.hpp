@@ -15,7 +15,8 @@ namespace bulbus {
 ///     [ 0    −Ŝ     0          ]        S_c = C + Gᵀ Â_ω⁻¹ G (I − ωC),   C = V_i/K
 ///     [ 0     0    −S_c        ]
 ///
-/// Â_ω = Â + Σ ω g gᵀ by Woodbury, from Z = Â⁻¹ G. Sets the system's ω to 1 / gᵀ Â⁻¹ g: the wall's own stiffness against volume.
+/// Â_ω = Â + Σ ω g gᵀ by Woodbury, from Z = Â⁻¹ G. Sets the system's ω to 1 / gᵀ Â⁻¹ g: the wall's own stiffness against volume;
+/// to K/V_i where pressures are eliminated, where the last column is empty.
 class BlockTriangular final : public CoupledPreconditioner {
  public:
   /// Collective.

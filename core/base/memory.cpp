@@ -1,5 +1,7 @@
 #include "core/base/memory.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 
@@ -21,6 +23,10 @@ std::size_t status_kib(const std::string& key) {
 
 std::size_t resident_bytes() { return status_kib("VmRSS:") * 1024; }
 std::size_t peak_resident_bytes() { return status_kib("VmHWM:") * 1024; }
+
+std::size_t machine_bytes() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
 
 void MemoryTally::set(const std::string& part, std::size_t bytes) {
   auto& peak = peaks_[part];

@@ -8,6 +8,8 @@ namespace bulbus {
 /// Resident bytes of this process now, and the most it ever had (Linux /proc; 0 elsewhere).
 std::size_t resident_bytes();
 std::size_t peak_resident_bytes();
+/// Bytes of memory of this machine, used or not.
+std::size_t machine_bytes();
 
 /// Bytes held by each named part of the program on this rank, with the peak of each.
 class MemoryTally {

@@ -56,6 +56,22 @@ class Collector {
     if (at != row.end() && at->column == c) at->value += v;
     else row.insert(at, {c, v});
   }
+  // A whole row of entries factor · v, columns ascending.
+  void add_row(int r, std::span<const long long> columns, std::span<const double> v, double factor) {
+    auto& row = rows_[r];
+    std::vector<Entry> merged;
+    merged.reserve(row.size() + columns.size());
+    auto old = row.begin();
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const int c = static_cast<int>(columns[k]);
+      if (upper_ && r > c) continue;
+      while (old != row.end() && old->column < c) merged.push_back(*old++);
+      const double before = old != row.end() && old->column == c ? old++->value : 0;
+      merged.push_back({c, before + factor * v[k]});
+    }
+    merged.insert(merged.end(), old, row.end());
+    row = std::move(merged);
+  }
   // Empties the rows.
   Triplets take() {
     Triplets t;
@@ -103,6 +119,29 @@ void add_held(const CoupledSystem& system, Number number, Collector& out) {
   }
 }
 
+// Columns and rows of the liquids, and ω g gᵀ, which needs the whole of g on every rank.
+void add_liquids(const CoupledSystem& system, bool augmented, const Numbering& number, Collector& out) {
+  const Comm& comm = system.problem().comm();
+  for (int i = 0; i < static_cast<int>(system.liquid_columns().size()); ++i) {
+    const int P = number.liquid(i);
+    if (system.layout().liquids > 0) out.add(P, P, -system.compliance(i));
+    std::vector<long long> where;
+    std::vector<double> g;
+    for (std::size_t k = 0; k < system.liquid_columns()[i].size(); ++k)
+      if (const double v = system.liquid_columns()[i][k]; v != 0) where.push_back(number.primal(static_cast<int>(k))), g.push_back(v);
+    const double column = augmented ? system.column_part(i) : 1, row = augmented ? system.row_part() : 1;
+    for (std::size_t k = 0; k < g.size(); ++k) {
+      out.add(static_cast<int>(where[k]), P, -column * g[k]);
+      out.add(P, static_cast<int>(where[k]), -row * g[k]);
+    }
+    const double omega = augmented ? system.liquid_augmentation()[i] : 0;
+    if (omega == 0) continue;
+    const auto all = comm.gather(std::span<const long long>(where));
+    const auto all_g = comm.gather(std::span<const double>(g));
+    for (std::size_t k = 0; k < g.size(); ++k) out.add_row(static_cast<int>(where[k]), all, all_g, omega * g[k]);
+  }
+}
+
 }  // namespace
 
 long long global_size(const CoupledSystem& system) {
@@ -134,28 +173,7 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
     out.add(number.hex(hex), number.hex(hex), 0);
   });
   for (int e : system.problem().solid().rigid_hexes()) out.add(number.hex(e), number.hex(e), -system.rigid_compliance(e));
-  const auto& g = system.liquid_columns();
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    const double c = system.compliance(static_cast<int>(i)), omega = augmented ? system.liquid_augmentation()[i] : 0;
-    const int P = number.liquid(static_cast<int>(i));
-    if (layout.liquids > 0) out.add(P, P, -c);
-    for (std::size_t k = 0; k < g[i].size(); ++k)
-      if (g[i][k] != 0) {
-        out.add(number.primal(static_cast<int>(k)), P, -(1 - omega * c) * g[i][k]);
-        out.add(P, number.primal(static_cast<int>(k)), -g[i][k]);
-      }
-    if (omega == 0) continue;
-    // ω g gᵀ needs the whole of g on every rank
-    std::vector<long long> where;
-    std::vector<double> value;
-    for (std::size_t k = 0; k < g[i].size(); ++k)
-      if (g[i][k] != 0) where.push_back(number.primal(static_cast<int>(k))), value.push_back(g[i][k]);
-    const auto all = system.problem().comm().gather(std::span<const long long>(where));
-    const auto all_values = system.problem().comm().gather(std::span<const double>(value));
-    for (std::size_t a = 0; a < where.size(); ++a)
-      for (std::size_t b = 0; b < all.size(); ++b)
-        out.add(static_cast<int>(where[a]), static_cast<int>(all[b]), omega * value[a] * all_values[b]);
-  }
+  add_liquids(system, augmented, number, out);
   return out.take();
 }
 
@@ -167,6 +185,16 @@ Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   add_contributions(system, true, number, out);
   add_held(system, number, out);
   return out.take();
+}
+
+long long liquid_entries(const CoupledSystem& system, Triangle part) {
+  const bool upper = part == Triangle::upper;
+  long long entries = 0;
+  for (const auto& g : system.liquid_columns()) {
+    const long long own = std::ranges::count_if(g, [](double v) { return v != 0; }), wet = system.problem().comm().sum(own);
+    entries += 1 + (system.eliminated() ? (upper ? wet * (wet + 1) / 2 : wet * wet) : (upper ? wet : 2 * wet));
+  }
+  return entries;
 }
 
 std::vector<UnknownKind> unknown_kinds(const Layout& layout) {

@@ -60,7 +60,16 @@ void CoupledSystem::take_liquid_columns() {
     problem_.mesh().halo.fold(local);
     g_[i].resize(layout_.primal());
     problem_.dofs().reduce(*state_, local, g_[i]);
+    if (eliminated()) omega_[i] = 1 / compliance(static_cast<int>(i));
   }
+}
+
+// gᵀ Δu of every liquid. Collective.
+std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal) const {
+  std::vector<double> flux;
+  for (const auto& g : g_) flux.push_back(dot_product(g, primal.first(g.size())));
+  problem_.comm().sum(flux);
+  return flux;
 }
 
 // Forces on local nodes, folded, and volume changes of a nodal increment.
@@ -138,16 +147,24 @@ void CoupledSystem::apply(std::span<const double> x, std::span<double> y) const 
   add_body_geometry(xu, yu);
   const std::size_t liquids = g_.size();
   if (liquids == 0) return;
-  std::vector<double> dP(liquids), flux(liquids);
+  std::vector<double> dP(liquids);
   if (layout_.liquids > 0) std::ranges::copy(layout_.pressures(x), dP.begin());
   problem_.comm().broadcast(dP);
-  for (std::size_t i = 0; i < liquids; ++i) flux[i] = dot_product(g_[i], xu.first(g_[i].size()));
-  problem_.comm().sum(flux);
-  for (std::size_t i = 0; i < liquids; ++i) {
-    const double c = compliance(static_cast<int>(i));
-    add_scaled(g_[i], omega_[i] * flux[i] - (1 - omega_[i] * c) * dP[i], yu);
-    if (layout_.liquids > 0) layout_.pressures(y)[i] = -flux[i] - c * dP[i];
+  const auto flux = liquid_fluxes(xu);
+  for (int i = 0; i < static_cast<int>(liquids); ++i) {
+    add_scaled(g_[i], omega_[i] * flux[i] - column_part(i) * dP[i], yu);
+    if (layout_.liquids > 0) layout_.pressures(y)[i] = -row_part() * flux[i] - compliance(i) * dP[i];
   }
+}
+
+std::vector<double> CoupledSystem::pressure_increments(std::span<const double> solution) const {
+  std::vector<double> dP(g_.size());
+  if (layout_.liquids > 0) std::ranges::copy(layout_.pressures(solution), dP.begin());
+  problem_.comm().broadcast(dP);
+  if (!eliminated()) return dP;
+  const auto flux = liquid_fluxes(layout_.primal(solution));
+  for (std::size_t i = 0; i < dP.size(); ++i) dP[i] -= omega_[i] * flux[i];
+  return dP;
 }
 
 std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<const double> held) const {
@@ -257,7 +274,7 @@ void CoupledSystem::take_scaling() {
   const auto schur = inverse_pressure_schur();
   for (int e = 0; e < layout_.hexes; ++e) scaling_[layout_.primal() + e] = std::sqrt(schur[e]);
   std::vector<double> own(g_.size());
-  for (std::size_t i = 0; i < g_.size(); ++i)
+  for (std::size_t i = 0; i < g_.size() && !eliminated(); ++i)
     for (std::size_t k = 0; k < g_[i].size(); ++k) own[i] += std::pow(g_[i][k] * scaling_[k], 2);
   problem_.comm().sum(own);
   for (int i = 0; i < layout_.liquids; ++i)

@@ -32,6 +32,8 @@ enum class Precision { full, single };
 ///
 /// on free directions; held ones are identity rows times held_scale(). ω multiplies the third row into the first: the liquids
 /// are augmented as the elements are, so that the displacement block stays regular where K at fixed pressure is not.
+/// Eliminated formulation: ω = K/V_i, so that P leaves the first row. It leaves the third too, whose unknown is then ΔP + (K/V_i) gᵀ Δu:
+/// a congruent system with the same inertia, whose dense block (K/V_i) g gᵀ is what bordering saves.
 /// A liquid whose pressure is given keeps its row −V/K and has no g; a hexahedron of a rigid region has a row of the same kind.
 class CoupledSystem final : public LinearOperator {
  public:
@@ -56,9 +58,16 @@ class CoupledSystem final : public LinearOperator {
   /// g of each liquid in primal form (empty where its pressure is given).
   const std::vector<std::vector<double>>& liquid_columns() const { return g_; }
   double compliance(int liquid) const { return problem_.liquids()[liquid].compliance(); }
-  /// ω per liquid, chosen by whoever knows gᵀ A⁻¹ g. Zero until then.
+  /// Are the liquids' pressures eliminated?
+  bool eliminated() const { return settings_.formulation == "eliminated"; }
+  /// ω per liquid, chosen by whoever knows gᵀ A⁻¹ g. Zero until then; K/V_i where pressures are eliminated.
   void set_liquid_augmentation(std::vector<double> omega) { omega_ = std::move(omega); }
   std::span<const double> liquid_augmentation() const { return omega_; }
+  /// What a liquid's column and row keep of −g: 1 − ω V_i/K and 1, or nothing.
+  double column_part(int liquid) const { return eliminated() ? 0 : 1 - omega_[liquid] * compliance(liquid); }
+  double row_part() const { return eliminated() ? 0 : 1; }
+  /// ΔP of every liquid, on every rank, from a solution of the system. Collective.
+  std::vector<double> pressure_increments(std::span<const double> solution) const;
 
   /// (1 + γ) μ_e / V_e: the inverse of the element-pressure Schur complement, diagonal part.
   std::vector<double> inverse_pressure_schur() const;
@@ -86,6 +95,7 @@ class CoupledSystem final : public LinearOperator {
   struct Action;
   Action nodal_action(std::span<const double> dx, std::span<const double> dlambda, bool volume, Precision precision = Precision::full) const;
   void take_liquid_columns();
+  std::vector<double> liquid_fluxes(std::span<const double> primal) const;
   void take_blocks();
   void take_scaling();
   void add_body_geometry(std::span<const double> x, std::span<double> y) const;

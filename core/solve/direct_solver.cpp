@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/solve/assemble.hpp"
@@ -7,6 +9,10 @@
 namespace bulbus {
 namespace {
 
+// Bytes of an entry of the matrix until MUMPS has analysed it, measured on 2e8 of them: the triplet, MUMPS's copy, both directions of its
+// graph and the ordering's.
+constexpr double bytes_per_entry = 50;
+
 double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
   double sum = 0;
   for (std::size_t i = 0; i < v.size(); ++i) sum += std::pow(system.scaling()[i] * v[i], 2);
@@ -15,38 +21,57 @@ double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
 
 class DirectSolver final : public LinearSolver {
  public:
-  explicit DirectSolver(Meters& meters) : meters_(meters) {}
+  DirectSolver(const LinearSettings& settings, Meters& meters)
+      : limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()), meters_(meters) {}
 
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = meters_.clock.measure("factorisation");
-    if (!mumps_) mumps_ = std::make_unique<Mumps>(system.problem().comm());
-    const bool symmetric = system.problem().symmetric();
-    const FactorReport f = mumps_->factorise(assemble(system, true, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
-    meters_.memory.set("factor", static_cast<std::size_t>(f.memory_max_mb * 1e6));
-    pivots_ = symmetric ? f.negative_pivots : -1;
-    return {.ok = f.ok, .reason = f.ok ? "" : "MUMPS: " + f.reason, .negative_pivots = pivots_};
+    factor_ = factorised(system);
+    meters_.memory.set("factor", static_cast<std::size_t>(factor_.memory_max_mb * 1e6));
+    LinearReport report = so_far();
+    report.ok = factor_.ok;
+    if (!factor_.ok) report.reason = "MUMPS: " + factor_.reason;
+    return report;
   }
 
   LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double) override {
     const auto scope = meters_.clock.measure("linear solve");
-    if (!mumps_->solve(b, x)) return {.reason = "MUMPS could not solve"};
+    LinearReport report = so_far();
+    report.ok = mumps_->solve(b, x);
+    if (!report.ok) return report.reason = "MUMPS could not solve", report;
     std::vector<double> r(b.size());
     system.apply(x, r);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
     const double scale = scaled_norm(system, b);
-    return {.ok = true, .reduction = scale > 0 ? scaled_norm(system, r) / scale : 0, .negative_pivots = pivots_};
+    report.reduction = scale > 0 ? scaled_norm(system, r) / scale : 0;
+    return report;
   }
 
  private:
+  FactorReport factorised(const CoupledSystem& system) {
+    symmetric_ = system.problem().symmetric();
+    const Triangle part = symmetric_ ? Triangle::upper : Triangle::both;
+    const double entries = static_cast<double>(liquid_entries(system, part)), dense_mb = 1e-6 * bytes_per_entry * entries;
+    if (dense_mb > limit_mb_)
+      return {.reason = fmt::format("{:.3g} entries of the liquids need about {:.0f} MB, more than the {:.0f} MB allowed", entries,
+                                    dense_mb, limit_mb_),
+              .too_large = true, .matrix_entries = entries, .estimated_mb = dense_mb};
+    if (!mumps_) mumps_ = std::make_unique<Mumps>(system.problem().comm(), MumpsOptions{.memory_limit_mb = limit_mb_});
+    return mumps_->factorise(assemble(system, true, part), global_size(system), symmetric_);
+  }
+  LinearReport so_far() const { return {.negative_pivots = symmetric_ ? factor_.negative_pivots : -1, .factor = factor_}; }
+
+  double limit_mb_;
   Meters& meters_;
   std::unique_ptr<Mumps> mumps_;
-  int pivots_ = -1;
+  FactorReport factor_;
+  bool symmetric_ = true;
 };
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings&, Meters& meters) {
-  return std::make_unique<DirectSolver>(meters);
+std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Meters& meters) {
+  return std::make_unique<DirectSolver>(settings, meters);
 }
 
 }  // namespace bulbus

@@ -2,12 +2,14 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/base/clock.hpp"
 #include "core/base/memory.hpp"
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/fgmres.hpp"
+#include "core/solve/mumps.hpp"
 
 namespace bulbus {
 
@@ -18,6 +20,7 @@ struct LinearReport {
   int iterations = 0;            ///< Krylov iterations; 0 of the direct solver
   double reduction = 0;          ///< ‖s r‖ / ‖s b‖ reached
   int negative_pivots = -1;      ///< of the direct solver's factors
+  std::optional<FactorReport> factor;  ///< of the direct solver
   std::vector<double> history;   ///< scaled residual norm by the method's recurrence after 0, 1, ... iterations
   /// On request: true scaled residual norms of displacements, element pressures and liquids, iteration by iteration.
   std::vector<std::array<double, 3>> blocks;
@@ -58,7 +61,8 @@ using PreconditionerFactory = std::function<std::unique_ptr<CoupledPreconditione
 /// Flexible GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
 std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters);
 
-/// MUMPS on the bordered system, augmented by its γ (0 costs nothing and changes no solution).
+/// MUMPS on the system, augmented by its γ (0 costs nothing and changes no solution). What would not fit into the settings' memory limit
+/// is refused by its estimate.
 std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Meters& meters);
 
 }  // namespace bulbus

@@ -60,9 +60,10 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         for (const auto& term : problem.terms()) term->roll_back();
         ++report.cuts;
         observer.increment_cut(newton, done, to);
-        if (increments.cut()) continue;
-        report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {} (smallest increment reached)", steps[k].name, done,
-                                    newton.reason);
+        const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments
+        if (curable && increments.cut()) continue;
+        report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done, newton.reason,
+                                    curable ? " (smallest increment reached)" : "");
         problem.set_progress(done, state);
         observer.rests(place, state, true);
         return report;

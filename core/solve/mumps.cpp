@@ -14,6 +14,8 @@
 namespace bulbus {
 namespace {
 
+constexpr double megabytes_per_entry = 1e-6 * (2 * sizeof(int) + sizeof(double));
+
 enum Job { start = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 };
 
 /// A large count: a negative one is in millions.
@@ -158,6 +160,7 @@ struct Mumps::Instance {
 
   FactorReport& analyse() {
     report = {};
+    report.matrix_entries = static_cast<double>(comm.sum(static_cast<long long>(matrix.row.size())));
     double begin = Clock::now();
     analysed = run(analysis);
     report.seconds_analysis = Clock::now() - begin;
@@ -178,8 +181,10 @@ struct Mumps::Instance {
     auto finite = [](double v) { return std::isfinite(v); };
     if (!comm.all(std::all_of(matrix.value.begin(), matrix.value.end(), finite)))
       return fail("the matrix is not finite");
-    if (options.memory_limit_mb > 0 && report.estimated_mb > options.memory_limit_mb)
-      return fail("the factors need about " + std::to_string(std::llround(report.estimated_mb)) +
+    const double needed = report.estimated_mb + megabytes_per_entry * report.matrix_entries;
+    report.too_large = options.memory_limit_mb > 0 && needed > options.memory_limit_mb;
+    if (report.too_large)
+      return fail("matrix and factors need about " + std::to_string(std::llround(needed)) +
                   " MB, more than the " + std::to_string(std::llround(options.memory_limit_mb)) +
                   " MB allowed");
     double begin = Clock::now();

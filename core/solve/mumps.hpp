@@ -14,8 +14,7 @@ struct MumpsOptions {
   MumpsOrdering ordering = MumpsOrdering::scotch;
   int refinements = 0;  ///< most steps of iterative refinement in a solve
   int relaxations = 5;  ///< times that the workspace may be doubled when pivoting outgrows the estimate
-  double memory_limit_mb =
-      0;  ///< over all ranks: refuse to factorise when the estimate is larger; 0: no limit
+  double memory_limit_mb = 0;  ///< over all ranks: refuse to factorise when matrix and estimate are larger; 0: no limit
 };
 
 /// What analysis foretold and the factorisation found. Memory in MB (10⁶ bytes).
@@ -23,7 +22,9 @@ struct FactorReport {
   bool ok = false;
   std::string reason;                             ///< why not ok
   int code = 0;                                   ///< INFOG(1)
+  bool too_large = false;                         ///< refused by its estimate
   std::string ordering;                           ///< the one that ran
+  double matrix_entries = 0;                      ///< of all ranks; of a symmetric matrix those of one triangle
   double estimated_mb = 0, estimated_max_mb = 0;  ///< of all ranks; of the greediest one
   double estimated_flops = 0, estimated_entries = 0;
   double memory_mb = 0, memory_max_mb = 0;  ///< really used

@@ -77,6 +77,7 @@ std::string describe(Outcome outcome) {
     case Outcome::converged: return "converged";
     case Outcome::inverted_element: return "an element would invert";
     case Outcome::linear_solver_failed: return "the linear solver failed";
+    case Outcome::too_large: return "the linear system does not fit into memory";
     case Outcome::too_many_iterations: return "too many Newton iterations";
     case Outcome::not_finite: return "the residual is not finite";
   }
@@ -131,7 +132,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       system.linearize(state, r);
     }
     now.linear = solver.prepare(system);
-    if (!now.linear.ok) return fail(Outcome::linear_solver_failed, now.linear.reason);
+    if (!now.linear.ok)
+      return fail(now.linear.factor && now.linear.factor->too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
     report.negative_pivots = now.linear.negative_pivots;
     const auto b = system.right_hand_side(r, held);
     now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
@@ -142,11 +144,9 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     }
     const Layout& layout = system.layout();
     Step step{std::vector<double>(state.x.size()), layout.primal(std::span<const double>(solution)),
-              layout.lambda(std::span<const double>(solution)), std::vector<double>(state.P.size())};
+              layout.lambda(std::span<const double>(solution)), system.pressure_increments(solution)};
     problem.dofs().expand(state, step.primal, step.dx);
     for (std::size_t i = 0; i < held.size(); ++i) step.dx[i] += held[i];
-    if (layout.liquids > 0) std::ranges::copy(layout.pressures(solution), step.dP.begin());
-    problem.comm().broadcast(step.dP);
     now.step = guarded(problem, step, state);
     report.iterations.push_back(now);
     if (observer) observer(now);

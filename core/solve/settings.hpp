@@ -47,9 +47,10 @@ struct PressureSettings {
   }
 };
 
-/// The linear solver: GMRES on the bordered, augmented system, or MUMPS on the bordered one.
+/// The linear solver: GMRES on the augmented system, or MUMPS on the plain one.
 struct LinearSettings {
   std::string method = "iterative";
+  std::string formulation = "bordered";
   std::string displacement = "auto";
   std::string op = "cache";
   double gamma = 5, smoothed_part = 0.05;
@@ -57,6 +58,7 @@ struct LinearSettings {
   AggregationSettings aggregation;
   MultigridSettings multigrid;
   PressureSettings pressures;
+  double memory_limit = 0;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
   /// Are the coarser meshes of a refined one of any use?
@@ -64,6 +66,9 @@ struct LinearSettings {
   template <class V>
   void describe(V&& v) {
     v("method", method, About{"GMRES or the direct solver MUMPS"}.one_of({"iterative", "direct"}));
+    v("formulation", formulation,
+      About{"liquids of k wet nodes: bordered, P an unknown and 2*3k+1 numbers; or eliminated, for comparison: (3k)^2 numbers K/V_i g g^T, "
+            "which the iterative solver applies as a product"}.one_of({"bordered", "eliminated"}));
     v("displacement", displacement,
       About{"preconditioner of the displacement block; auto: multigrid where the mesh is refined, aggregation elsewhere"}.one_of(
           {"auto", "aggregation", "multigrid", "hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
@@ -78,6 +83,7 @@ struct LinearSettings {
     v("aggregation", aggregation, About{"aggregation, for meshes of any kind"});
     v("multigrid", multigrid, About{"multigrid on the refined meshes"});
     v("pressures", pressures, About{"weak patterns of element pressures, with aggregation and multigrid"});
+    v("memory_limit", memory_limit, About{"MB over all ranks that the direct solver may need; 0: the memory of one machine"}.at_least(0));
     v("dump", dump, About{"folder that receives every linear system with its right-hand side (HDF5); empty: none"});
     v("record_krylov", record_krylov, About{"write the residual of every Krylov iteration, block by block, to krylov.csv"});
     v("record_spectrum", record_spectrum, About{"write eigenvalue estimates of every preconditioned system to krylov.csv"});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <set>
 
 #include "tests/support/gathered.hpp"
 #include "tests/support/models.hpp"
@@ -74,6 +75,57 @@ TEST_F(AssembleTest, MatrixIsTheSameHoweverManyRanks) {
   other.linearize(whole, alone.residual(whole));
   const double here = gathered(assemble(system, true), global_size(system), comm).norm();
   EXPECT_NEAR(here, gathered(assemble(other, true), global_size(other), self).norm(), 1e-11 * here);
+}
+
+/// The matrix of a liquid-filled shell of n cells across an octant, by one formulation.
+struct Counted {
+  long long wet_nodes = 0, wet = 0;  ///< k, and its displacements that symmetry leaves free
+  long long entries = 0, among_wet = 0, bounds = 0, dry_entries = 0;
+
+  Counted(int n, const std::string& formulation) {
+    const Comm self(MPI_COMM_SELF);
+    Scene scene{generate(ShellShape{.inner = 2, .outer = 2.4, .n = n, .layers = 1}), {}};
+    scene.model.regions["shell"] = neo_hooke(.5);
+    scene.model.liquids["fluid"] = {.surface = "inner", .K = 3};
+    scene.model.symmetry = {"x", "y", "z"};
+    scene.model.steps = {step("given"), step("enclosed")};
+    scene.model.steps[0].pressures["fluid"] = "0.01";
+    scene.model.steps[1].couple = {"fluid"};
+    Problem problem(scene.mesh, scene.model, self);
+    State state = problem.initial_state();
+    CoupledSystem system(problem, {.formulation = formulation, .op = "recompute", .gamma = 0});
+    problem.begin_step(0, state), problem.set_progress(1, state);
+    system.linearize(state, problem.residual(state));
+    dry_entries = static_cast<long long>(assemble(system, true).row.size());
+    problem.end_step();
+    problem.begin_step(1, state), problem.set_progress(1, state);
+    system.linearize(state, problem.residual(state));
+    const auto& g = system.liquid_columns()[0];
+    const Triplets t = assemble(system, true);
+    entries = static_cast<long long>(t.row.size());
+    const auto is_wet = [&](int i) { return i < static_cast<int>(g.size()) && g[i] != 0; };
+    for (std::size_t k = 0; k < t.row.size(); ++k) among_wet += is_wet(t.row[k]) && is_wet(t.col[k]);
+    wet = std::ranges::count_if(g, [](double v) { return v != 0; });
+    std::set<int> nodes;
+    for (const Quad& q : scene.mesh.surfaces.at("inner")) nodes.insert(q.begin(), q.end());
+    wet_nodes = static_cast<long long>(nodes.size());
+    for (int node : nodes)
+      for (double x : scene.mesh.points[node]) bounds += std::abs(x) < 1e-9;
+    EXPECT_EQ(liquid_entries(system), formulation == "bordered" ? 2 * wet + 1 : wet * wet + 1);
+    EXPECT_EQ(liquid_entries(system, Triangle::upper), formulation == "bordered" ? wet + 1 : wet * (wet + 1) / 2 + 1);
+    EXPECT_EQ(assemble(system, true, Triangle::upper).row.size(), (t.row.size() + system.size()) / 2);
+  }
+};
+
+// Of k wet nodes: 2·3k + 1 numbers bordered, (3k)² eliminated, 3k less what the symmetry planes hold.
+TEST(Formulations, LiquidAddsLinearlyBorderedAndQuadraticallyEliminated) {
+  for (int n : {2, 4, 8}) {
+    const Counted bordered(n, "bordered"), eliminated(n, "eliminated");
+    EXPECT_EQ(bordered.wet, 3 * bordered.wet_nodes - bordered.bounds) << n;
+    EXPECT_EQ(bordered.entries - bordered.dry_entries, 2 * bordered.wet) << n;  // and P's diagonal, which is always there
+    EXPECT_EQ(eliminated.among_wet, eliminated.wet * eliminated.wet) << n;
+    EXPECT_EQ(eliminated.entries - eliminated.dry_entries, eliminated.wet * eliminated.wet - bordered.among_wet) << n;
+  }
 }
 
 TEST_F(AssembleTest, KindsFollowTheLayout) {

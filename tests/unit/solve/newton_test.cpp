@@ -121,6 +121,50 @@ TEST(March, NegativePivotsAreHexahedraAndLiquids) {
   EXPECT_EQ(stretch.go().increments.back().newton.negative_pivots, 8);
 }
 
+// Elimination is exact: iterates, pivots and answers are those of the bordered system up to round-off.
+TEST(March, EliminatedPressureGivesTheSameAnswerByTheSameIterations) {
+  Trial bordered(inflated_shell()), eliminated(inflated_shell());
+  eliminated.settings.linear.formulation = "eliminated";
+  bordered.go(), eliminated.go();
+  ASSERT_TRUE(eliminated.report.converged) << eliminated.report.reason;
+  EXPECT_EQ(eliminated.report.newton_iterations, bordered.report.newton_iterations);
+  ASSERT_EQ(eliminated.increments.size(), bordered.increments.size());
+  for (std::size_t i = 0; i < eliminated.increments.size(); ++i)
+    EXPECT_EQ(eliminated.increments[i].newton.negative_pivots, bordered.increments[i].newton.negative_pivots);
+  EXPECT_LT(relative_difference(eliminated.state.x, bordered.state.x), 1e-11);
+  EXPECT_LT(relative_difference(eliminated.state.P, bordered.state.P), 1e-11);
+}
+
+TEST(March, ReportsTheFactors) {
+  for (const std::string formulation : {"bordered", "eliminated"}) {
+    Trial run(inflated_shell());
+    run.settings.linear.formulation = formulation;
+    run.go();
+    const auto& factor = run.increments.back().newton.iterations.back().linear.factor;
+    ASSERT_TRUE(factor);
+    EXPECT_GT(factor->matrix_entries, 1000);
+    EXPECT_GT(factor->factor_entries, factor->matrix_entries);
+    EXPECT_GT(factor->flops, 1e5);
+    EXPECT_EQ(factor->negative_pivots, run.increments.back().newton.negative_pivots);
+  }
+}
+
+// Smaller increments do not help: it says why and stops at once.
+TEST(March, RefusesWhatDoesNotFitIntoMemory) {
+  for (const std::string formulation : {"bordered", "eliminated"}) {
+    Trial run(inflated_shell());
+    run.settings.linear.formulation = formulation;
+    run.settings.linear.memory_limit = 1e-3;
+    run.go();
+    EXPECT_FALSE(run.report.converged);
+    EXPECT_EQ(run.report.cuts, 1);
+    ASSERT_EQ(run.cuts.size(), 1u);
+    EXPECT_EQ(run.cuts[0].outcome, Outcome::too_large);
+    EXPECT_NE(run.report.reason.find("MB allowed"), std::string::npos) << run.report.reason;
+    EXPECT_EQ(run.report.reason.find("smallest increment"), std::string::npos) << run.report.reason;
+  }
+}
+
 TEST(March, EnclosedLiquidObeysItsLaw) {
   Trial run(inflated_shell());
   run.go();

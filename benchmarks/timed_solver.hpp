@@ -1,0 +1,34 @@
+#pragma once
+#include "benchmarks/common.hpp"
+#include "core/solve/linear_solver.hpp"
+
+namespace bulbus::bench {
+
+/// A linear solver that keeps processor seconds, iterations and reached reduction of every set-up (or factorisation) and solution.
+class TimedSolver final : public LinearSolver {
+ public:
+  explicit TimedSolver(std::unique_ptr<LinearSolver> inner) : inner_(std::move(inner)) {}
+  LinearReport prepare(CoupledSystem& system) override {
+    const double start = cpu_seconds();
+    const LinearReport report = inner_->prepare(system);
+    setup.push_back(cpu_seconds() - start);
+    if (report.factor) factor = report.factor;
+    return report;
+  }
+  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double tolerance) override {
+    const double start = cpu_seconds();
+    const LinearReport report = inner_->solve(system, b, x, tolerance);
+    solution.push_back(cpu_seconds() - start);
+    iterations.push_back(report.iterations);
+    reductions.push_back(report.reduction);
+    return report;
+  }
+  std::vector<double> setup, solution, reductions;
+  std::vector<int> iterations;
+  std::optional<FactorReport> factor;  ///< the last
+
+ private:
+  std::unique_ptr<LinearSolver> inner_;
+};
+
+}  // namespace bulbus::bench
