@@ -15,7 +15,7 @@ double local_product(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-BlockTriangular::BlockTriangular(CoupledSystem& system, std::unique_ptr<Preconditioner> displacement)
+BlockTriangular::BlockTriangular(CoupledSystem& system, std::shared_ptr<const Preconditioner> displacement)
     : system_(system), displacement_(std::move(displacement)), inverse_schur_(system.inverse_pressure_schur()), work_(system.layout().primal()) {
   const auto& g = system.liquid_columns();
   for (int i = 0; i < static_cast<int>(g.size()); ++i)

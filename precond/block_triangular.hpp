@@ -17,7 +17,7 @@ namespace bulbus {
 class BlockTriangular final : public CoupledPreconditioner {
  public:
   /// Collective.
-  BlockTriangular(CoupledSystem& system, std::unique_ptr<Preconditioner> displacement);
+  BlockTriangular(CoupledSystem& system, std::shared_ptr<const Preconditioner> displacement);
   int size() const override { return system_.size(); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return displacement_->fixed(); }
@@ -29,7 +29,7 @@ class BlockTriangular final : public CoupledPreconditioner {
   std::vector<double> liquid_products(std::span<const double> primal) const;
 
   CoupledSystem& system_;
-  std::unique_ptr<Preconditioner> displacement_;
+  std::shared_ptr<const Preconditioner> displacement_;
   std::vector<double> inverse_schur_;
   std::vector<std::vector<double>> Z_;
   std::vector<int> coupled_;           // liquids with an unknown pressure

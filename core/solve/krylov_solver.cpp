@@ -85,7 +85,9 @@ class KrylovSolver final : public LinearSolver {
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = meters_.clock.measure("preconditioner set-up");
     preconditioner_.reset();
-    preconditioner_ = factory_(system);
+    auto made = factory_(system, worth_keeping() ? SetUp::kept : SetUp::anew);
+    preconditioner_ = std::move(made.preconditioner);
+    if (made.how == SetUp::anew) solves_ = 0;
     meters_.memory.set("preconditioner", preconditioner_->bytes());
     const std::string fault = preconditioner_->fault();
     return {.ok = fault.empty(), .reason = fault};
@@ -108,18 +110,27 @@ class KrylovSolver final : public LinearSolver {
     const KrylovReport k = plain_then_flexible(A, M, scaled, x, options, system.problem().comm(), observer);
     meters_.memory.set("Krylov basis", k.basis_bytes);
     for (std::size_t i = 0; i < scaled.size(); ++i) x[i] *= s[i];
-    LinearReport r{k.converged, k.reason, k.iterations, k.initial > 0 ? k.final / k.initial : 0, -1, k.history};
-    r.blocks = std::move(blocks);
+    LinearReport r{.ok = k.converged, .reason = k.reason, .iterations = k.iterations, .reduction = k.initial > 0 ? k.final / k.initial : 0,
+                   .history = k.history, .blocks = std::move(blocks)};
     if (settings_.record_spectrum) r.spectrum = preconditioner_->displacement_spectrum();
     if (!r.ok) r.reason = "GMRES: " + r.reason;
+    r.stale = !r.ok && solves_ > 0;
+    last_ = r.iterations / -std::log10(tolerance);
+    if (solves_++ == 0) first_ = last_;
     return r;
   }
 
+  void renew() override { solves_ = 0; }
+
  private:
+  bool worth_keeping() const { return solves_ > 0 && last_ <= settings_.reuse * first_; }
+
   LinearSettings settings_;
   PreconditionerFactory factory_;
   Meters& meters_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
+  int solves_ = 0;              // with what the preconditioner was set up for
+  double first_ = 0, last_ = 0;  // Krylov iterations per digit of the first and the last of them
 };
 
 }  // namespace
