@@ -2,13 +2,9 @@
 // same. Each runs as a process of its own, one after the other, on one thread.
 //
 //     bench_operation [--scene FILE] [--set KEY=VALUE ...] [--n CELLS] [--json FILE] [--timeout SECONDS]
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +14,7 @@
 #include <stdexcept>
 
 #include "benchmarks/common.hpp"
+#include "core/base/process.hpp"
 #include "core/io/json_file.hpp"
 
 using namespace bulbus::bench;
@@ -28,7 +25,7 @@ namespace {
 struct Given {
   std::string scene = BULBUS_SOURCE "/data/scenes/encircling.yaml";
   std::vector<std::string> set;
-  unsigned timeout = 900;  // seconds, of each run
+  unsigned timeout = 900;  // processor seconds, of each run
 };
 
 Given given_in(Options& o) {
@@ -44,39 +41,6 @@ Given given_in(Options& o) {
   }
   if (!o.sizes.empty()) given.set.push_back("mesh.eye.n=" + std::to_string(o.sizes[0]));
   return given;
-}
-
-struct Ended {
-  int status = 0;
-  double wall = 0, cpu = 0, peak_mb = 0;
-};
-
-// What the system counted for the child alone; an alarm outlives exec and ends it when its time is up.
-Ended run_child(const std::vector<std::string>& arguments, unsigned timeout) {
-  const auto start = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child == 0) {
-    std::vector<char*> argv;
-    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
-    argv.push_back(nullptr);
-    alarm(timeout);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  Ended e;
-  rusage used{};
-  wait4(child, &e.status, 0, &used);
-  const auto seconds = [](const timeval& t) { return t.tv_sec + 1e-6 * t.tv_usec; };
-  e.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  e.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
-  e.peak_mb = used.ru_maxrss * 1024e-6;
-  return e;
-}
-
-std::string reason_of(int status) {
-  if (WIFSIGNALED(status))
-    return WTERMSIG(status) == SIGALRM ? "out of time" : "ended by signal " + std::to_string(WTERMSIG(status));
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
 // Largest magnitude of every column of a history: the scale of a probe that may end near zero.
@@ -101,13 +65,13 @@ json run(const std::string& method, const Given& given) {
   std::vector<std::string> arguments{BULBUS_PROGRAM, "run", given.scene, "-o", folder};
   for (const std::string& s : given.set) arguments.insert(arguments.end(), {"--set", s});
   arguments.insert(arguments.end(), {"--set", "solver.linear.method=" + method});
-  const Ended e = run_child(arguments, given.timeout);
+  const bulbus::Ended e = bulbus::run_process(arguments, given.timeout);
   std::ifstream in(folder / "summary.json");
   const json s = json::parse(in, nullptr, false);
   json row{{"method", method}, {"converged", false}, {"wall_s", e.wall}, {"cpu_s", e.cpu}, {"cpu_min", e.cpu / 60}};
   row["peak_mb"] = e.peak_mb;
   if (s.is_discarded()) {
-    row["reason"] = reason_of(e.status);
+    row["reason"] = e.reason;
   } else {
     for (const char* key : {"converged", "hexahedra", "steps", "probes", "units"}) row[key] = s[key];
     if (!s["converged"]) row["reason"] = s["reason"];
