@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
+#include <optional>
+#include <span>
 
 #include "app/trade.hpp"
 #include "app/wording.hpp"
@@ -97,6 +99,7 @@ class Planner {
     trade_.meshes.push_back(std::move(mesh));
     return static_cast<int>(trade_.meshes.size()) - 1;
   }
+  Scene scene_on(const TradeMesh& mesh) const { return read_scene(trade_.scene, joined(overrides_, mesh.set)); }
   Trade& trade() { return trade_; }
 
  private:
@@ -111,6 +114,21 @@ class Planner {
   std::vector<std::string> ways_;  // of the runs
 };
 
+// The first of these sizes of cells that the scene is at home on: sets of an eye may need certain numbers of cells.
+std::optional<TradeMesh> fitting_mesh(const Planner& planner, const std::vector<std::pair<std::string, int>>& cells,
+                                      std::span<const double> factors, const Comm& comm) {
+  for (double factor : factors) {
+    const TradeMesh mesh = mesh_with(cells, factor);
+    if (std::abs(mesh.h - 1) < .1) continue;
+    try {
+      prepare(planner.scene_on(mesh), comm);
+      return mesh;
+    } catch (const InputError&) {
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Trade plan_trade(const std::string& scene, const std::vector<std::string>& overrides, const Prepared& prepared) {
@@ -124,13 +142,12 @@ Trade plan_trade(const std::string& scene, const std::vector<std::string>& overr
   planner.add("scene", "accuracy " + given.solver.accuracy, {});
   for (const char* accuracy : {"fast", "balanced", "tight"})
     planner.add("accuracy", accuracy, {std::string("solver.accuracy=") + accuracy});
-  for (double factor : {.7, 1.3}) {
-    if (cells.empty()) break;
-    TradeMesh mesh = mesh_with(cells, factor);
-    if (std::abs(mesh.h - 1) < .1) continue;
-    const int number = planner.mesh(mesh);
+  for (const auto& factors : {std::array{.7, .6, .5}, std::array{1.3, 1.45, 1.6}}) {
+    const auto mesh = fitting_mesh(planner, cells, factors, prepared.problem->comm());
+    if (!mesh) continue;
+    const int number = planner.mesh(*mesh);
     for (const char* accuracy : {"tight", "balanced", "fast"}) {
-      const int run = planner.add("mesh", mesh.words + ", " + accuracy, {std::string("solver.accuracy=") + accuracy}, number);
+      const int run = planner.add("mesh", mesh->words + ", " + accuracy, {std::string("solver.accuracy=") + accuracy}, number);
       if (planner.trade().meshes[number].reference < 0) planner.trade().meshes[number].reference = run;
     }
   }
