@@ -10,6 +10,7 @@
 #include "app/help.hpp"
 #include "app/version.hpp"
 #include "core/base/error.hpp"
+#include "core/base/process.hpp"
 
 namespace bulbus {
 namespace {
@@ -18,6 +19,7 @@ struct Arguments {
   std::string scene, out, restart, topic;
   std::vector<std::string> set;
   bool text = false;
+  int repeat = 1;
 };
 
 struct Parser {
@@ -25,6 +27,7 @@ struct Parser {
   CLI::App app{"Bulbus: finite strains of the eye, with enclosed liquids", "bulbus"};
   CLI::App* run = app.add_subcommand("run", "solve a scene");
   CLI::App* study = app.add_subcommand("study", "solve a scene for all values of some of its keys");
+  CLI::App* trade = app.add_subcommand("trade", "solve a scene with one setting after the other changed: what each costs, and how accurate it is");
   CLI::App* check = app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
   CLI::App* help = app.add_subcommand("help", "every key of a scene or a study, or the JSON schema of a scene");
@@ -34,14 +37,15 @@ struct Parser {
   Parser() {
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("bulbus ") + version);
-    for (CLI::App* command : {run, check, mesh}) {
+    for (CLI::App* command : {run, trade, check, mesh}) {
       command->add_option("SCENE", given.scene, "scene file (YAML)")->required();
       add_set(command);
     }
     study->add_option("STUDY", given.scene, "study file (YAML)")->required();
     add_set(study);
-    for (CLI::App* command : {run, study})
+    for (CLI::App* command : {run, study, trade})
       command->add_option("-o", given.out, "folder of the results (default: results/ and the file's name)")->type_name("DIR");
+    trade->add_option("--repeat", given.repeat, "times that every run is made; the least processor time counts")->check(CLI::Range(1, 100));
     restart = run->add_option("--restart", given.restart, "go on from the checkpoint of the results' folder, or of another folder or file")
                   ->type_name("[FROM]")
                   ->expected(0, 1);
@@ -116,7 +120,7 @@ std::pair<std::string, std::string> places_of(const Parser& parser) {
   const bool named = !given.restart.empty();
   const std::string checkpoint = named && fs::is_directory(given.restart) ? checkpoint_in(given.restart) : given.restart;
   std::string out = given.out;
-  if (out.empty()) out = named ? fs::path(checkpoint).parent_path().string() : results_of(given.scene);
+  if (out.empty()) out = named ? fs::path(checkpoint).parent_path().string() : results_of(given.scene) + (*parser.trade ? "_trade" : "");
   if (out.empty()) out = ".";
   return {out, *parser.restart && !named ? checkpoint_in(out) : checkpoint};
 }
@@ -127,7 +131,7 @@ void expect_fitting(const Parser& parser, bool of_a_study) {
   const std::string& file = parser.given.scene;
   if (*parser.study && !of_a_study)
     throw input_error(file, 0, "is no study: it has neither 'scene' nor 'vary'", "'bulbus help study' tells what it needs");
-  if (of_a_study && (*parser.run || *parser.mesh))
+  if (of_a_study && (*parser.run || *parser.trade || *parser.mesh))
     throw input_error(file, 0, "is a study, not a scene", "solve it with 'bulbus study'");
 }
 
@@ -144,6 +148,7 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
     const Study study = read_together(given, comm, read_study);
     return *parser.check ? check_study(study, comm) : run_study(study, out_dir, comm);
   }
+  if (*parser.trade) return run_trade(given.scene, given.set, out_dir, {this_program(), given.repeat}, comm);
   const Scene scene = read_together(given, comm, read_scene);
   if (*parser.check) return check(scene, comm);
   if (*parser.run) return run(scene, given.scene, out_dir, comm, Log::Screen::shown, checkpoint);

@@ -14,6 +14,7 @@ class DumpingSolver final : public LinearSolver {
       : solver_(std::move(solver)), folder_(std::move(folder)), increment_(std::move(increment)) {}
 
   LinearReport prepare(CoupledSystem& system) override { return solver_->prepare(system); }
+  void renew() override { solver_->renew(); }
 
   LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
                      double tolerance) override {

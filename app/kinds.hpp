@@ -28,6 +28,12 @@ concept Checked = requires(const T& t) {
   t.validate();
 };
 
+/// A described struct whose first key chooses the defaults of others.
+template <class T>
+concept Preset = requires(T& t) {
+  t.take_preset();
+};
+
 template <class T>
 struct is_optional : std::false_type {};
 template <class T>

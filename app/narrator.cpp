@@ -21,8 +21,8 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
 }
 
-Narrator::Narrator(const Log& log, const Problem& problem)
-    : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)) {}
+Narrator::Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping)
+    : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)), forecast_(stepping) {}
 
 void Narrator::resumes(const MarchPlace& place) {
   log_.info("");

@@ -11,7 +11,7 @@ namespace bulbus {
 /// per Newton iteration, cuts with their reason, and how long the rest may take.
 class Narrator final : public MarchObserver {
  public:
-  Narrator(const Log& log, const Problem& problem);
+  Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping);
 
   void step_begins(int step, const StepSpec& spec, const State& state) override;
   void resumes(const MarchPlace& place);

@@ -19,7 +19,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::stri
     : problem_(*prepared.problem),
       operation_(prepared.operation),
       meters_(meters),
-      narrator_(log, problem_),
+      narrator_(log, problem_, scene.solver.stepping),
       probes_(problem_, operation_probes(operation_)),
       record_(probes_),
       results_(scene.output, operation_, folder),

@@ -1,54 +1,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/finished.hpp"
 #include "app/folder.hpp"
 #include "app/narrator.hpp"
 #include "app/prepare.hpp"
 #include "app/study_figure.hpp"
 #include "app/study_json.hpp"
-#include "app/version.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/text_file.hpp"
-#include "core/problem/tissues.hpp"
 
 namespace bulbus {
 namespace {
 
 using json = nlohmann::json;
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// None if there is no such file, or nothing but a ruin.
-std::vector<std::string> regions_in(const std::string& resolved) {
-  try {
-    const Entry root = parse_yaml(resolved, "resolved.yaml");
-    const Entry* regions = root.find("regions");
-    return regions ? regions->keys : std::vector<std::string>();
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-// resolved.yaml gives the regions that `materials` stands for one by one.
-bool is_of(const std::string& resolved, Scene scene) {
-  add_tissues(scene.model, regions_in(resolved));
-  return resolved == resolved_yaml(scene);
-}
-
-// Whether an earlier study has solved this very scene, converged or not, with this version.
-bool is_done(const StudyRun& run, const std::string& folder) {
-  const json summary = json::parse(text_of(folder + "/summary.json"), nullptr, false);
-  return summary.is_object() && summary.value("/versions/bulbus"_json_pointer, "") == version &&
-         is_of(text_of(folder + "/resolved.yaml"), run.scene);
-}
 
 void tell(const Log& log, const std::vector<std::string>& lines) {
   if (!lines.empty()) log.info("");
@@ -72,7 +40,7 @@ class StudyRunner {
   StudyRunner(const Study& study, const std::string& folder, const Comm& comm)
       : study_(study), folder_(folder), comm_(comm), runs_(plan(study)), results_(nothing_yet(study, runs_)) {
     for (const StudyRun& run : runs_) {
-      done_.push_back(comm.rank() == 0 && is_done(run, folder_of(run)));
+      done_.push_back(comm.rank() == 0 && is_finished(run.scene, folder_of(run)));
       done_.back() = comm.any(done_.back());
       if (!done_.back()) of_run(study, run, [&] { prepare(run.scene, comm); });
     }
@@ -107,7 +75,7 @@ class StudyRunner {
     }
     bool failed = false;
     if (comm_.rank() == 0) {
-      take(results_, static_cast<int>(i), json::parse(text_of(folder + "/summary.json")));
+      take(results_, static_cast<int>(i), summary_in(folder));
       failed = !results_.converged(static_cast<int>(i));
       write();
       log.info(done_[i] ? run.name + " is there already" : ending(*results_.rows[i]) + remaining(i));

@@ -1,56 +1,21 @@
 #include "benchmarks/scene_run.hpp"
 
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 
+#include "core/base/process.hpp"
+
 namespace bulbus::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Ended {
-  int status = 0;
-  double wall = 0, cpu = 0, peak_mb = 0;
-};
-
-// What the system counted for the child alone; an alarm outlives exec and ends it when its time is up.
-Ended run_child(const std::vector<std::string>& arguments, unsigned timeout) {
-  const auto start = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child == 0) {
-    std::vector<char*> argv;
-    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
-    argv.push_back(nullptr);
-    alarm(timeout);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  Ended e;
-  rusage used{};
-  wait4(child, &e.status, 0, &used);
-  const auto seconds = [](const timeval& t) { return t.tv_sec + 1e-6 * t.tv_usec; };
-  e.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  e.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
-  e.peak_mb = used.ru_maxrss * 1024e-6;
-  return e;
-}
-
-std::string reason_of(int status) {
-  if (WIFSIGNALED(status))
-    return WTERMSIG(status) == SIGALRM ? "out of time" : "ended by signal " + std::to_string(WTERMSIG(status));
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
-}
 
 // Largest magnitude of every column of a history: the scale of a probe that may end near zero.
 std::map<std::string, double> scales_of(const fs::path& history) {
@@ -77,12 +42,12 @@ json run_scene(const SceneRun& run) {
   const fs::path folder = fs::temp_directory_path() / ("bulbus_run_" + std::to_string(getpid()));
   std::vector<std::string> arguments{BULBUS_PROGRAM, "run", run.scene, "-o", folder};
   for (const std::string& s : run.set) arguments.insert(arguments.end(), {"--set", s});
-  const Ended e = run_child(arguments, run.timeout);
+  const Ended e = run_process(arguments, run.timeout);
   std::ifstream in(folder / "summary.json");
   const json s = json::parse(in, nullptr, false);
   json row{{"converged", false}, {"wall_s", e.wall}, {"cpu_s", e.cpu}, {"cpu_min", e.cpu / 60}, {"peak_mb", e.peak_mb}};
   if (s.is_discarded()) {
-    row["reason"] = reason_of(e.status);
+    row["reason"] = e.reason;
   } else {
     for (const char* key : {"converged", "hexahedra", "steps", "probes", "units"}) row[key] = s[key];
     if (!s["converged"]) row["reason"] = s["reason"];

@@ -7,7 +7,7 @@ namespace bulbus::bench {
 struct SceneRun {
   std::string scene;             ///< path of the file
   std::vector<std::string> set;  ///< key=value
-  unsigned timeout = 900;        ///< seconds
+  unsigned timeout = 900;        ///< processor seconds
 };
 
 /// Path of one of data/scenes.

@@ -2,14 +2,19 @@
 """Markdown tables from the JSON files of the benchmarks.
 
     tables.py [FILE ...]    prints them; default: every file of results/ beside this script
-    tables.py --write       puts those of results/ into README.md and docs/benchmarks.md, between their markers
+    tables.py --write       puts those of results/ into README.md and docs/benchmarks.md, and docs/trade.csv into docs/trade.md, between
+                            their markers
     tables.py --check       fails if the pages say anything else
 """
+import csv
 import json
 import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+
+TRADE = [("knob", "knob"), ("value", "value"), ("s", "seconds"), ("Newton", "newton"), ("Krylov", "krylov"), ("MB", "mb"),
+         ("error, %", "error"), ("in", "error_in"), ("front", "front"), ("error against extrapolated, %", "whole"), ("front", "whole_front")]
 
 # program -> list of tables; a table: where its rows are, its columns as (heading, key)
 TABLES = {
@@ -134,12 +139,60 @@ def replaced(text, name, block):
     return text.split(begin)[0] + begin + "\n\n" + block + "\n\n" + end + text.split(end)[1]
 
 
+def percent(error):
+    return "" if error == "" else f"{100 * float(error):.2g}"
+
+
+def trade_rows():
+    path = HERE.parent / "docs" / "trade.csv"
+    if not path.exists():
+        return []
+    with open(path) as file:
+        return list(csv.DictReader(file))
+
+
+def trade_runs(rows):
+    out = []
+    for r in rows:
+        of_mesh = r["mesh"] == rows[0]["mesh"]
+        out.append({"knob": r["knob"], "value": r["value"] or " ", "seconds": f"{float(r['seconds [s]']):.1f}",
+                    "newton": r["newton_iterations"], "krylov": r["krylov_iterations"], "mb": f"{float(r['memory [MB]']):.0f}",
+                    "error": percent(r["error"]) if r["converged"] == "true" else r["reason"], "error_in": r["error_in"],
+                    "front": {"front": "yes"}.get(r["front"], "") if of_mesh else "", "whole": percent(r["extrapolated_error"]),
+                    "whole_front": {"front": "yes"}.get(r["extrapolated_front"], "")})
+    return out
+
+
+# Every figure as the tight reference and the extrapolation have it, and the errors of each accuracy on the scene's mesh.
+def trade_figures(rows):
+    reference = rows[0]
+    accuracies = {r["value"].removeprefix("accuracy "): r for r in rows if r["knob"] in ("accuracy", "scene")}
+    names = [c.removesuffix(" extrapolated error") for c in reference if c.endswith(" extrapolated error")]
+    out = []
+    for name in names:
+        column = next(c for c in reference if c.split(" [")[0] == name)
+        row = {"figure": column, "reference": f"{float(reference[column]):.6g}", "mesh": percent(reference[name + " extrapolated error"])}
+        out.append(row | {a: percent(accuracies[a][name + " error"]) for a in accuracies})
+    return out, list(accuracies)
+
+
+def trade_tables():
+    rows = trade_rows()
+    if not rows:
+        return ""
+    figures, accuracies = trade_figures(rows)
+    return "\n\n".join([table(trade_runs(rows), TRADE),
+                        table(figures, [("figure", "figure"), ("tight reference", "reference")] + [(f"{a}, %", a) for a in accuracies] +
+                              [("mesh, %", "mesh")])])
+
+
 def pages():
     """Path, text as it is and text as it should be of every page with tables."""
     blocks = {"README.md": {"tables": table([r for r in result("direct_vs_iterative")["rows"] if r["n"] >= 14], SUMMARY),
                             "formulations": table(by_direct_solver(result("formulations")), FORMULATIONS),
                             "operation": table(beside_paper(result("operation")), OPERATION)},
-              "docs/benchmarks.md": {"tables": all_tables(recorded())}}
+              "docs/benchmarks.md": {"tables": all_tables(recorded())},
+              "docs/trade.md": {"trade": trade_tables()}}
     for name, of_page in blocks.items():
         path = HERE.parent / name
         right = text = path.read_text()

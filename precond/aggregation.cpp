@@ -9,8 +9,8 @@ namespace bulbus {
 AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes)
     : lines(find_lines(system.problem())), rigid(system, nodes) {}
 
-Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings)
-    : block_(system, Precision::single),
+Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings, Precision smoothing)
+    : block_(system, smoothing),
       coarse_(system, plan.rigid),
       jacobi_(set_up(system, plan.lines)),
       smoother_(block_, jacobi_, settings.degree, settings.smoothed_part, system.problem().comm()),

@@ -20,10 +20,11 @@ struct AggregationPlan {
 class Aggregation final : public Preconditioner {
  public:
   /// Collective.
-  Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings);
+  Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings, Precision smoothing = Precision::single);
   int size() const override { return block_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }
+  bool follow() override { return smoother_.follow(); }
   std::string fault() const override { return coarse_.fault(); }
   std::size_t bytes() const override;
   const LineJacobi& lines() const { return jacobi_; }

@@ -14,9 +14,9 @@ double local_product(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-BlockTriangular::BlockTriangular(CoupledSystem& system, DisplacementInverse displacement, const PressureSettings& pressures)
+BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures)
     : system_(system),
-      displacement_(std::move(displacement.inverse)),
+      displacement_(displacement.inverse),
       inverse_schur_(system, displacement.lines, pressures),
       work_(system.layout().primal()) {
   const auto& g = system.liquid_columns();

@@ -20,7 +20,7 @@ namespace bulbus {
 class BlockTriangular final : public CoupledPreconditioner {
  public:
   /// Collective.
-  BlockTriangular(CoupledSystem& system, DisplacementInverse displacement, const PressureSettings& pressures);
+  BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures);
   int size() const override { return system_.size(); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return displacement_->fixed(); }
@@ -35,7 +35,7 @@ class BlockTriangular final : public CoupledPreconditioner {
   std::vector<double> liquid_products(std::span<const double> primal) const;
 
   CoupledSystem& system_;
-  std::unique_ptr<Preconditioner> displacement_;
+  std::shared_ptr<const Preconditioner> displacement_;
   PressureSchur inverse_schur_;
   std::vector<std::vector<double>> Z_;
   std::vector<int> coupled_;           // liquids with an unknown pressure

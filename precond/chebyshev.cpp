@@ -9,6 +9,8 @@
 namespace bulbus {
 namespace {
 
+constexpr double growth = 1.3;  // of the largest eigenvalue, before smoothing suffers
+
 double inner(std::span<const double> a, std::span<const double> b, const Comm& comm) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -54,11 +56,17 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   return {e.minCoeff(), e.maxCoeff()};
 }
 
-Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double lowest, const Comm& comm)
-    : A_(A), D_(D), degree_(degree), r_(A.size()), z_(A.size()), d_(A.size()) {
-  const double estimate = lanczos(A, D, 10, comm).largest;
+Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm)
+    : A_(A), D_(D), degree_(degree), smoothed_part_(smoothed_part), own_(0), comm_(comm), r_(A.size()), z_(A.size()), d_(A.size()) {
+  follow();
+  own_ = largest_;
+}
+
+bool Chebyshev::follow() {
+  const double estimate = lanczos(A_, D_, 10, comm_).largest;
   largest_ = 1.1 * (estimate > 0 ? estimate : 1);
-  lowest_ = lowest * largest_;
+  lowest_ = smoothed_part_ * largest_;
+  return largest_ < growth * own_;
 }
 
 void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {

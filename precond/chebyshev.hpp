@@ -11,10 +11,13 @@ namespace bulbus {
 class Chebyshev final : public Preconditioner {
  public:
   /// Estimates λ_max(D⁻¹A) by a few Lanczos steps. `A` and `D` must outlive this. Collective.
-  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double lowest, const Comm& comm);
+  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm);
   int size() const override { return A_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }
+  /// Estimates the largest eigenvalue of the present A; D fits as long as it has not grown much: stiffness that is new, of a contact, D
+  /// knows nothing of.
+  bool follow() override;
   std::size_t bytes() const override;
   double largest_eigenvalue() const { return largest_; }
 
@@ -22,7 +25,8 @@ class Chebyshev final : public Preconditioner {
   const LinearOperator& A_;
   const Preconditioner& D_;
   int degree_;
-  double lowest_, largest_;
+  double smoothed_part_, own_, lowest_ = 0, largest_ = 0;
+  const Comm& comm_;
   mutable std::vector<double> r_, z_, d_;
 };
 

@@ -55,6 +55,7 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
   const Problem& problem = system.problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const std::string name = chosen_displacement(settings_, problem);
+  const Precision smoothing = settings_.smoothing == "double" ? Precision::full : Precision::single;
   if (name == "jacobi") return {std::make_unique<BlockJacobi>(system)};
   if (name == "scalar_amg") return {std::make_unique<ScalarAmgAlone>(system)};
   if (name == "boomeramg" || name == "boomeramg_nodal") return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};
@@ -63,15 +64,15 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
     if (!problem.coarser())
       throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh", "Give mesh.refine, or take 'aggregation'.");
     if (!plans_->multigrid) plans_->multigrid.emplace(problem, settings_);
-    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid));
+    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid, smoothing));
   }
   if (name == "hybrid") {
     const int nodes = settings_.aggregates > 0 ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates)) : 0;
     if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes);
-    return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr)};
+    return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr, smoothing)};
   }
   if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes);
-  return with_lines(std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation));
+  return with_lines(std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation, smoothing));
 }
 
 }  // namespace bulbus

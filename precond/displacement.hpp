@@ -25,7 +25,7 @@ std::string chosen_displacement(const LinearSettings& settings, const Problem& p
 
 /// An approximate inverse of the displacement block, on primal vectors, and the lines it smooths with; null where it has none.
 struct DisplacementInverse {
-  std::unique_ptr<Preconditioner> inverse;
+  std::shared_ptr<Preconditioner> inverse;
   const LineJacobi* lines = nullptr;
 };
 

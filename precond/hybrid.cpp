@@ -7,8 +7,8 @@
 
 namespace bulbus {
 
-Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid)
-    : block_(system, Precision::single),
+Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid, Precision smoothing)
+    : block_(system, smoothing),
       jacobi_(system),
       smoother_(block_, jacobi_, degree, lowest, system.problem().comm()),
       amg_(std::make_unique<ScalarAmg>(system, scalar_matrices(system), jacobi_)),

@@ -12,10 +12,11 @@ namespace bulbus {
 class Hybrid final : public Preconditioner {
  public:
   /// `rigid`: none without the rigid motions. Collective.
-  Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid);
+  Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid, Precision smoothing);
   int size() const override { return block_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }
+  bool follow() override { return smoother_.follow(); }
   std::string fault() const override { return amg_->fault() + (coarse_ ? coarse_->fault() : ""); }
   std::size_t bytes() const override;
 

@@ -6,10 +6,15 @@
 namespace bulbus {
 
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Meters& meters) {
-  return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures, &meters](CoupledSystem& system) {
-    auto displacement = factory->make(system);
+  return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures, displacement = DisplacementInverse(),
+          &meters](CoupledSystem& system, SetUp how) mutable {
+    if (how == SetUp::anew || !displacement.inverse || !displacement.inverse->follow()) {
+      how = SetUp::anew;
+      displacement = {};  // two would need the room of both
+      displacement = factory->make(system);
+    }
     meters.memory.set("displacement preconditioner", displacement.inverse->bytes());
-    return std::make_unique<BlockTriangular>(system, std::move(displacement), pressures);
+    return MadePreconditioner{std::make_unique<BlockTriangular>(system, displacement, pressures), how};
   };
 }
 

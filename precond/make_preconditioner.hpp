@@ -3,7 +3,8 @@
 
 namespace bulbus {
 
-/// The preconditioner of the coupled system that the settings name, made anew for every linearisation.
+/// The preconditioner of the coupled system that the settings name. Kept is that of the displacement block; liquids and element
+/// pressures are always those of the present linearisation.
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Meters& meters);
 
 }  // namespace bulbus

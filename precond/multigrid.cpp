@@ -13,7 +13,7 @@ MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settin
   }
 }
 
-Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings) {
+Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing) {
   const CoupledSystem* fine = &finest;
   for (auto& level : plan.levels()) {
     const Problem& problem = fine->problem();
@@ -23,18 +23,19 @@ Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const Mul
     // only the geometry of rigid bodies asks for the residual
     const bool bodies = !problem.dofs().bodies().empty();
     level.coarser->linearize(level.state, bodies ? problem.coarser()->residual(level.state) : Residual{});
-    levels_.push_back(std::make_unique<Level>(*fine, *level.coarser, std::move(P), level.lines, settings));
+    levels_.push_back(std::make_unique<Level>(*fine, *level.coarser, std::move(P), level.lines, settings, smoothing));
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
   }
   base_ = std::make_unique<ExactBlock>(*fine);
 }
 
-Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings)
+Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings,
+                        Precision smoothing)
     : fine(fine),
       coarse(coarse),
       P(std::move(given)),
-      block(fine, Precision::single),
+      block(fine, smoothing),
       jacobi(fine, lines),
       smoother(block, jacobi, settings.degree, settings.smoothed_part, fine.problem().comm()),
       residual(fine.layout().primal()),

@@ -37,17 +37,19 @@ class MultigridPlan {
 class Multigrid final : public Preconditioner {
  public:
   /// Takes the tangents of all levels. Collective.
-  Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings);
+  Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing = Precision::single);
   int size() const override { return levels_.front()->block.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
   bool fixed() const override { return true; }
+  bool follow() override { return levels_.front()->smoother.follow(); }
   std::size_t bytes() const override;
   /// Of the finest level.
   const LineJacobi& lines() const { return levels_.front()->jacobi; }
 
  private:
   struct Level {
-    Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation P, const Lines& lines, const MultigridSettings& settings);
+    Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation P, const Lines& lines, const MultigridSettings& settings,
+          Precision smoothing);
     void restrict_residual(std::span<const double> b, std::span<const double> x);
     void add_prolonged(std::span<double> x);
 

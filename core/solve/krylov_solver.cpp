@@ -83,7 +83,9 @@ class KrylovSolver final : public LinearSolver {
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = meters_.clock.measure("preconditioner set-up");
     preconditioner_.reset();
-    preconditioner_ = factory_(system);
+    auto made = factory_(system, worth_keeping() ? SetUp::kept : SetUp::anew);
+    preconditioner_ = std::move(made.preconditioner);
+    if (made.how == SetUp::anew) solves_ = 0;
     meters_.memory.set("preconditioner", preconditioner_->bytes());
     const std::string fault = preconditioner_->fault();
     return {.ok = fault.empty(), .reason = fault};
@@ -110,8 +112,13 @@ class KrylovSolver final : public LinearSolver {
     r.blocks = std::move(blocks);
     if (settings_.record_spectrum) r.spectrum = preconditioner_->displacement_spectrum();
     if (!r.ok) r.reason = "GMRES: " + r.reason;
+    r.stale = !r.ok && solves_ > 0;
+    last_ = r.iterations / -std::log10(tolerance);
+    if (solves_++ == 0) first_ = last_;
     return r;
   }
+
+  void renew() override { solves_ = 0; }
 
  private:
   // As it is; then with the strengthened preconditioner; where plain GMRES, which needs one basis only, still fails, the flexible one.
@@ -133,6 +140,8 @@ class KrylovSolver final : public LinearSolver {
     return report;
   }
 
+  bool worth_keeping() const { return solves_ > 0 && last_ <= settings_.reuse * first_; }
+
   void strengthen() {
     preconditioner_->strengthen();
     meters_.memory.set("preconditioner", preconditioner_->bytes());
@@ -142,6 +151,8 @@ class KrylovSolver final : public LinearSolver {
   PreconditionerFactory factory_;
   Meters& meters_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
+  int solves_ = 0;               // with what the preconditioner was set up for
+  double first_ = 0, last_ = 0;  // Krylov iterations per digit of the first and the last of them
 };
 
 }  // namespace

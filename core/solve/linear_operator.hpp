@@ -22,6 +22,9 @@ class Preconditioner : public LinearOperator {
   virtual bool fixed() const = 0;
   /// Why it cannot be used, the same on every rank; empty if it can.
   virtual std::string fault() const { return {}; }
+  /// The operator that it was made for has changed: what it kept of that stays, what it applies on the fly is the present one.
+  /// False if that does not fit together any more. Collective.
+  virtual bool follow() { return true; }
   /// Bytes held on this rank.
   virtual std::size_t bytes() const { return 0; }
 };

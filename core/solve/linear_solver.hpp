@@ -17,6 +17,7 @@ namespace bulbus {
 struct LinearReport {
   bool ok = false;
   std::string reason;
+  bool stale = false;            ///< failed with the preconditioner of an earlier linearisation
   int iterations = 0;            ///< Krylov iterations; 0 of the direct solver
   double reduction = 0;          ///< ‖s r‖ / ‖s b‖ reached
   int negative_pivots = -1;      ///< of the direct solver's factors
@@ -43,6 +44,8 @@ class LinearSolver {
   /// Solution of system · x = b to the relative tolerance in the scaled norm.
   virtual LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
                              double tolerance) = 0;
+  /// The next prepare keeps nothing of earlier linearisations.
+  virtual void renew() {}
 };
 
 /// A preconditioner of the whole system.
@@ -56,9 +59,18 @@ class CoupledPreconditioner : public Preconditioner {
   virtual std::array<double, 2> displacement_spectrum() const = 0;
 };
 
-using PreconditionerFactory = std::function<std::unique_ptr<CoupledPreconditioner>(CoupledSystem&)>;
+/// What a preconditioner takes from the one made before it: nothing, or what is costly to set up.
+enum class SetUp { anew, kept };
 
-/// Flexible GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
+struct MadePreconditioner {
+  std::unique_ptr<CoupledPreconditioner> preconditioner;
+  SetUp how;
+};
+
+/// Where `kept` is asked for, what does not fit the system any more is made anew nevertheless.
+using PreconditionerFactory = std::function<MadePreconditioner(CoupledSystem&, SetUp)>;
+
+/// GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
 std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters);
 
 /// MUMPS on the system, augmented by its γ (0 costs nothing and changes no solution). What would not fit into the settings' memory limit

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bulbus {
 namespace {
@@ -30,7 +31,17 @@ class Increments {
   double largest_, size_;
 };
 
+NewtonSettings tolerances_at(double progress, NewtonSettings settings) {
+  if (progress < 1)
+    for (double* tolerance : {&settings.force, &settings.volume, &settings.liquid}) *tolerance *= settings.underway;
+  return settings;
+}
+
 }  // namespace
+
+int increments_of(const StepSpec& step, const SteppingSettings& settings) {
+  return static_cast<int>(std::ceil(step.increments * settings.increments - 1e-9));
+}
 
 void MarchPlace::remember(Keeper& keeper) {
   keeper.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations, report.krylov_iterations);
@@ -45,19 +56,21 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
     if (!place.begun) {
       observer.step_begins(k, steps[k], state);
       problem.begin_step(k, state);
+      solver.renew();
       place.begun = true;
     }
-    Increments increments(steps[k].increments, settings.stepping, place.size);
+    Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size);
     while (done < 1) {
       const double to = increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = state;
-      NewtonReport newton = bulbus::newton(problem, system, solver, trial, to, settings.newton, meters,
+      NewtonReport newton = bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, settings.newton), meters,
                                            [&](const NewtonIteration& i) { observer.newton_iteration(i); });
       report.newton_iterations += static_cast<int>(newton.iterations.size());
       report.krylov_iterations += newton.krylov_iterations();
       if (newton.outcome != Outcome::converged) {
         for (const auto& term : problem.terms()) term->roll_back();
+        solver.renew();
         ++report.cuts;
         observer.increment_cut(newton, done, to);
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments

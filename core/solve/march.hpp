@@ -45,6 +45,9 @@ class MarchObserver {
   virtual void rests(const MarchPlace&, State&, bool /*last*/) {}
 };
 
+/// Increments of a step that has not begun, if nothing fails.
+int increments_of(const StepSpec& step, const SteppingSettings& settings);
+
 /// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. On return `state` is the last
 /// good one. A `place` in the middle is one to which problem and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,

@@ -70,6 +70,21 @@ double guarded(const Problem& problem, const Step& step, State& state) {
   return 0;
 }
 
+// One linear solve to the tolerance that `tolerance` gives for a right-hand side. Where the preconditioner of an earlier linearisation
+// fails, it is done once more with a new one.
+template <class Tolerance>
+LinearReport solve(CoupledSystem& system, LinearSolver& solver, const Residual& r, std::span<const double> held, std::span<double> solution,
+                   Tolerance tolerance, int spent = 0) {
+  LinearReport report = solver.prepare(system);
+  if (!report.ok) return report;
+  const auto b = system.right_hand_side(r, held);
+  report = solver.solve(system, b, solution, tolerance(b));
+  report.iterations += spent;
+  if (!report.stale) return report;
+  solver.renew();
+  return solve(system, solver, r, held, solution, tolerance, report.iterations);
+}
+
 }  // namespace
 
 std::string describe(Outcome outcome) {
@@ -131,16 +146,14 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       const auto scope = meters.clock.measure("linearisation");
       system.linearize(state, r);
     }
-    now.linear = solver.prepare(system);
-    if (!now.linear.ok)
-      return fail(now.linear.factor && now.linear.factor->too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
-    report.negative_pivots = now.linear.negative_pivots;
-    const auto b = system.right_hand_side(r, held);
-    now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
-    now.linear = solver.solve(system, b, solution, now.tolerance);
+    now.linear = solve(system, solver, r, held, solution, [&](std::span<const double> b) {
+      if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
+      return now.tolerance;
+    });
+    if (now.linear.negative_pivots >= 0) report.negative_pivots = now.linear.negative_pivots;
     if (!now.linear.ok) {
       if (observer) observer(now);
-      return fail(Outcome::linear_solver_failed, now.linear.reason);
+      return fail(now.linear.factor && now.linear.factor->too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
     }
     const Layout& layout = system.layout();
     Step step{std::vector<double>(state.x.size()), layout.primal(std::span<const double>(solution)),

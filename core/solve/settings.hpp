@@ -53,7 +53,8 @@ struct LinearSettings {
   std::string formulation = "bordered";
   std::string displacement = "auto";
   std::string op = "cache";
-  double gamma = 5, smoothed_part = 0.05;
+  std::string smoothing = "single";
+  double gamma = 5, smoothed_part = 0.05, reuse = 0;
   int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;
   AggregationSettings aggregation;
   MultigridSettings multigrid;
@@ -75,6 +76,10 @@ struct LinearSettings {
     v("operator", op, About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of(
                           {"recompute", "cache", "assembled"}));
     v("gamma", gamma, About{"augmentation of the incompressibility in the linear system"}.between(0, 1e4));
+    v("smoothing", smoothing, About{"precision of the smoother in the preconditioner of the displacement block"}.one_of({"single", "double"}));
+    v("reuse", reuse,
+      About{"a preconditioner is kept for later linearisations of its step as long as these take no more than so many times the Krylov "
+            "iterations per digit of its own; 0: each has its own"}.between(0, 100));
     v("restart", restart, About{"Krylov basis before a restart"}.between(2, 500));
     v("max_iterations", max_iterations, About{"Krylov iterations before the increment is cut"}.between(1, 100000));
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
@@ -92,13 +97,14 @@ struct LinearSettings {
 
 /// Newton's iteration and where it stops, all relative and free of units.
 struct NewtonSettings {
-  double force = 1e-6, volume = 1e-6, liquid = 1e-7, eta_max = 1e-3;
+  double force = 1e-6, volume = 1e-6, liquid = 1e-7, underway = 1, eta_max = 1e-3;
   int max_iterations = 25;
   template <class V>
   void describe(V&& v) {
     v("force", force, About{"largest force imbalance of a region relative to its internal forces"}.between(1e-13, 1e-1));
     v("volume", volume, About{"largest |V_e/V0_e - 1| of an element"}.between(1e-14, 1e-1));
     v("liquid", liquid, About{"largest violation of a liquid's law, relative to its volume"}.between(1e-15, 1e-1));
+    v("underway", underway, About{"times that increments before the end of their step may miss these three"}.between(1, 1e6));
     v("eta_max", eta_max, About{"cap of the forcing term of Eisenstat and Walker"}.between(1e-14, 0.5));
     v("max_iterations", max_iterations, About{"iterations before the increment is cut"}.between(1, 1000));
   }
@@ -106,26 +112,33 @@ struct NewtonSettings {
 
 /// How increments are cut and grown.
 struct SteppingSettings {
-  double smallest = 1e-3, growth = 1.5;
+  double smallest = 1e-3, growth = 1.5, increments = 1;
   int easy = 6;
   template <class V>
   void describe(V&& v) {
     v("smallest", smallest, About{"smallest increment, as a part of the step, before the run gives up"}.between(1e-9, 1));
     v("growth", growth, About{"factor after an easy increment"}.between(1, 10));
     v("easy", easy, About{"Newton iterations that count as easy"}.between(1, 100));
+    v("increments", increments, About{"times as many increments as the steps say, rounded up"}.between(1e-5, 1000));
   }
 };
 
 struct SolverSettings {
+  std::string accuracy = "tight";
   LinearSettings linear;
   NewtonSettings newton;
   SteppingSettings stepping;
   template <class V>
   void describe(V&& v) {
+    v("accuracy", accuracy, About{accuracy_help()}.one_of({"fast", "balanced", "tight"}));
     v("linear", linear, About{"the linear solver"});
     v("newton", newton, About{"Newton's iteration"});
     v("stepping", stepping, About{"increments"});
   }
+  /// Gives what `accuracy` steers its values; the reader calls it before single settings override them.
+  void take_preset();
+  /// What each accuracy promises.
+  static std::string accuracy_help();
 };
 
 }  // namespace bulbus

@@ -29,5 +29,17 @@ TEST(Lanczos, FindsTheSpectrumUnderAnIndefinitePreconditioner) {
   expect_spectrum(Diagonal({1, 2, 3, 4, 5}), Diagonal({1, 1, 1, 1, -2}), -10, 4);
 }
 
+TEST(Chebyshev, FollowsAnOperatorUntilItsBlocksDoNotFitAnyMore) {
+  Diagonal A({1, 2, 3, 4, 5});
+  const Diagonal D({1, 1, 1, 1, 1});
+  const Comm comm(MPI_COMM_SELF);
+  Chebyshev smoother(A, D, 4, .1, comm);
+  A.d[4] = 5.5;
+  EXPECT_TRUE(smoother.follow());
+  EXPECT_NEAR(smoother.largest_eigenvalue(), 1.1 * 5.5, 1e-9);
+  A.d[2] = 500;
+  EXPECT_FALSE(smoother.follow());
+}
+
 }  // namespace
 }  // namespace bulbus

@@ -1,0 +1,33 @@
+#pragma once
+#include "app/prepare.hpp"
+
+namespace bulbus {
+
+/// One way to solve the scene of a trade.
+struct TradeRun {
+  std::string name;              ///< of its folder: run_001
+  std::string knob, value;       ///< what it turns, and how far
+  std::vector<std::string> set;  ///< path.to.key=value, in their order
+  int mesh = 0;                  ///< which of the meshes
+  Scene scene;
+};
+
+/// A mesh of a trade.
+struct TradeMesh {
+  std::string words;             ///< "n 14"
+  double h = 1;                  ///< size of its cells, relative to those of the scene's mesh
+  std::vector<std::string> set;
+  int reference = -1;            ///< the run that errors on this mesh count from
+};
+
+/// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each knob, and on other meshes.
+struct Trade {
+  std::string scene;              ///< its file
+  std::vector<TradeMesh> meshes;  ///< the scene's first
+  std::vector<TradeRun> runs;     ///< the reference, the scene as it is, then the others; no two the same
+};
+
+/// Plans the trade of a scene. `prepared` is the scene as it is: penalties count from those that its contacts have. Throws InputError.
+Trade plan_trade(const std::string& scene, const std::vector<std::string>& overrides, const Prepared& prepared);
+
+}  // namespace bulbus

@@ -1,0 +1,24 @@
+#include "core/solve/settings.hpp"
+
+namespace bulbus {
+
+std::string SolverSettings::accuracy_help() {
+  return "defaults of the settings below; against a converged solution on the same mesh, the operation's figures (encircling.yaml) are "
+         "within 2 % with fast, 0.2 % with balanced, 0.01 % with tight";
+}
+
+// docs/trade.md measures what they promise, tests/scenes/accuracy_test.cpp asserts it.
+void SolverSettings::take_preset() {
+  if (accuracy == "tight") return;  // the structs' own defaults
+  linear.reuse = 2;
+  newton.eta_max = 3e-3;
+  if (accuracy == "balanced") {
+    newton.force = newton.volume = 1e-5, newton.liquid = 1e-6;
+    newton.underway = 1e3;
+  } else {
+    newton.force = newton.liquid = 1e-5, newton.volume = 1e-3;
+    stepping.increments = .25;
+  }
+}
+
+}  // namespace bulbus

@@ -1,0 +1,60 @@
+// What `accuracy` promises in its help, on the operation's figures with a coarse eye.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/command_line.hpp"
+#include "app/trade_results.hpp"
+
+namespace bulbus {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string operation = std::string(BULBUS_DATA) + "/scenes/encircling.yaml";
+const std::vector<std::string> coarse{"--set", "mesh.eye.n=8", "--set", "output.vtk=false"};
+
+json probes_with(const std::vector<std::string>& settings) {
+  const fs::path out = fs::temp_directory_path() / ("bulbus_accuracy_" + std::to_string(getpid()));
+  std::vector<std::string> arguments{"run", operation, "-o", out};
+  arguments.insert(arguments.end(), coarse.begin(), coarse.end());
+  for (const std::string& s : settings) arguments.insert(arguments.end(), {"--set", s});
+  std::ostringstream said, faults;
+  EXPECT_EQ(command_line(arguments, Comm(MPI_COMM_SELF), said, faults), 0) << faults.str();
+  std::ifstream file(out / "summary.json");
+  const json probes = json::parse(file)["probes"];
+  fs::remove_all(out);
+  return probes;
+}
+
+const json& tight() {
+  static const json probes = probes_with({});
+  return probes;
+}
+
+void expect_within(const json& got, const json& right, double promised) {
+  for (const ProbeSpec& probe : read_scene(operation).model.probes) {
+    const double value = got[probe.name], wanted = right[probe.name];
+    EXPECT_LE(relative_error(value, wanted, least_of(probe)), promised) << probe.name << " " << value << " instead of " << wanted;
+  }
+  EXPECT_EQ(got["tear_closed"], right["tear_closed"]);
+  EXPECT_NEAR(got["axial_length"], right["axial_length"], .01);  // mm
+  EXPECT_NEAR(got["IOP"], right["IOP"], .1);                     // mmHg
+}
+
+TEST(Accuracy, TightIsConverged) {
+  expect_within(tight(), probes_with({"solver.newton.force=1e-9", "solver.newton.volume=1e-9", "solver.newton.liquid=1e-10"}), 1e-4);
+}
+
+TEST(Accuracy, BalancedIsWithinTwoInAThousand) { expect_within(probes_with({"solver.accuracy=balanced"}), tight(), 2e-3); }
+
+TEST(Accuracy, FastIsWithinTwoInAHundred) { expect_within(probes_with({"solver.accuracy=fast"}), tight(), 2e-2); }
+
+}  // namespace
+}  // namespace bulbus

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "app/trade_records.hpp"
+#include "tests/unit/app/studies.hpp"
+
+namespace {
+
+using namespace bulbus;
+using namespace bulbus::test;
+
+TEST(Extrapolation, FindsValueAndOrder) {
+  const std::vector<double> h{2, 1.4, 1};
+  for (double order : {.8, 1., 2., 3.3}) {
+    std::vector<double> v;
+    for (double size : h) v.push_back(5 - .3 * std::pow(size, order));
+    const Extrapolated e = extrapolate(h, v);
+    EXPECT_TRUE(e.observed);
+    EXPECT_NEAR(e.order, order, 1e-9);
+    EXPECT_NEAR(e.value, 5, 1e-9);
+  }
+}
+
+TEST(Extrapolation, AssumesSecondOrderWhereNoneShows) {
+  for (const std::vector<double>& v : std::vector<std::vector<double>>{{1, 3, 2}, {2, 2, 2.4}, {2, 2.4}, {1, 1, 1}}) {
+    const std::vector<double> h{2, 1.5, 1};
+    const Extrapolated e = extrapolate(std::span(h).last(v.size()), v);
+    const double fine = v.back(), coarse = v[v.size() - 2];
+    EXPECT_FALSE(e.observed);
+    EXPECT_NEAR(e.value, fine + (fine - coarse) / (1.5 * 1.5 - 1), 1e-12);
+  }
+}
+
+TEST(RelativeError, CountsFromTheLeastMagnitude) {
+  EXPECT_NEAR(relative_error(1.02, 1, .5), .02, 1e-12);
+  EXPECT_DOUBLE_EQ(relative_error(.01, 0, .5), .02);
+  EXPECT_DOUBLE_EQ(relative_error(-3, -4, 0), .25);
+  EXPECT_EQ(relative_error(0, 0, 0), 0);
+  EXPECT_EQ(relative_error(1e-3, 0, 0), 1);
+}
+
+ProbeSpec probe(const std::string& kind, const std::string& unit, double scale = 1) {
+  ProbeSpec p;
+  p.kind = kind, p.unit = unit, p.scale = scale;
+  return p;
+}
+
+TEST(RelativeError, KnowsWhatIsSmallInEveryUnit) {
+  EXPECT_DOUBLE_EQ(least_of(probe("distance", "")), .5);
+  EXPECT_DOUBLE_EQ(least_of(probe("distance", "um")), 500);
+  EXPECT_DOUBLE_EQ(least_of(probe("distance", "", -2.7)), 1.35);
+  EXPECT_NEAR(least_of(probe("pressure", "mmHg")), 5, 1e-4);
+  EXPECT_DOUBLE_EQ(least_of(probe("closed_fraction", "")), 1);
+  EXPECT_DOUBLE_EQ(least_of(probe("mises", "kPa")), 0);
+}
+
+TEST(Bargains, AreDominatedByWhatIsFasterAndNoLessAccurate) {
+  const std::vector<Bargain> all{{1, 10, 1e-2}, {2, 20, 1e-2}, {3, 20, 1e-4}, {4, 20.5, 1e-4}, {5, 40, 1e-3}};
+  EXPECT_EQ(better_than(all[0], all), nullptr);
+  EXPECT_EQ(better_than(all[1], all)->run, 1);
+  EXPECT_EQ(better_than(all[2], all), nullptr);
+  EXPECT_EQ(better_than(all[3], all), nullptr);  // by less than noise
+  EXPECT_EQ(better_than(all[4], all)->run, 3);
+}
+
+Trade bar_trade(const std::vector<std::string>& overrides = {}) {
+  const std::string path = bar_folder() / "bar.yaml";
+  return plan_trade(path, overrides, prepare(read_scene(path, overrides), Comm(MPI_COMM_SELF)));
+}
+
+TEST(TradePlan, RunsEverySceneOnce) {
+  const Trade trade = bar_trade({"mesh.block.nx=4"});
+  std::set<std::string> scenes;
+  for (const TradeRun& run : trade.runs) EXPECT_TRUE(scenes.insert(resolved_yaml(run.scene)).second) << run.knob << " " << run.value;
+  EXPECT_EQ(trade.runs[0].knob, "reference");
+  EXPECT_EQ(trade.runs[1].knob, "scene");
+  EXPECT_EQ(resolved_yaml(trade.runs[1].scene), resolved_yaml(read_scene(trade.scene, trade.runs[1].set)));
+  EXPECT_EQ(trade.runs[0].scene.solver.newton.force, 1e-9);
+  EXPECT_FALSE(trade.runs[0].scene.output.vtk);
+  for (const char* knob : {"eta_max", "newton", "gamma", "increments"})
+    EXPECT_NE(std::ranges::find(trade.runs, knob, &TradeRun::knob), trade.runs.end()) << knob;
+}
+
+TEST(TradePlan, CountsErrorsOfAMeshFromItsOwnTightSolution) {
+  const Trade trade = bar_trade({"mesh.block.nx=4"});
+  ASSERT_EQ(trade.meshes.size(), 3u);
+  EXPECT_EQ(trade.meshes[0].reference, 0);
+  EXPECT_EQ(trade.meshes[1].words, "nx 2");
+  EXPECT_DOUBLE_EQ(trade.meshes[1].h, 2);
+  EXPECT_EQ(trade.meshes[2].words, "nx 6");
+  for (int m : {1, 2}) {
+    const TradeRun& tight = trade.runs[trade.meshes[m].reference];
+    EXPECT_EQ(tight.mesh, m);
+    EXPECT_EQ(tight.scene.solver.accuracy, "tight");
+  }
+}
+
+StudyRow row(double seconds, double value) { return {.converged = true, .values = {value}, .seconds = seconds}; }
+
+TEST(TradeRecords, TellFrontAndDominated) {
+  const Trade trade = bar_trade();
+  TradeResults results;
+  results.figures = {{"pull", "mN"}};
+  results.least = {0};
+  results.extrapolated.resize(1);
+  for (const TradeRun& run : trade.runs) results.runs.push_back(run.name);
+  results.rows.resize(trade.runs.size());
+  results.megabytes.resize(trade.runs.size());
+  results.rows[0] = row(9, 100);
+  results.rows[1] = row(4, 100.001);
+  results.rows[2] = row(1, 101);
+  results.rows[3] = row(5, 100.1);
+  std::string text;
+  for (const std::string& line : lines_of(trade, results)) text += line + "\n";
+  EXPECT_NE(text.find("1.0 s         1 %  accuracy fast"), std::string::npos) << text;
+  EXPECT_NE(text.find("accuracy balanced (5.0 s, 0.1 %): scene accuracy tight takes 4.0 s, 0.001 %"), std::string::npos) << text;
+  EXPECT_NE(svg_of(chart_of(trade, results)).find("processor time"), std::string::npos);
+}
+
+TEST(Accuracy, IsOverriddenBySingleSettings) {
+  const Scene scene = parse_scene(replaced(bar_scene, "solver:\n", "solver:\n  accuracy: fast\n"), "bar.yaml", {"solver.newton.force=1e-7"});
+  EXPECT_EQ(scene.solver.newton.force, 1e-7);
+  EXPECT_GT(scene.solver.newton.volume, NewtonSettings().volume);
+  EXPECT_EQ(scene.solver.newton.max_iterations, 6);
+  const Scene again = parse_scene(resolved_yaml(scene), "resolved.yaml");
+  EXPECT_EQ(resolved_yaml(again), resolved_yaml(scene));
+}
+
+TEST(Accuracy, IsTightWhereNothingIsSaid) {
+  const Scene said = parse_scene(replaced(bar_scene, "solver:\n", "solver:\n  accuracy: tight\n"), "bar.yaml"), silent = parse_scene(bar_scene, "bar.yaml");
+  EXPECT_EQ(resolved_yaml(said), resolved_yaml(silent));
+}
+
+}  // namespace

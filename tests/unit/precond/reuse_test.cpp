@@ -1,0 +1,59 @@
+#include "precond/make_preconditioner.hpp"
+#include "tests/support/small_eye.hpp"
+#include "tests/unit/precond/linearised.hpp"
+
+namespace bulbus {
+namespace {
+
+// Solves the present Newton step to 1e-6 in the norm of the solver.
+LinearReport solve(Linearised& l, LinearSolver& solver) {
+  EXPECT_TRUE(solver.prepare(l.system).ok);
+  std::vector<double> held(l.state.x.size()), x(l.system.size()), Ax(x);
+  l.problem.dofs().defect(l.state, .1, held);
+  const auto b = l.system.right_hand_side(l.problem.residual(l.state), held);
+  const LinearReport report = solver.solve(l.system, b, x, 1e-6);
+  EXPECT_TRUE(report.ok) << report.reason;
+  l.system.apply(x, Ax);
+  const auto& s = l.system.scaling();
+  double left = 0, all = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) left += std::pow(s[i] * (b[i] - Ax[i]), 2), all += std::pow(s[i] * b[i], 2);
+  EXPECT_LT(std::sqrt(left / all), 2e-6);
+  return report;
+}
+
+// Widens the eye by 1 %.
+void widen(Linearised& l) {
+  for (double& x : l.state.x) x *= 1.01;
+  l.system.linearize(l.state, l.problem.residual(l.state));
+}
+
+// A solve a little way off, by what was set up before or for it.
+LinearReport solved_after(double reuse) {
+  Linearised l(small_eye(8), 0, 0);
+  l.settings.reuse = reuse;
+  Meters meters;
+  const auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
+  solve(l, *solver);
+  widen(l);
+  return solve(l, *solver);
+}
+
+TEST(Reuse, SolvesThePresentSystemWithAnEarlierPreconditioner) {
+  const LinearReport own = solved_after(0), kept = solved_after(2);
+  EXPECT_NE(own.reduction, kept.reduction) << "nothing was kept";
+  EXPECT_LE(kept.iterations, 1.5 * own.iterations);
+}
+
+TEST(Reuse, KeepsOnlyWhatFits) {
+  Linearised l(small_eye(8), 0, 0);
+  Meters meters;
+  const auto make = make_preconditioner_factory(l.settings, meters);
+  EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::anew);  // there is none yet
+  EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::kept);
+  widen(l);
+  EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::kept);
+  EXPECT_EQ(make(l.system, SetUp::anew).how, SetUp::anew);
+}
+
+}  // namespace
+}  // namespace bulbus
