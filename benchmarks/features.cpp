@@ -17,11 +17,14 @@ struct Variant {
 };
 
 const std::vector<std::string> rigid_lens{"regions.lens.rigid=true"};
+// A rigid lens has no stress to record: the operation's probe looks at the ciliary body instead, in both runs.
+const std::vector<std::string> other_probe{"probes.lens_mises_99.region=ciliary_body", "probes.lens_mises_99.name=ciliary_body_mises_99"};
+const std::vector<std::string> rigid_lens_other_probe{rigid_lens[0], other_probe[0], other_probe[1]};
 
 const std::vector<Variant> variants{{"half_eye", "half eye", {}},
                                     {"half_eye", "half eye, rigid lens", rigid_lens},
-                                    {"encircling", "operation", {}},
-                                    {"encircling", "operation, rigid lens", rigid_lens}};
+                                    {"encircling", "operation", other_probe},
+                                    {"encircling", "operation, rigid lens", rigid_lens_other_probe}};
 
 // The repetition with the median processor time.
 json measured(const Variant& v, const Options& o) {
