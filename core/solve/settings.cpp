@@ -11,12 +11,12 @@ std::string SolverSettings::accuracy_help() {
 void SolverSettings::take_preset() {
   if (accuracy == "tight") return;  // the structs' own defaults
   linear.reuse = 2;
-  newton.eta_max = 3e-3;
   if (accuracy == "balanced") {
     newton.force = newton.volume = 1e-5, newton.liquid = 1e-6;
     newton.underway = 1e3;
-  } else {
-    newton.force = newton.liquid = 1e-5, newton.volume = 1e-3;
+  } else {  // a node more or less in contact is per cents of the area: the end must be as strict as that of tight
+    newton.force = newton.liquid = 1e-6, newton.volume = 1e-5;
+    newton.eta_max = 3e-3;
     stepping.increments = .25;
   }
 }
