@@ -132,8 +132,10 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       system.linearize(state, r);
     }
     now.linear = solver.prepare(system);
-    if (!now.linear.ok)
-      return fail(now.linear.factor && now.linear.factor->too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
+    if (!now.linear.ok) {
+      const bool too_large = now.linear.factor && now.linear.factor->too_large;
+      return fail(too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
+    }
     report.negative_pivots = now.linear.negative_pivots;
     const auto b = system.right_hand_side(r, held);
     now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
