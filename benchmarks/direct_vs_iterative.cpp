@@ -158,10 +158,12 @@ int main(int argc, char** argv) {
     report["growth"] = growths(report["rows"], o.sizes);
     if (!o.out.empty()) write_json(o.out, report);  // what is measured so far
   }
-  finish(report, {"n", "unknowns", "method", "linear_solves", "krylov", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb", "reason"}, o);
+  finish(report, {"n", "unknowns", "method", "linear_solves", "krylov", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb",
+                  "estimated_mb", "reason"}, o);
   std::printf("iterative / direct\n");
   print_table(report["ratios"], {"n", "unknowns", "direct", "linear_s", "total_s", "peak_mb"});
   std::printf("powers of the unknowns\n");
-  print_table(report["growth"], {"method", "from_n", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb", "estimated_gflop"});
+  print_table(report["growth"], {"method", "from_n", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb",
+                                 "estimated_gflop"});
   return std::ranges::any_of(report["rows"], failed);
 }

@@ -41,7 +41,8 @@ json measured(const Variant& v, const Options& o) {
   row["n"] = o.sizes[0];
   if (!row["converged"]) return row;
   const double newton = row["newton_iterations"], krylov = row["krylov_iterations"];
-  for (auto [key, part] : {std::pair{"residual_ms", "residual"}, {"linearisation_ms", "linearisation"}, {"setup_ms", "preconditioner set-up"}})
+  for (auto [key, part] : {std::pair{"residual_ms", "residual"}, {"linearisation_ms", "linearisation"},
+                           {"setup_ms", "preconditioner set-up"}})
     row[key] = 1e3 * row["seconds"].value(part, 0.) / newton;
   row["krylov_ms"] = 1e3 * row["seconds"].value("linear solve", 0.) / krylov;
   return row;
@@ -54,9 +55,9 @@ int main(int argc, char** argv) {
   const Options o = parse(argc, argv, {14}, {4}, 1);
   json report = new_report("features", o);
   for (const Variant& v : variants) report["parameters"]["set"][v.name] = v.set;
-  report["notes"] = "`bulbus run` of data/scenes as processes of their own; minutes are processor time, those of parts wall time per Newton, "
-                    "of the linear solve per Krylov iteration; probes: how much a rigid lens changes them, relative to the largest magnitude "
-                    "they had in either run";
+  report["notes"] = "`bulbus run` of data/scenes as processes of their own; minutes are processor time, those of parts wall time per Newton, of "
+                    "the linear solve per Krylov iteration; probes: how much a rigid lens changes them, relative to the largest "
+                    "magnitude they had in either run";
   const std::size_t count = o.smoke ? 2 : variants.size();  // a small eye is too coarse for the operation
   for (std::size_t i = 0; i < count; ++i) {
     report["rows"].push_back(measured(variants[i], o));
@@ -67,8 +68,8 @@ int main(int argc, char** argv) {
     }
     if (!o.out.empty()) bulbus::write_json(o.out, report);  // what is measured so far
   }
-  finish(report, {"scene", "hexahedra", "unknowns", "cpu_s", "peak_mb", "newton_iterations", "krylov_iterations", "residual_ms", "linearisation_ms",
-                  "setup_ms", "krylov_ms", "converged", "reason"}, o);
+  finish(report, {"scene", "hexahedra", "unknowns", "cpu_s", "peak_mb", "newton_iterations", "krylov_iterations",
+                  "residual_ms", "linearisation_ms", "setup_ms", "krylov_ms", "converged", "reason"}, o);
   print_table(report.value("probes", json::array()), {"scene", "probe", "unit", "deformable", "rigid", "relative"});
   return std::ranges::any_of(report["rows"], [](const json& row) { return !row["converged"]; });
 }

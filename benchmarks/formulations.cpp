@@ -27,7 +27,8 @@ constexpr double same = 1e-8;       // largest difference of displacements of th
 struct Variant {
   std::string method, formulation;
 };
-const std::vector<Variant> variants{{"direct", "bordered"}, {"direct", "eliminated"}, {"iterative", "bordered"}, {"iterative", "eliminated"}};
+const std::vector<Variant> variants{{"direct", "bordered"}, {"direct", "eliminated"},
+                                    {"iterative", "bordered"}, {"iterative", "eliminated"}};
 
 struct Limits {
   double memory_mb = 20000;
@@ -61,7 +62,10 @@ TimedSolver solver_of(const LinearSettings& s, Meters& meters) {
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double difference = 0, size = 0;
-  for (std::size_t i = 0; i < b.size(); ++i) difference = std::max(difference, std::abs(a[i] - b[i])), size = std::max(size, std::abs(b[i]));
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+    size = std::max(size, std::abs(b[i]));
+  }
   return difference / size;
 }
 
@@ -74,7 +78,8 @@ void add_factor(const FactorReport& f, json& row) {
 }
 
 // The system of the first coupled increment by one variant; `solution` is its displacements.
-json solved(const Variant& v, Problem& problem, const State& state, const FirstIncrement& start, double memory_mb, std::vector<double>& solution) {
+json solved(const Variant& v, Problem& problem, const State& state, const FirstIncrement& start, double memory_mb,
+            std::vector<double>& solution) {
   const SolverSettings settings = settings_of(v, memory_mb);
   Meters meters;
   TimedSolver solver = solver_of(settings.linear, meters);
@@ -128,8 +133,8 @@ json whole_run(const std::vector<std::string>& words) {
   State state = problem->initial_state();
   MarchObserver nobody;
   const MarchReport report = march(*problem, system, solver, state, settings, meters, nobody);
-  json row{{"n", n}, {"method", v.method}, {"formulation", v.formulation}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)},
-           {"increments", report.increments}, {"cuts", report.cuts}, {"newton_iterations", report.newton_iterations},
+  json row{{"n", n}, {"method", v.method}, {"formulation", v.formulation}, {"hexahedra", problem->mesh().all_hexes},
+           {"unknowns", unknowns(*problem)}, {"increments", report.increments}, {"cuts", report.cuts}, {"newton_iterations", report.newton_iterations},
            {"krylov_iterations", report.krylov_iterations}, {"linear_solves", solver.solution.size()}, {"setup_s", median(solver.setup)},
            {"solve_s", median(solver.solution)}, {"total_s", cpu_seconds() - start}, {"peak_mb", 1e-6 * peak_resident_bytes()},
            {"pressure_mmhg", state.P[0] / 1.3332236842e-4}};
@@ -172,8 +177,8 @@ int main(int argc, char** argv) {
   const SolverSettings s;
   report["parameters"].update({{"memory_limit_mb", limits.memory_mb}, {"tolerance", tolerance}, {"gamma", s.linear.gamma},
                                {"restart", s.linear.restart}, {"force", s.newton.force}, {"eta_max", s.newton.eta_max}});
-  report["notes"] = "seconds are processor time, those of MUMPS's parts wall time; matrix entries: of one triangle; liquid entries: of both, "
-                    "2·3k + 1 or (3k)² + 1, 3k without what symmetry holds; peak_mb: VmHWM of the process, reset before each system; "
+  report["notes"] = "seconds are processor time, those of MUMPS's parts wall time; matrix entries: of one triangle; liquid entries: of "
+                    "both, 2·3k + 1 or (3k)² + 1, 3k without what symmetry holds; peak_mb: VmHWM of the process, reset before each system; "
                     "difference: of the displacements from the first row's of the same size, relative to the largest";
   report["runs"] = json::array();
   const auto save = [&] {
@@ -183,9 +188,9 @@ int main(int argc, char** argv) {
     measure_systems(n, limits.memory_mb, report["rows"]), save();
     if (n <= limits.runs) measure_runs(n, limits.memory_mb, report["runs"]), save();
   }
-  finish(report, {"n", "method", "formulation", "wet_unknowns", "liquid_entries", "matrix_entries", "factor_entries", "estimated_mb", "mb", "peak_mb",
-                  "gflop", "setup_s", "solve_s", "iterations", "reduction", "negative_pivots", "difference", "reason"}, o);
-  print_table(report["runs"], {"n", "method", "formulation", "newton_iterations", "krylov_iterations", "setup_s", "solve_s", "total_s", "peak_mb",
-                               "difference", "reason"});
+  finish(report, {"n", "method", "formulation", "wet_unknowns", "liquid_entries", "matrix_entries", "factor_entries", "estimated_mb",
+                  "mb", "peak_mb", "gflop", "setup_s", "solve_s", "iterations", "reduction", "negative_pivots", "difference", "reason"}, o);
+  print_table(report["runs"], {"n", "method", "formulation", "newton_iterations", "krylov_iterations", "setup_s", "solve_s", "total_s",
+                               "peak_mb", "difference", "reason"});
   return std::ranges::any_of(report["rows"], wrong) || std::ranges::any_of(report["runs"], wrong);
 }

@@ -153,7 +153,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     if (now.linear.negative_pivots >= 0) report.negative_pivots = now.linear.negative_pivots;
     if (!now.linear.ok) {
       if (observer) observer(now);
-      return fail(now.linear.factor && now.linear.factor->too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
+      const bool too_large = now.linear.factor && now.linear.factor->too_large;
+      return fail(too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
     }
     const Layout& layout = system.layout();
     Step step{std::vector<double>(state.x.size()), layout.primal(std::span<const double>(solution)),
