@@ -131,8 +131,9 @@ class KrylovSolver final : public LinearSolver {
       const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible};
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
-    if (tolerance < settings_.pressures.below && preconditioner_->holds_back()) {
-      go_on(std::min(settings_.pressures.after, settings_.max_iterations));
+    if (preconditioner_->holds_back()) {
+      const PressureSettings& p = settings_.pressures;
+      go_on(std::min((tolerance < p.below ? 1 : 2) * p.after, settings_.max_iterations));
       if (!report.converged) strengthen();
     }
     go_on(settings_.max_iterations - report.iterations);

@@ -32,15 +32,15 @@ struct MultigridSettings : SmootherSettings {
   MultigridSettings() : SmootherSettings{6, 0.05} {}
 };
 
-/// The part of the element pressures' preconditioner that knows their weak patterns: too dear for loose and for easy solves.
+/// The part of the element pressures' preconditioner that knows their weak patterns: too dear for easy solves.
 struct PressureSettings {
   double below = 1e-4;
   int after = 20, degree = 16;
   double smallest = 0.003, weight = 0.15;
   template <class V>
   void describe(V&& v) {
-    v("below", below, About{"taken up by solves to a smaller relative tolerance; 0: by none"}.between(0, 1));
-    v("after", after, About{"Krylov iterations before that"}.between(0, 100000));
+    v("below", below, About{"solves to a larger relative tolerance wait twice as long"}.between(0, 1));
+    v("after", after, About{"Krylov iterations after which that part is taken up"}.between(0, 100000));
     v("degree", degree, About{"degree of the polynomial that inverts what weak patterns meet"}.between(1, 100));
     v("smallest", smallest, About{"smallest eigenvalue that it inverts, as a part of the largest"}.between(1e-5, 0.9));
     v("weight", weight, About{"weight beside the part that knows strains only"}.between(0, 1));
