@@ -107,7 +107,7 @@ class KrylovSolver final : public LinearSolver {
     const KrylovReport k = solve_in_stages(A, M, scaled, x, tolerance, system.problem().comm(), observer);
     meters_.memory.set("Krylov basis", k.basis_bytes);
     for (std::size_t i = 0; i < scaled.size(); ++i) x[i] *= s[i];
-    LinearReport r{k.converged, k.reason, k.iterations, k.initial > 0 ? k.final / k.initial : 0};
+    LinearReport r{.ok = k.converged, .reason = k.reason, .iterations = k.iterations, .reduction = k.initial > 0 ? k.final / k.initial : 0};
     r.history = k.history;
     r.blocks = std::move(blocks);
     if (settings_.record_spectrum) r.spectrum = preconditioner_->displacement_spectrum();
