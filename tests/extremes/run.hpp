@@ -56,8 +56,8 @@ inline Difference difference(const Trial& a, const Trial& b) {
 /// The iterative solver and the direct one on the same scene.
 struct BothSolvers {
   Trial run, oracle;
-  explicit BothSolvers(const Scene& scene, NewtonSettings newton = close_balance()) : run(scene), oracle(scene) {
-    for (Trial* t : {&run, &oracle}) t->settings.newton = newton, t->settings.stepping.smallest = .2;
+  explicit BothSolvers(const Scene& scene, NewtonSettings newton = close_balance(), double smallest = .2) : run(scene), oracle(scene) {
+    for (Trial* t : {&run, &oracle}) t->settings.newton = newton, t->settings.stepping.smallest = smallest;
     run.iterative(), oracle.direct();
     expect_clean(run), expect_clean(oracle);
   }
