@@ -53,8 +53,9 @@ TEST(Eye, DeepBuckleAndBackAgain) {
   run.iterative();
   expect_clean(run);
   ASSERT_TRUE(run.report.converged) << run.report.reason;
-  row("buckle", "3.5 mm, and back", run, "{:.1f} mmHg at its deepest; afterwards {:.0e} of the displacements away from the eye before, {:.3f} mmHg", mmHg(deepest.P[0]),
-      off(run, filled), mmHg(run.state.P[0]));
+  row("buckle", "3.5 mm, and back", run,
+      "{:.1f} mmHg at its deepest; afterwards {:.0e} of the displacements away from the eye before, {:.3f} mmHg",
+      mmHg(deepest.P[0]), off(run, filled), mmHg(run.state.P[0]));
   EXPECT_GT(deepest.P[0], 2 * filled.P[0]);
   EXPECT_LT(off(run, filled), 1e-5);
 }
@@ -79,7 +80,8 @@ TEST(Eye, RetinaFarOffItsBed) {
     expect_clean(run);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
     EXPECT_GT(run.pairs("retina"), 0);
-    row("lift of the retina", fmt::format("{:g} mm, buckle 2 mm", height), run, "{:.1f} mmHg, {} nodes of the retina touch", mmHg(run.state.P[0]), run.pairs("retina"));
+    row("lift of the retina", fmt::format("{:g} mm, buckle 2 mm", height), run, "{:.1f} mmHg, {} nodes of the retina touch",
+        mmHg(run.state.P[0]), run.pairs("retina"));
   }
 }
 
@@ -105,7 +107,8 @@ TEST(Eye, ZonulesSlackAndCut) {
     run.iterative();
     expect_clean(run);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
-    row("zonules", zonules, run, "{:.2f} mmHg, largest displacement {:.3g} mm", mmHg(run.state.P[0]), largest(plus(run.state.x, -1, run.problem.mesh().X)));
+    row("zonules", zonules, run, "{:.2f} mmHg, largest displacement {:.3g} mm", mmHg(run.state.P[0]),
+        largest(plus(run.state.x, -1, run.problem.mesh().X)));
   }
 }
 

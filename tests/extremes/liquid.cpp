@@ -24,7 +24,8 @@ TEST(Liquid, OfAnyBulkModulus) {
     ASSERT_TRUE(both.both()) << run.report.reason;
     const double la = closed_form(K, beta), p = pressure_of(wall, la);
     const double u = relative(stretch_of(run) - 1, la - 1), dp = relative(run.state.P[0], p);
-    row("bulk modulus of the liquid", fmt::format("{:g} MPa", K), run, "u_r off by {:.1e}, P by {:.1e} of the closed form; {}", u, dp, both.compared());
+    row("bulk modulus of the liquid", fmt::format("{:g} MPa", K), run,
+        "u_r off by {:.1e}, P by {:.1e} of the closed form; {}", u, dp, both.compared());
     EXPECT_LT(u, .01);
     EXPECT_LT(dp, .01);
     EXPECT_LT(both.apart().places, 1e-5);
@@ -37,8 +38,9 @@ TEST(Liquid, DrainedUntilTheCavityIsNearlyEmpty) {
     const BothSolvers both(filled_layers(4, 2, wall, left - 1, 2083.3, 8), close_balance(), .02);
     const Trial& run = both.run;
     const double la = stretch_of(run);
-    row("cavity drained", fmt::format("to {:g} of its volume", left), run, "{:.3f} of its volume left, P {:.4f} MPa (as a sphere {:.4f} MPa); {}{}", la * la * la,
-        run.state.P[0], pressure_of(wall, la), both.compared(), both.stable() ? "" : "; not stable");
+    row("cavity drained", fmt::format("to {:g} of its volume", left), run,
+        "{:.3f} of its volume left, P {:.4f} MPa (as a sphere {:.4f} MPa); {}{}", la * la * la, run.state.P[0],
+        pressure_of(wall, la), both.compared(), both.stable() ? "" : "; not stable");
     EXPECT_LT(run.state.P[0], 0);
   }
 }

@@ -21,7 +21,8 @@ TEST(Tissue, AStiffPartTendsToARigidOne) {
   for (double contrast : {1e-8, 1e-4, 1., 1e2, 1e4, 1e6, 1e8}) {
     BothSolvers both(capped(contrast), NewtonSettings{});
     const double p = both.run.state.P[0], off = relative(p, rigid_cap.state.P[0]);
-    row("stiffness contrast, part of a wall", fmt::format("{:g}", contrast), both.run, "P {:.4g} MPa, {:.0e} from that with a rigid part; {}", p, off, both.compared());
+    row("stiffness contrast, part of a wall", fmt::format("{:g}", contrast), both.run,
+        "P {:.4g} MPa, {:.0e} from that with a rigid part; {}", p, off, both.compared());
     ASSERT_TRUE(both.both()) << both.run.report.reason;
     if (contrast >= 1e4) {
       EXPECT_LT(off, 10 / contrast + 1e-5);
@@ -47,8 +48,8 @@ TEST(Tissue, LayersDownToAMicrometre) {
     const std::vector<Layer> layers{{11.3, 11.3 + t, .0008}, {11.3 + t, 11.5 + t, .0083}, {11.5 + t, 12.3, .0833}};
     BothSolvers both(filled_layers(6, 1, layers, .1, 2083.3, 2));
     const double exact = pressure_of(layers, stretch_of(both.run)), dp = relative(both.run.state.P[0], exact);
-    row("thickness of the inner layer", fmt::format("{:g} um", 1000 * t), both.run, "P off by {:.1e} of the closed form; {}; aspect {:.0f}", dp, both.compared(),
-        11.3 * M_PI / 4 / 6 / t);
+    row("thickness of the inner layer", fmt::format("{:g} um", 1000 * t), both.run,
+        "P off by {:.1e} of the closed form; {}; aspect {:.0f}", dp, both.compared(), 11.3 * M_PI / 4 / 6 / t);
     ASSERT_TRUE(both.both()) << both.run.report.reason;
     EXPECT_LT(dp, .01);
     EXPECT_LT(both.apart().places, 1e-5);
@@ -73,8 +74,8 @@ TEST(Tissue, CellsOfLargeAspect) {
   for (bool apart : {false, true})
     for (double aspect : {1., 5., 10., 50., 500.}) {
       BothSolvers both(slab(aspect, apart));
-        row(apart ? "aspect, glued slab pulled" : "aspect, glued slab sheared", fmt::format("{:g}", aspect), both.run, "{}{}", both.compared(),
-          both.stable() ? "" : "; not stable");
+        row(apart ? "aspect, glued slab pulled" : "aspect, glued slab sheared",
+          fmt::format("{:g}", aspect), both.run, "{}{}", both.compared(), both.stable() ? "" : "; not stable");
       if (both.both()) {
         EXPECT_LT(both.apart().places, 1e-3);
       }
@@ -97,7 +98,9 @@ TEST(Tissue, StretchesUpToFive) {
 /// A block one node of which comes so near to the plane of its three neighbours in a cell that the cell's scaled Jacobian there is `flat`.
 Scene flattened(double flat) {
   Scene scene = stretched_block(3, "0.5");
-  const int node = nodes_where(scene.mesh, [](const Point& p) { return norm({p[0] - 1. / 3, p[1] - 1. / 3, p[2] - 1. / 3}) < 1e-9; }).front();
+  const int node = nodes_where(scene.mesh, [](const Point& p) {
+    return norm({p[0] - 1. / 3, p[1] - 1. / 3, p[2] - 1. / 3}) < 1e-9;
+  }).front();
   const auto least = [&](double q) {
     scene.mesh.points[node] = {q, q, q};
     return quality(scene.mesh)[0].least;
