@@ -74,10 +74,7 @@ Scene lifted(double height) {
 TEST(Eye, RetinaFarOffItsBed) {
   for (double height : {1., 3.}) {
     ContactTrial run(lifted(height));
-    run.settings.newton = {};
-    run.settings.stepping.smallest = .02;
-    run.iterative();
-    expect_clean(run);
+    as_people_do(run, .02);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
     EXPECT_GT(run.pairs("retina"), 0);
     row("lift of the retina", fmt::format("{:g} mm, buckle 2 mm", height), run, "{:.1f} mmHg, {} nodes of the retina touch",
@@ -102,10 +99,7 @@ Scene hung(const std::string& zonules) {
 TEST(Eye, ZonulesSlackAndCut) {
   for (const std::string zonules : {"as drawn", "pull only", "slack", "half of them cut"}) {
     Trial run(hung(zonules));
-    run.settings.newton = {};
-    run.settings.stepping.smallest = .05;
-    run.iterative();
-    expect_clean(run);
+    as_people_do(run, .05);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
     row("zonules", zonules, run, "{:.2f} mmHg, largest displacement {:.3g} mm", mmHg(run.state.P[0]),
         largest(plus(run.state.x, -1, run.problem.mesh().X)));

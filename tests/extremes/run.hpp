@@ -6,14 +6,6 @@ namespace bulbus {
 /// The settings that people run with, but for a balance that shows errors of the solver and not of the tolerance.
 inline NewtonSettings close_balance() { return {.force = 1e-8, .volume = 1e-8, .liquid = 1e-9}; }
 
-/// Largest number of Krylov iterations of one linear solve of the increments that converged.
-inline int most_krylov(const Trial& run) {
-  int most = 0;
-  for (const Increment& i : run.increments)
-    for (const NewtonIteration& n : i.newton.iterations) most = std::max(most, n.linear.iterations);
-  return most;
-}
-
 /// Largest number of the state; infinite if one of them is none.
 inline double largest(const State& state) { return std::max({largest(state.x), largest(state.lambda), largest(state.P)}); }
 
@@ -30,6 +22,14 @@ inline void expect_clean(const Trial& run) {
   EXPECT_LE(b.force, asked.force);
   EXPECT_LE(b.volume, asked.volume);
   EXPECT_LE(b.liquid, asked.liquid);
+}
+
+/// Runs with the default balance, and increments that may be cut down to `smallest` of their step.
+inline void as_people_do(Trial& run, double smallest) {
+  run.settings.newton = {};
+  run.settings.stepping.smallest = smallest;
+  run.iterative();
+  expect_clean(run);
 }
 
 /// One row of docs/extremes.md: extreme | value | what came out | Newton iterations | Krylov iterations | most of one solve | cuts.

@@ -96,4 +96,12 @@ void measured(fmt::format_string<A...> text, A&&... a) {
 
 inline double relative(double value, double reference) { return std::abs(value / reference - 1); }
 
+/// Largest number of Krylov iterations of one linear solve of the increments that converged.
+inline int most_krylov(const Trial& run) {
+  int most = 0;
+  for (const Increment& i : run.increments)
+    for (const NewtonIteration& n : i.newton.iterations) most = std::max(most, n.linear.iterations);
+  return most;
+}
+
 }  // namespace bulbus

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "core/base/error.hpp"
 #include "core/solve/fgmres.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace bulbus {
 namespace {
@@ -56,14 +56,6 @@ class Matrix : public LinearOperator {
   const Comm& comm_;
 };
 
-std::vector<double> noise(int size, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<double> x(size);
-  for (double& v : x) v = uniform(generator);
-  return x;
-}
-
 double dot(const std::vector<double>& a, const std::vector<double>& b, const Comm& comm) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -100,7 +92,7 @@ TEST_F(BoomerAmgTest, EverySmootherGivesASymmetricPositiveLinearMap) {
     for (AmgSmoother smoother : {AmgSmoother::gauss_seidel, AmgSmoother::symmetric_gauss_seidel,
                                  AmgSmoother::jacobi, AmgSmoother::chebyshev}) {
       BoomerAmg amg(m, {.smoother = smoother}, comm);
-      auto x = noise(m.rows, 1 + comm.rank()), y = noise(m.rows, 100 + comm.rank());
+      auto x = noise_vector(m.rows, 1 + comm.rank()), y = noise_vector(m.rows, 100 + comm.rank());
       std::vector<double> Mx(m.rows, NAN), My(m.rows, NAN), sum(m.rows), Msum(m.rows);
       amg.apply(x, Mx);
       amg.apply(y, My);
@@ -136,7 +128,7 @@ TEST_F(BoomerAmgTest, AddsEntriesOfForeignRows) {
     part.start.push_back(static_cast<int>(part.columns.size()));
   }
   BoomerAmg a(whole, {}, comm), b(part, {}, comm);
-  auto x = noise(whole.rows, 7 + comm.rank());
+  auto x = noise_vector(whole.rows, 7 + comm.rank());
   std::vector<double> ax(whole.rows), bx(whole.rows);
   a.apply(x, ax);
   b.apply(x, bx);

@@ -51,9 +51,7 @@ TEST(Loads, DeadPressureAlongAGivenDirection) {
   scene.model.steps[0].loads.push_back(pressure("zmax", "0.2", true));
   scene.model.steps[0].loads[0].direction = {3, 0, 4};
   Problem p(scene.mesh, scene.model, world());
-  State s = p.initial_state();
-  p.begin_step(0, s);
-  p.set_progress(1, s);
+  State s = at_end_of_step(p);
   expect_near(load_only(p, s), {-.2 * 2 * .6, 0, -.2 * 2 * .8});
 }
 
@@ -61,9 +59,7 @@ TEST(Loads, FollowerPressureFollowsTheArea) {
   Scene scene = standing_block();
   scene.model.steps[0].loads.push_back(pressure("zmax", "0.2"));
   Problem p(scene.mesh, scene.model, world());
-  State s = p.initial_state();
-  p.begin_step(0, s);
-  p.set_progress(1, s);
+  State s = at_end_of_step(p);
   expect_near(load_only(p, s), {0, 0, .4});
   expect_near(load_only(p, stretched(p, 1.5)), {0, 0, .6});
   EXPECT_FALSE(p.symmetric());
@@ -73,9 +69,7 @@ TEST(Loads, FollowerPressureTurnsWithTheFace) {
   Scene scene = standing_block();
   scene.model.steps[0].loads.push_back(pressure("zmax", "0.2"));
   Problem p(scene.mesh, scene.model, world());
-  State s = p.initial_state();
-  p.begin_step(0, s);
-  p.set_progress(1, s);
+  State s = at_end_of_step(p);
   for (int n = 0; n < p.mesh().nodes(); ++n) {  // z to x, x to −z
     const double x = s.x[3 * n], z = s.x[3 * n + 2];
     s.x[3 * n] = z, s.x[3 * n + 2] = -x;
@@ -138,9 +132,7 @@ TEST(Loads, LoadsOfBothKindsAdd) {
   Scene scene = standing_block();
   scene.model.steps[0].loads = {pressure("zmax", "0.2", true), force("zmax", {1, 0, 0}), pressure("xmax", "0.1")};
   Problem p(scene.mesh, scene.model, world());
-  State s = p.initial_state();
-  p.begin_step(0, s);
-  p.set_progress(1, s);
+  State s = at_end_of_step(p);
   expect_near(load_only(p, s), {-9 + .1 * 3, 0, .4});
 }
 

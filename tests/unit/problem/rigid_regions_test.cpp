@@ -40,9 +40,7 @@ TEST(RigidRegions, BalanceCountsTheResultantOnABody) {
   scene.model.regions["lid"] = rigid();
   scene.model.steps[0].loads.push_back(force("zmax", {0, 0, 1}));
   Problem p(scene.mesh, scene.model, world());
-  State s = p.initial_state();
-  p.begin_step(0, s);
-  p.set_progress(1, s);
+  State s = at_end_of_step(p);
   const Balance b = p.balance(p.residual(s));
   EXPECT_EQ(b.region, "lid");
   EXPECT_DOUBLE_EQ(b.force, 1);
@@ -56,9 +54,7 @@ TEST(RigidRegions, BalanceCountsTheMomentOnABody) {
   scene.mesh.node_sets["right"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 2; });
   scene.model.steps[0].loads = {force("left", {0, 0, 1}), force("right", {0, 0, -1})};
   Problem p(scene.mesh, scene.model, world());
-  State s = p.initial_state();
-  p.begin_step(0, s);
-  p.set_progress(1, s);
+  State s = at_end_of_step(p);
   const Residual r = p.residual(s);
   EXPECT_NEAR(norm(r.bodies[0].force), 0, 1e-14);
   expect_near(r.bodies[0].moment, {0, -6, 0});

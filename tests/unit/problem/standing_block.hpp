@@ -28,6 +28,14 @@ inline LoadSpec force(const std::string& set, const Point& f) {
   return l;
 }
 
+/// The state at rest under the whole of the first step's loads and motions.
+inline State at_end_of_step(Problem& p) {
+  State s = p.initial_state();
+  p.begin_step(0, s);
+  p.set_progress(1, s);
+  return s;
+}
+
 struct FilledShell : testing::Test {
   Scene scene = filled_shell("octant");
 };
