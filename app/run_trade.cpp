@@ -69,15 +69,17 @@ class TradeRunner {
   void solve(int run, int round) {
     std::vector<double> times = times_of(run);
     const bool there = static_cast<int>(times.size()) >= round;
+    bool finished = there;
     std::string reason;
     if (!there) {
       const Ended e = run_process(command_of(run), run > 0 && trade_.runs[run].mesh == 0 ? allowed_ : 0);
       if (run == 0 && round == 1) allowed_ = static_cast<unsigned>(patience * e.cpu) + 10;
       times.push_back(e.cpu);
       reason = e.reason;
-      if (is_finished(trade_.runs[run].scene, folder_of(run))) write_json(folder_of(run) + "/seconds.json", times);
+      finished = is_finished(trade_.runs[run].scene, folder_of(run));
+      if (finished) write_json(folder_of(run) + "/seconds.json", times);
     }
-    note(run, *std::ranges::min_element(times), reason);
+    note(run, *std::ranges::min_element(times), finished, reason);
     tell(run, there);
     write();
   }
@@ -88,8 +90,8 @@ class TradeRunner {
     return command;
   }
 
-  void note(int run, double seconds, const std::string& reason) {
-    if (!is_finished(trade_.runs[run].scene, folder_of(run))) {
+  void note(int run, double seconds, bool finished, const std::string& reason) {
+    if (!finished) {
       results_.rows[run] = StudyRow{.reason = reason, .values = std::vector<std::optional<double>>(results_.figures.size())};
     } else {
       const json summary = summary_in(folder_of(run));

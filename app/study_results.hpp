@@ -45,6 +45,15 @@ void write_study_csv(const std::string& path, const Study& study, const StudyRes
 /// The same as a table for people, in blocks that fit a screen.
 std::vector<std::string> lines_of(const Study& study, const StudyResults& results);
 
+/// A column of the runs done: its heading, its unit and the text of every run.
+template <class Text>
+std::vector<std::string> column_of(const StudyResults& results, const std::string& name, const std::string& unit, Text text) {
+  std::vector<std::string> column{name, unit};
+  for (int run = 0; run < static_cast<int>(results.runs.size()); ++run)
+    if (results.rows[run]) column.push_back(text(run));
+  return column;
+}
+
 /// Columns of text, right-aligned; those that do not fit the screen follow in further blocks, behind the
 /// first `fixed`.
 std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& columns, int fixed);

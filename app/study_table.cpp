@@ -17,14 +17,6 @@ std::string shown(const StudyResults& results, int run, int figure) {
   return value ? fmt::format("{:.6g}{}", *value, results.converged(run) ? "" : "*") : "-";
 }
 
-template <class Text>
-Column column_of(const StudyResults& results, const std::string& name, const std::string& unit, Text text) {
-  Column column{name, unit};
-  for (int run = 0; run < static_cast<int>(results.runs.size()); ++run)
-    if (results.rows[run]) column.push_back(text(run));
-  return column;
-}
-
 // Letters, not bytes.
 int letters(const std::string& text) {
   return static_cast<int>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));

@@ -16,14 +16,6 @@ std::string shown(const std::optional<TradeError>& e) { return e ? percent(e->va
 
 std::string name_of(const TradeRun& run) { return run.value.empty() ? run.knob : run.knob + " " + run.value; }
 
-template <class Text>
-Column column_of(const TradeResults& results, const std::string& name, const std::string& unit, Text text) {
-  Column column{name, unit};
-  for (int run = 0; run < static_cast<int>(results.runs.size()); ++run)
-    if (results.rows[run]) column.push_back(text(run));
-  return column;
-}
-
 Lines runs(const Trade& trade, const TradeResults& results) {
   const auto row = [&](int run) -> const StudyRow& { return *results.rows[run]; };
   const auto column = [&](const char* name, const char* unit, auto text) { return column_of(results, name, unit, text); };
