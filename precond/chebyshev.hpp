@@ -26,7 +26,7 @@ class Chebyshev final : public Preconditioner {
   const Preconditioner& D_;
   int degree_;
   double smoothed_part_, own_, lowest_ = 0, largest_ = 0;
-  const Comm& comm_;
+  Comm comm_;
   mutable std::vector<double> r_, z_, d_;
 };
 
