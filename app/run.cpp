@@ -24,11 +24,6 @@ LinearSettings settings_of_system(LinearSettings linear) {
   return linear;
 }
 
-std::unique_ptr<LinearSolver> make_solver(const LinearSettings& linear, Meters& meters) {
-  if (linear.method == "direct") return make_direct_solver(linear, meters);
-  return make_krylov_solver(linear, make_preconditioner_factory(linear, meters), meters);
-}
-
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
   const std::string liquids = l.formulation == "eliminated" ? ", liquid pressures eliminated" : "";
   if (l.method == "direct") return "direct (MUMPS)" + liquids;

@@ -7,15 +7,15 @@
 #include <fstream>
 
 #include "core/base/parallel.hpp"
+#include "core/base/process.hpp"
 #include "core/io/json_file.hpp"
 
 namespace bulbus::bench {
 
 // The child writes its row to a file: its standard output belongs to the libraries.
 json row_of_child(const std::vector<std::string>& words) {
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe");
   const std::filesystem::path file = std::filesystem::temp_directory_path() / ("bulbus_" + std::to_string(getpid()) + ".json");
-  std::string command = "'" + self + "' --child '" + file.string() + "'";
+  std::string command = "'" + this_program() + "' --child '" + file.string() + "'";
   for (const std::string& word : words) command += " '" + word + "'";
   const int status = std::system(command.c_str());
   std::ifstream in(file);

@@ -19,14 +19,6 @@ using namespace bulbus::bench;
 
 namespace {
 
-SolverSettings settings_of(const std::string& method, double memory_mb) {
-  SolverSettings s;
-  s.linear.method = method;
-  s.linear.memory_limit = memory_mb;
-  if (method == "direct") s.linear.gamma = 0;  // the direct solver takes the system as it is
-  return s;
-}
-
 json run(const std::vector<std::string>& words) {
   const double start = cpu_seconds();
   const std::string& method = words.at(0);
@@ -36,8 +28,7 @@ json run(const std::vector<std::string>& words) {
   Meters meters;
   auto problem = half_eye(n, comm);
   CoupledSystem system(*problem, settings.linear);
-  TimedSolver solver(method == "direct" ? make_direct_solver(settings.linear, meters)
-                                        : make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
+  TimedSolver solver(make_solver(settings.linear, meters));
   State state = problem->initial_state();
   json row{{"n", n}, {"method", method}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)}};
   for (auto [step, progress] : {std::pair{0, 1.}, {1, .25}}) {

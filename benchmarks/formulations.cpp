@@ -47,17 +47,9 @@ Limits limits_in(const Options& o) {
 }
 
 SolverSettings settings_of(const Variant& v, double memory_mb) {
-  SolverSettings s;
-  s.linear.method = v.method;
+  SolverSettings s = bench::settings_of(v.method, memory_mb);
   s.linear.formulation = v.formulation;
-  s.linear.memory_limit = memory_mb;
-  if (v.method == "direct") s.linear.gamma = 0;  // the direct solver takes the system as it is
   return s;
-}
-
-TimedSolver solver_of(const LinearSettings& s, Meters& meters) {
-  return TimedSolver(s.method == "direct" ? make_direct_solver(s, meters)
-                                          : make_krylov_solver(s, make_preconditioner_factory(s, meters), meters));
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -82,7 +74,7 @@ json solved(const Variant& v, Problem& problem, const State& state, const FirstI
             std::vector<double>& solution) {
   const SolverSettings settings = settings_of(v, memory_mb);
   Meters meters;
-  TimedSolver solver = solver_of(settings.linear, meters);
+  TimedSolver solver(make_solver(settings.linear, meters));
   CoupledSystem system(problem, settings.linear);
   system.linearize(state, start.residual);
   reset_peak_resident();
@@ -128,7 +120,7 @@ json whole_run(const std::vector<std::string>& words) {
   const Comm comm;
   Meters meters;
   auto problem = half_eye(n, comm);
-  TimedSolver solver = solver_of(settings.linear, meters);
+  TimedSolver solver(make_solver(settings.linear, meters));
   CoupledSystem system(*problem, settings.linear);
   State state = problem->initial_state();
   MarchObserver nobody;

@@ -1,6 +1,7 @@
 // Preconditioners of the displacement block: the half eye at 15 mmHg, the linear system of the first coupled increment (0.5 mm).
 #include "benchmarks/common.hpp"
 #include "benchmarks/half_eye.hpp"
+#include "benchmarks/timed_solver.hpp"
 #include "precond/make_preconditioner.hpp"
 
 using namespace bulbus;
@@ -13,14 +14,13 @@ const std::vector<std::string> methods{"aggregation", "hybrid", "multigrid", "sc
 
 json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r, std::span<const double> held,
               LinearSettings settings) {
-  settings.displacement = method == "direct" ? "hybrid" : method;
-  if (method == "direct") settings.gamma = 0;  // the direct solver takes the system as it is
+  settings.displacement = method;
+  if (method == "direct") settings = bench::settings_of(method, settings.memory_limit).linear;
+  json row{{"displacement", method}, {"gamma", settings.gamma}, {"hexahedra", problem.mesh().all_hexes}, {"unknowns", unknowns(problem)}};
   Meters meters;
   CoupledSystem system(problem, settings);
   system.linearize(state, r);
-  auto solver = method == "direct" ? make_direct_solver(settings, meters)
-                                   : make_krylov_solver(settings, make_preconditioner_factory(settings, meters), meters);
-  json row{{"displacement", method}, {"gamma", settings.gamma}, {"hexahedra", problem.mesh().all_hexes}, {"unknowns", unknowns(problem)}};
+  auto solver = make_solver(settings, meters);
   const double start = cpu_seconds();
   const LinearReport ready = solver->prepare(system);
   const double prepared = cpu_seconds();

@@ -4,6 +4,15 @@
 
 namespace bulbus::bench {
 
+/// Default settings of "direct" or "iterative", with a limit of the factors' memory.
+inline SolverSettings settings_of(const std::string& method, double memory_mb) {
+  SolverSettings s;
+  s.linear.method = method;
+  s.linear.memory_limit = memory_mb;
+  if (method == "direct") s.linear.gamma = 0;  // the direct solver takes the system as it is
+  return s;
+}
+
 /// A linear solver that keeps processor seconds, iterations and reached reduction of every set-up (or factorisation) and solution.
 class TimedSolver final : public LinearSolver {
  public:

@@ -18,4 +18,9 @@ PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings
   };
 }
 
+std::unique_ptr<LinearSolver> make_solver(const LinearSettings& settings, Meters& meters) {
+  if (settings.method == "direct") return make_direct_solver(settings, meters);
+  return make_krylov_solver(settings, make_preconditioner_factory(settings, meters), meters);
+}
+
 }  // namespace bulbus

@@ -7,4 +7,7 @@ namespace bulbus {
 /// pressures are always those of the present linearisation.
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Meters& meters);
 
+/// The solver that `method` names, with the preconditioner that the settings name.
+std::unique_ptr<LinearSolver> make_solver(const LinearSettings& settings, Meters& meters);
+
 }  // namespace bulbus
