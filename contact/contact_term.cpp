@@ -36,7 +36,7 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
       search_(0, 0) {
   points_.bulge(sides.X, sides.slave, sides.symmetry);
   limits_.reach = std::max(limits_.reach, 2 * limits_.depth);
-  search_ = GlobalSearch(limits_.reach, limits_.reach / 2);
+  search_ = GlobalSearch(limits_.reach, limits_.reach / 2, points_.of_a_face());
   if (master_.smooth()) {
     const MasterSurface m = master_.at({});
     rise_ = rise(m.facets, m.places, m.normals);

@@ -15,19 +15,36 @@ struct Box {
   void add(const double* p) {
     for (int c = 0; c < 3; ++c) low[c] = std::min(low[c], p[c]), high[c] = std::max(high[c], p[c]);
   }
-  bool holds(const double* p) const {
+  bool meets(const Box& b) const {
     for (int c = 0; c < 3; ++c)
-      if (!(p[c] >= low[c] && p[c] <= high[c])) return false;
+      if (!(b.high[c] >= low[c] && b.low[c] <= high[c])) return false;
     return true;
   }
   double extent() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
+  Box wider(double by) const {
+    Box b = *this;
+    for (int c = 0; c < 3; ++c) b.low[c] -= by, b.high[c] += by;
+    return b;
+  }
 };
 
 Box box_of(const std::array<int, 3>& triangle, std::span<const double> places, double inflation) {
   Box b;
   for (int n : triangle) b.add(&places[3 * n]);
-  for (int c = 0; c < 3; ++c) b.low[c] -= inflation, b.high[c] += inflation;
-  return b;
+  return b.wider(inflation);
+}
+
+std::vector<Box> boxes_of(std::span<const double> points, int group) {
+  std::vector<Box> boxes(points.size() / (3 * group));
+  for (std::size_t i = 0; i < points.size() / 3; ++i) boxes[i / group].add(&points[3 * i]);
+  return boxes;
+}
+
+std::vector<double> middles_of(const std::vector<Box>& boxes) {
+  std::vector<double> middles;
+  for (const Box& b : boxes)
+    for (int c = 0; c < 3; ++c) middles.push_back(.5 * (b.low[c] + b.high[c]));
+  return middles;
 }
 
 // Points sorted by the number of their cell; cells along x follow one another.
@@ -83,26 +100,30 @@ class Cells {
 }  // namespace
 
 Candidates find_candidates(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
-                           std::span<const double> places, double inflation) {
-  Candidates found;
-  const int n = static_cast<int>(points.size() / 3);
+                           std::span<const double> places, double inflation, int group) {
+  Candidates found{.group = group};
+  const std::vector<Box> boxes = boxes_of(points, group);
+  const int n = static_cast<int>(boxes.size());
   found.start.assign(n + 1, 0);
   if (n == 0 || triangles.empty()) return found;
-  double size = 0;
+  double size = 0, half = 0;
   for (const auto& t : triangles) size += box_of(t, places, inflation).extent();
-  const Cells cells(points, size / static_cast<double>(triangles.size()));
-  std::vector<std::array<int, 2>> pairs;
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    const Box box = box_of(triangles[t], places, inflation);
-    cells.visit(box, [&](int point) {
-      if (box.holds(&points[3 * point])) pairs.push_back({point, t});
-    });
-  }
-  for (const auto& [point, t] : pairs) ++found.start[point + 1];
+  for (const Box& b : boxes) half = std::max(half, .5 * b.extent());
+  const Cells cells(middles_of(boxes), size / static_cast<double>(triangles.size()));
+  const auto visit_pairs = [&](auto use) {
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+      const Box box = box_of(triangles[t], places, inflation);
+      cells.visit(box.wider(1.001 * half), [&](int i) {
+        if (box.meets(boxes[i])) use(i, t);
+      });
+    }
+  };
+  // counted first: a list of all pairs would need three times the room of the candidates
+  visit_pairs([&](int i, int) { ++found.start[i + 1]; });
   for (int i = 0; i < n; ++i) found.start[i + 1] += found.start[i];
-  found.triangles.resize(pairs.size());
+  found.triangles.resize(found.start.back());
   std::vector<int> next(found.start.begin(), found.start.end() - 1);
-  for (const auto& [point, t] : pairs) found.triangles[next[point]++] = t;
+  visit_pairs([&](int i, int t) { found.triangles[next[i]++] = t; });
   return found;
 }
 
@@ -118,7 +139,8 @@ const Candidates& GlobalSearch::update(std::span<const double> points, std::span
   points_.assign(points.begin(), points.end());
   for (std::size_t i = 0; i < corners_.size(); ++i)
     for (int c = 0; c < 3; ++c) corner_places_[3 * i + c] = places[3 * corners_[i] + c];
-  candidates_ = find_candidates(points, triangles, places, reach_ + margin_);
+  candidates_ = {};  // before the new ones: two would need the room of both
+  candidates_ = find_candidates(points, triangles, places, reach_ + margin_, group_);
   ++searches_;
   return candidates_;
 }

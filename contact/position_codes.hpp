@@ -5,25 +5,28 @@
 
 namespace bulbus {
 
-/// Triangles near each of some points, ascending; triangles of point i: `triangles[start[i]] ... triangles[start[i + 1] - 1]`.
+/// Triangles near each of some points, ascending. Points that follow one another share a list, `group` of them; triangles of list i:
+/// `triangles[start[i]] ... triangles[start[i + 1] - 1]`.
 struct Candidates {
   std::vector<int> start{0}, triangles;
+  int group = 1;
   std::span<const int> of(int point) const {
-    return {triangles.data() + start[point], triangles.data() + start[point + 1]};
+    const int list = point / group;
+    return {triangles.data() + start[list], triangles.data() + start[list + 1]};
   }
 };
 
-/// Every pair of a point (3 numbers each) and a triangle whose bounding box, wider by `inflation` on all sides, holds the point.
-/// By position code: the points' cells, numbered, are sorted once; a triangle finds the runs of cells that its box covers by
-/// binary search. Cells are as large as the mean box, so the work grows with the number of points, triangles and pairs.
+/// Every pair of a group of points (3 numbers each) and a triangle whose bounding box, wider by `inflation` on all sides, meets the box
+/// of the group. By position code: the cells of the groups' middles, numbered, are sorted once; a triangle finds the runs of cells that
+/// its box covers by binary search. Cells are as large as the mean box, so the work grows with the number of groups, triangles and pairs.
 Candidates find_candidates(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
-                           std::span<const double> places, double inflation);
+                           std::span<const double> places, double inflation, int group = 1);
 
 /// Keeps candidates that hold every triangle within `reach` of a point, and searches anew only when points or corners have moved
 /// by more than half the margin since the last time.
 class GlobalSearch {
  public:
-  GlobalSearch(double reach, double margin) : reach_(reach), margin_(margin) {}
+  GlobalSearch(double reach, double margin, int group = 1) : reach_(reach), margin_(margin), group_(group) {}
   /// The triangles must be the same in every call.
   const Candidates& update(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
                            std::span<const double> places);
@@ -33,6 +36,7 @@ class GlobalSearch {
   double motion(std::span<const double> points, std::span<const double> places) const;
 
   double reach_, margin_;
+  int group_;
   std::vector<int> corners_;                     // places in use
   std::vector<double> points_, corner_places_;   // at the last search
   Candidates candidates_;

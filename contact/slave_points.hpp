@@ -32,6 +32,8 @@ class SlavePoints {
   /// What a gradient m at x + bulge N is to the carriers: ∂(m·(x + bulge N))/∂x_i, m held.
   std::array<Vec3<double>, 4> shares(int i, std::span<const double> x, const Vec3<double>& m) const;
   bool on_faces() const { return divisions_ > 0; }
+  /// Points of one face, which follow one another; 1 where they are the nodes.
+  int of_a_face() const { return on_faces() ? divisions_ * divisions_ : 1; }
   /// Normals and areas of points on faces; those of the nodes are the surface's.
   SlaveSurface::Shape shape(std::span<const double> x) const;
 

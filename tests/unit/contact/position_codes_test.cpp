@@ -51,6 +51,20 @@ TEST(Candidates, EqualBruteForceOnRandomConfigurations) {
   EXPECT_GT(pairs, 5000u);
 }
 
+TEST(Candidates, OfAGroupHoldThoseOfEachOfItsPoints) {
+  constexpr int group = 4;
+  auto points = noise_vector(3 * 25 * group, 1);
+  const auto middles = noise_vector(3 * 25, 3), places = noise_vector(3 * 40, 2);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = .02 * points[i] + middles[3 * (i / (3 * group)) + i % 3];
+  Triangles triangles(30);
+  for (int t = 0; t < 30; ++t)
+    for (int i = 0; i < 3; ++i) triangles[t][i] = (7 * t + 13 * i) % 40;
+  const Candidates grouped = find_candidates(points, triangles, places, .05, group), single = find_candidates(points, triangles, places, .05);
+  EXPECT_EQ(grouped.start.size(), 26u);
+  EXPECT_LT(grouped.triangles.size(), single.triangles.size());
+  for (int i = 0; i < 25 * group; ++i) EXPECT_TRUE(std::ranges::includes(grouped.of(i), single.of(i))) << i;
+}
+
 /// Slave nodes just off a master sheet, both bent by a map.
 void expect_all_on(const std::function<Vec3<double>(double, double, double)>& bend, double off) {
   Sheets master, slave;
