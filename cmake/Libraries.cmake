@@ -8,7 +8,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
 # Trilinos gives variables, no usable targets; its TPL list would drag in a second MUMPS.
-find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos Teuchos)
+find_package(Trilinos REQUIRED COMPONENTS Belos Teuchos)
 add_library(trilinos INTERFACE)
 target_include_directories(trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
 target_link_libraries(trilinos INTERFACE -Wl,--as-needed ${Trilinos_LIBRARIES} lapack blas MPI::MPI_CXX)

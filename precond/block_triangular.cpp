@@ -1,18 +1,10 @@
 #include "precond/block_triangular.hpp"
 
+#include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
 #include "precond/chebyshev.hpp"
 
 namespace bulbus {
-namespace {
-
-double local_product(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-}  // namespace
 
 BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures)
     : system_(system),
@@ -54,7 +46,7 @@ BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInvers
 // gᵀ v of every coupled liquid. Collective.
 std::vector<double> BlockTriangular::liquid_products(std::span<const double> v) const {
   std::vector<double> products;
-  for (int i : coupled_) products.push_back(local_product(system_.liquid_columns()[i], v));
+  for (int i : coupled_) products.push_back(local_inner_product(system_.liquid_columns()[i], v));
   system_.problem().comm().sum(products);
   return products;
 }

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <random>
 
+#include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
 
 namespace bulbus {
 namespace {
 
 constexpr double growth = 1.3;  // of the largest eigenvalue, before smoothing suffers
-
-double inner(std::span<const double> a, std::span<const double> b, const Comm& comm) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return comm.sum(sum);
-}
 
 }  // namespace
 
@@ -29,19 +24,19 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   for (double& v : r) v = uniform(random);
   D.apply(r, z);
   p = z;
-  double rz = inner(r, z, comm), beta = 0, alpha = 1;
+  double rz = inner_product(r, z, comm), beta = 0, alpha = 1;
   std::vector<double> diagonal, off;
   const double least = 1e-11 * std::abs(rz);  // below it the rounding of single precision makes eigenvalues of its own
   for (int k = 0; k < steps && std::abs(rz) > least; ++k) {
     A.apply(p, q);
-    const double before = alpha, pq = inner(p, q, comm);
+    const double before = alpha, pq = inner_product(p, q, comm);
     if (pq == 0 || !std::isfinite(pq)) break;
     alpha = rz / pq;
     diagonal.push_back(1 / alpha + (k > 0 ? beta / before : 0));
     if (k > 0) off.push_back(std::copysign(std::sqrt(std::abs(beta)) / before, beta));
     for (std::size_t i = 0; i < n; ++i) r[i] -= alpha * q[i];
     D.apply(r, z);
-    const double next = inner(r, z, comm);
+    const double next = inner_product(r, z, comm);
     beta = next / rz;
     rz = next;
     for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];

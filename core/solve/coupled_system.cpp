@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
 #include "core/solve/reduced.hpp"
 
 namespace bulbus {
 namespace {
-
-double dot_product(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
   for (std::size_t i = 0; i < a.size(); ++i) y[i] += factor * a[i];
@@ -67,7 +62,7 @@ void CoupledSystem::take_liquid_columns() {
 // gᵀ Δu of every liquid. Collective.
 std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal) const {
   std::vector<double> flux;
-  for (const auto& g : g_) flux.push_back(dot_product(g, primal.first(g.size())));
+  for (const auto& g : g_) flux.push_back(local_inner_product(g, primal.first(g.size())));
   problem_.comm().sum(flux);
   return flux;
 }
@@ -191,7 +186,7 @@ std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<
     if (problem_.liquids()[i].coupled()) {
       std::vector<double> g(held.size());
       problem_.liquids()[i].surface().add_gradient(state_->x, 1, g);
-      flux[i] = dot_product(g, held);  // this rank's faces; ū is known on ghosts
+      flux[i] = local_inner_product(g, held);  // this rank's faces; ū is known on ghosts
     }
   problem_.comm().sum(flux);
   for (std::size_t i = 0; i < g_.size(); ++i) {

@@ -22,8 +22,6 @@ struct Layout {
   auto pressures(V&& v) const { return std::span(v).subspan(primal() + hexes, liquids); }
 };
 
-enum class Precision { full, single };
-
 /// The bordered, augmented tangent in one state (formulation, section 3), applied without being formed:
 ///
 ///     [ K + γ B W Bᵀ + Σ ω g gᵀ     B    −(1 − ω V_i/K) g ]

@@ -1,76 +1,44 @@
 #include "core/solve/fgmres.hpp"
 
 #include <BelosBlockGmresSolMgr.hpp>
-#include <BelosTpetraAdapter.hpp>
-#include <Kokkos_Core.hpp>
-#include <Teuchos_DefaultMpiComm.hpp>
+#include <BelosOperator.hpp>
 #include <Teuchos_oblackholestream.hpp>
-#include <Tpetra_MultiVector.hpp>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "core/solve/at_mpi_finalize.hpp"
+#include "core/base/inner_product.hpp"
+#include "core/solve/krylov_vectors.hpp"
 
 namespace bulbus {
 namespace {
 
-using Map = Tpetra::Map<int, long long>;
-using Vectors = Tpetra::MultiVector<double, int, long long>;
-using Operator = Tpetra::Operator<double, int, long long>;
-
-}  // namespace
-}  // namespace bulbus
-
-// Instantiated in libtrilinos_belostpetra.
-extern template class Belos::BlockGmresSolMgr<double, bulbus::Vectors, bulbus::Operator>;
-
-namespace bulbus {
-namespace {
-
+using Vectors = Belos::MultiVec<double>;
+using Operator = Belos::Operator<double>;
 using Problem = Belos::LinearProblem<double, Vectors, Operator>;
 using Solver = Belos::BlockGmresSolMgr<double, Vectors, Operator>;
 using Iteration = Belos::Iteration<double, Vectors, Operator>;
 using Teuchos::RCP;
 using Teuchos::rcp;
 
-void start_kokkos() {
-  if (Kokkos::is_initialized()) return;
-  Kokkos::initialize();
-  at_mpi_finalize([] {
-    if (Kokkos::is_initialized()) Kokkos::finalize();
-  });
-}
-
-RCP<const Map> contiguous_map(int rows, const Comm& comm) {
-  auto mpi = rcp(new Teuchos::MpiComm<int>(Teuchos::opaqueWrapper(comm.raw())));
-  return rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), rows, 0, mpi));
-}
-
-/// A Tpetra vector on the caller's memory. Serial node: host and device are the same memory.
-RCP<Vectors> wrap(RCP<const Map> map, double* x) {
-  Vectors::dual_view_type::t_dev device(x, map->getNodeNumElements(), 1);
-  Vectors::dual_view_type::t_host host(x, map->getNodeNumElements(), 1);
-  return rcp(new Vectors(map, Vectors::dual_view_type(device, host)));
-}
+// Room in double precision for what operators map, one for all that are not applied at once.
+struct Room {
+  std::vector<double> argument, image;
+};
 
 class Wrapped final : public Operator {
  public:
-  Wrapped(const LinearOperator& op, RCP<const Map> map) : op_(op), map_(map) {}
-  RCP<const Map> getDomainMap() const override { return map_; }
-  RCP<const Map> getRangeMap() const override { return map_; }
-  /// Belos asks for Y = A X only.
-  void apply(const Vectors& X, Vectors& Y, Teuchos::ETransp, double, double) const override {
-    auto x = X.getLocalViewHost(Tpetra::Access::ReadOnly);
-    auto y = Y.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    std::size_t n = map_->getNodeNumElements();
-    for (std::size_t j = 0; j < X.getNumVectors(); ++j)
-      op_.apply({x.data() + j * x.stride(1), n}, {y.data() + j * y.stride(1), n});
+  Wrapped(const LinearOperator& op, Room& room) : op_(op), room_(room) {}
+  void Apply(const Vectors& X, Vectors& Y, Belos::ETrans) const override {
+    for (int j = 0; j < X.GetNumberVecs(); ++j) {
+      op_.apply(dynamic_cast<const KrylovVectors&>(X).read(j, room_.argument), room_.image);
+      dynamic_cast<KrylovVectors&>(Y).write(j, room_.image);
+    }
   }
 
  private:
   const LinearOperator& op_;
-  RCP<const Map> map_;
+  Room& room_;
 };
 
 /// Never ends the iteration: records its residual norms and passes its iterates on.
@@ -95,13 +63,13 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
   void pass_on(const Iteration& it, int k) {
     RCP<Vectors> update = it.getCurrentUpdate();
     auto& problem = const_cast<Problem&>(it.getProblem());  // Belos' getters are not const
-    Vectors x(*problem.getCurrLHSVec(), Teuchos::Copy);
+    RCP<Vectors> x = rcp(problem.getCurrLHSVec()->CloneCopy());
     if (update != Teuchos::null && flexible_)  // the flexible basis is already preconditioned
-      x.update(1, *update, 1);
+      x->MvAddMv(1, *update, 1, *x);
     else if (update != Teuchos::null)
-      x.assign(*problem.updateSolution(update, false));
-    auto values = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    observer_(k, {values.data(), values.extent(0)});
+      x = problem.updateSolution(update, false);
+    std::vector<double> room;
+    observer_(k, dynamic_cast<const KrylovVectors&>(*x).read(0, room));
   }
 
   std::vector<double>& history_;
@@ -137,12 +105,6 @@ std::string run(RCP<Problem> problem, RCP<Recorder> recorder, const KrylovOption
   }
 }
 
-double norm(std::span<const double> x, const Comm& comm) {
-  double sum = 0;
-  for (double v : x) sum += v * v;
-  return std::sqrt(comm.sum(sum));
-}
-
 double residual_norm(const LinearOperator& A, std::span<const double> b, std::span<const double> x,
                      const Comm& comm) {
   std::vector<double> r(b.size());
@@ -171,27 +133,27 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
     return ends(true, "the right-hand side is zero");
   }
 
-  start_kokkos();
-  bool flexible = options.flexible && M != nullptr;
-  RCP<const Map> map = contiguous_map(A.size(), comm);
-  auto problem = rcp(new Problem(rcp(new Wrapped(A, map)), wrap(map, x.data()),
-                                 wrap(map, const_cast<double*>(b.data()))));  // Belos only reads b
-  if (M) problem->setRightPrec(rcp(new Wrapped(*M, map)));
+  const bool flexible = options.flexible && M != nullptr;
+  const auto space = std::make_shared<KrylovSpace>(comm, b.size(), options.basis);
+  const auto wrap = [&](double* values) { return rcp(new KrylovVectors(space, {values, b.size()})); };
+  Room room{{}, std::vector<double>(b.size())};
+  auto problem = rcp(new Problem(rcp(new Wrapped(A, room)), wrap(x.data()), wrap(const_cast<double*>(b.data()))));  // Belos only reads b
+  if (M) problem->setRightPrec(rcp(new Wrapped(*M, room)));
   problem->setProblem();  // computes b - A x
-  problem->getInitResVec()->norm2(Teuchos::arrayView(&report.initial, 1));
+  report.initial = residual_norm(A, b, x, comm);
   report.final = report.initial;
   if (!std::isfinite(report.initial)) return ends(false, "the initial residual is not finite");
   if (report.initial <= options.tolerance * scale) return ends(true, "the initial guess suffices");
 
-  long long basis = std::min<long long>(options.restart, map->getGlobalNumElements()) + 1;
-  report.basis_bytes = (flexible ? 2 : 1) * basis * b.size() * sizeof(double);
-  std::vector<double> guess(x.begin(), x.end());
+  const std::vector<double> guess = norm(x, comm) > 0 ? std::vector(x.begin(), x.end()) : std::vector<double>();
   std::string failure =
       run(problem, rcp(new Recorder(report.history, observer, flexible)), options, flexible);
   report.iterations = std::max(0, static_cast<int>(report.history.size()) - 1);
+  report.basis_bytes = space->peak;
   report.final = residual_norm(A, b, x, comm);
   if (!(report.final <= report.initial)) {  // worse than nothing, or NaN
-    std::copy(guess.begin(), guess.end(), x.begin());
+    if (guess.empty()) std::ranges::fill(x, 0.0);
+    std::ranges::copy(guess, x.begin());
     report.final = report.initial;
   }
   // The method's own residual and the true one differ by rounding.

@@ -15,6 +15,7 @@ struct KrylovOptions {
   int restart = 40;         ///< basis vectors; the flexible method holds two vectors for each
   int max_iterations = 400;
   bool flexible = true;  ///< needed unless the preconditioner is fixed(); costs a second basis
+  Precision basis = Precision::full;  ///< a basis in single precision reaches 1e-5 or so in one go
 };
 
 /// What became of a solve. Norms are Euclidean over all ranks.
@@ -24,7 +25,7 @@ struct KrylovReport {
   double initial = 0, final = 0;  ///< true residual norms ‖b - A x‖
   std::vector<double> history;    ///< residual norm by the method's recurrence after 0, 1, ... iterations
   std::string reason;             ///< why it ended
-  std::size_t basis_bytes = 0;    ///< of the Krylov basis on this rank
+  std::size_t basis_bytes = 0;    ///< the most that the basis and the method's other vectors held on this rank
 };
 
 /// Receives the iteration number (0, 1, ...) and this rank's part of that iterate x. Each call costs one more

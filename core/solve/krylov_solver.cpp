@@ -7,10 +7,10 @@
 namespace bulbus {
 namespace {
 
-// s A s
+// s A s. `work`: room for a vector, which it may share with its preconditioner.
 class Scaled final : public LinearOperator {
  public:
-  explicit Scaled(const CoupledSystem& system) : system_(system), work_(system.size()) {}
+  Scaled(const CoupledSystem& system, std::span<double> work) : system_(system), work_(work) {}
   int size() const override { return system_.size(); }
   void apply(std::span<const double> x, std::span<double> y) const override {
     const auto& s = system_.scaling();
@@ -21,14 +21,14 @@ class Scaled final : public LinearOperator {
 
  private:
   const CoupledSystem& system_;
-  mutable std::vector<double> work_;
+  std::span<double> work_;
 };
 
 // s⁻¹ M s⁻¹
 class ScaledPreconditioner final : public Preconditioner {
  public:
-  ScaledPreconditioner(const CoupledSystem& system, const Preconditioner& inner)
-      : system_(system), inner_(inner), work_(system.size()) {}
+  ScaledPreconditioner(const CoupledSystem& system, const Preconditioner& inner, std::span<double> work)
+      : system_(system), inner_(inner), work_(work) {}
   int size() const override { return system_.size(); }
   bool fixed() const override { return inner_.fixed(); }
   void apply(std::span<const double> x, std::span<double> y) const override {
@@ -41,7 +41,7 @@ class ScaledPreconditioner final : public Preconditioner {
  private:
   const CoupledSystem& system_;
   const Preconditioner& inner_;
-  mutable std::vector<double> work_;
+  std::span<double> work_;
 };
 
 // Norms of b − A x on displacements (bodies included), element pressures and liquids.
@@ -98,8 +98,9 @@ class KrylovSolver final : public LinearSolver {
     std::vector<double> scaled(b.begin(), b.end());
     for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] *= s[i];
     std::fill(x.begin(), x.end(), 0.0);
-    const Scaled A(system);
-    const ScaledPreconditioner M(system, *preconditioner_);
+    std::vector<double> work(b.size());
+    const Scaled A(system, work);
+    const ScaledPreconditioner M(system, *preconditioner_, work);
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
     if (settings_.record_krylov)
@@ -128,7 +129,7 @@ class KrylovSolver final : public LinearSolver {
     bool flexible = !M.fixed() || tolerance < roundings;
     const auto go_on = [&](int most) {
       if (report.converged || most <= 0) return;
-      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible};
+      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, flexible ? Precision::full : Precision::single};
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
     if (preconditioner_->holds_back()) {

@@ -5,6 +5,9 @@
 
 namespace bulbus {
 
+/// Of numbers that an approximation keeps.
+enum class Precision { full, single };
+
 /// A linear map between distributed vectors of which every rank holds size() entries.
 class LinearOperator {
  public:
