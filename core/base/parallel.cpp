@@ -1,5 +1,7 @@
 #include "core/base/parallel.hpp"
 
+#include <malloc.h>
+
 #include <optional>
 
 #include "core/base/error.hpp"
@@ -30,10 +32,24 @@ std::vector<T> gather_all(std::span<const T> x, MPI_Comm comm, int size, MPI_Dat
 
 }  // namespace
 
+namespace {
+
+// Open MPI has malloc keep all that is freed, for networks that pin memory: a third of a large run would be holes.
+void give_freed_memory_back() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 1 << 16);
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
+}
+
+}  // namespace
+
 Session::Session(int& argc, char**& argv) {
   int running = 0;
   MPI_Initialized(&running);
   if (!running) MPI_Init(&argc, &argv);
+  give_freed_memory_back();
   started_here = !running;
 }
 
