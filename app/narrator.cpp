@@ -62,7 +62,7 @@ void Narrator::increment_done(const Increment& i, const State&) {
   const double left = forecast_.after(i, model_.steps, Clock::now() - since_);
   since_ = Clock::now();
   log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}{}", i.number, i.newton.iterations.size(),
-                        i.newton.krylov_iterations(), duration(i.seconds),
+                        i.newton.krylov_iterations, duration(i.seconds),
                         left < worth_telling ? "" : "; about " + duration(left) + " to go"));
   const long long surplus = i.newton.negative_pivots - stable_pivots_;
   if (i.newton.negative_pivots >= 0 && surplus != 0)

@@ -65,7 +65,7 @@ void Recorder::newton_iteration(const NewtonIteration& i) {
 void Recorder::count(const NewtonReport& report) {
   StepRecord& step = steps_.back();
   step.newton_iterations += static_cast<int>(report.iterations.size());
-  step.krylov_iterations += report.krylov_iterations();
+  step.krylov_iterations += report.krylov_iterations;
   step.seconds += Clock::now() - since_;
   if (report.negative_pivots >= 0) negative_pivots_ = report.negative_pivots;
 }
@@ -127,7 +127,7 @@ void Recorder::append_history(const Increment& i) {
   std::vector<CsvTable::Cell> row{static_cast<long long>(i.number), i.step_name, i.time};
   for (const auto& value : values_) row.push_back(value ? CsvTable::Cell(*value) : CsvTable::Cell(std::string()));
   row.emplace_back(static_cast<long long>(i.newton.iterations.size()));
-  row.emplace_back(static_cast<long long>(i.newton.krylov_iterations()));
+  row.emplace_back(static_cast<long long>(i.newton.krylov_iterations));
   row.emplace_back(static_cast<long long>(cuts_));
   row.emplace_back(i.seconds);
   history_->append(row);

@@ -67,7 +67,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       NewtonReport newton = bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, settings.newton), meters,
                                            [&](const NewtonIteration& i) { observer.newton_iteration(i); });
       report.newton_iterations += static_cast<int>(newton.iterations.size());
-      report.krylov_iterations += newton.krylov_iterations();
+      report.krylov_iterations += newton.krylov_iterations;
       if (newton.outcome != Outcome::converged) {
         for (const auto& term : problem.terms()) term->roll_back();
         solver.renew();

@@ -99,12 +99,6 @@ std::string describe(Outcome outcome) {
   return "";
 }
 
-int NewtonReport::krylov_iterations() const {
-  int sum = 0;
-  for (const auto& i : iterations) sum += i.linear.iterations;
-  return sum;
-}
-
 NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, double progress,
                     const NewtonSettings& settings, Meters& meters, const NewtonObserver& observer) {
   NewtonReport report;
@@ -150,6 +144,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
       return now.tolerance;
     });
+    report.krylov_iterations += now.linear.iterations;
     if (now.linear.negative_pivots >= 0) report.negative_pivots = now.linear.negative_pivots;
     if (!now.linear.ok) {
       if (observer) observer(now);

@@ -26,7 +26,7 @@ struct NewtonReport {
   std::string reason;
   Balance balance;  ///< of the state that was reached
   std::vector<NewtonIteration> iterations;
-  int krylov_iterations() const;
+  int krylov_iterations = 0;  ///< those of linear solves that failed too
   int negative_pivots = -1;  ///< of the last factorisation
 };
 
