@@ -13,7 +13,8 @@ MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settin
   }
 }
 
-Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing) {
+Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing)
+    : visits_(settings.visits) {
   const CoupledSystem* fine = &finest;
   for (auto& level : plan.levels()) {
     const Problem& problem = fine->problem();
@@ -64,12 +65,29 @@ void Multigrid::Level::add_prolonged(std::span<double> x) {
   for (int i = 0; i < fine.layout().bodies; ++i) x[fine.layout().nodal + i] += coarse_correction[coarse.layout().nodal + i];
 }
 
+// The cycle from a level on, as a preconditioner of its block.
+class Multigrid::From final : public Preconditioner {
+ public:
+  From(const Multigrid& multigrid, std::size_t level) : multigrid_(multigrid), level_(level) {}
+  int size() const override { return multigrid_.levels_[level_]->block.size(); }
+  void apply(std::span<const double> b, std::span<double> x) const override { multigrid_.cycle(level_, b, x); }
+  bool fixed() const override { return true; }
+
+ private:
+  const Multigrid& multigrid_;
+  std::size_t level_;
+};
+
 void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<double> x) const {
   if (number == levels_.size()) return base_->apply(b, x);
   Level& level = *levels_[number];
   level.smoother.apply(b, x);
   level.restrict_residual(b, x);
   cycle(number + 1, level.coarse_residual, level.coarse_correction);
+  if (number + 1 < levels_.size() && visits_ > 1) {
+    std::vector<double> residual(level.coarse_residual.size()), correction(residual.size());
+    correct(levels_[number + 1]->block, From(*this, number + 1), level.coarse_residual, level.coarse_correction, residual, correction);
+  }
   level.add_prolonged(x);
   correct(level.block, level.smoother, b, x, level.residual, level.correction);
 }

@@ -31,7 +31,7 @@ class MultigridPlan {
   std::vector<Level> levels_;  // finest first; without the base
 };
 
-/// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1), every refined level applied on the fly and
+/// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1) or W(1,1), every refined level applied on the fly and
 /// rediscretised in the injected state, smoothed by Chebyshev with line Jacobi; the base mesh is solved directly. A fixed linear
 /// map, symmetric.
 class Multigrid final : public Preconditioner {
@@ -61,8 +61,10 @@ class Multigrid final : public Preconditioner {
     Chebyshev smoother;
     std::vector<double> residual, correction, coarse_residual, coarse_correction, nodal, coarse_nodal;
   };
+  class From;
   void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
 
+  int visits_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::unique_ptr<Preconditioner> base_;
   std::size_t coarse_bytes_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
-#include <map>
+#include <array>
+#include <vector>
 
 #include "core/problem/problem.hpp"
 
@@ -18,7 +19,13 @@ class ProjectedTerm final : public Term {
   void visit(const ContributionVisitor& visitor) const override;
 
  private:
-  std::map<std::array<int, 2>, std::array<double, 9>> blocks_;  // by local nodes
+  struct Block {
+    std::array<int, 2> nodes;  // local
+    std::array<double, 9> values;
+  };
+  void add_up();
+
+  std::vector<Block> blocks_;  // sorted by nodes, each pair once
 };
 
 }  // namespace bulbus

@@ -29,7 +29,13 @@ struct AggregationSettings : SmootherSettings {
 
 /// Geometric multigrid as a preconditioner of the displacement block.
 struct MultigridSettings : SmootherSettings {
+  int visits = 1;
   MultigridSettings() : SmootherSettings{6, 0.05} {}
+  template <class V>
+  void describe(V&& v) {
+    v("visits", visits, About{"cycles on every coarser refined level for one on the next finer: 1: V-cycle, 2: W-cycle"}.between(1, 2));
+    SmootherSettings::describe(v);
+  }
 };
 
 /// The part of the element pressures' preconditioner that knows their weak patterns: too dear for easy solves.
