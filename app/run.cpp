@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "app/dumping_solver.hpp"
 #include "app/folder.hpp"
+#include "app/memory_forecast.hpp"
 #include "app/prepare.hpp"
 #include "app/recorder.hpp"
 #include "app/sizes.hpp"
@@ -99,6 +100,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   {
     const auto scope = meters.clock.measure("mesh and problem");
     prepared = prepare(scene, comm);
+    refuse_what_cannot_fit(forecast_memory(prepared, scene), scene.solver.linear);
   }
   Problem& problem = *prepared.problem;
   std::optional<Checkpoint> from;

@@ -1,0 +1,119 @@
+#include "app/memory_forecast.hpp"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/memory.hpp"
+#include "precond/displacement.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
+
+// Local numbers of one level, summed over ranks.
+struct Size {
+  double nodes, hexes, liquids;
+  double nodal() const { return 3 * nodes; }
+  double unknowns() const { return nodal() + hexes; }
+};
+
+Size size_of(const Problem& problem) {
+  std::array<double, 2> sums{static_cast<double>(problem.mesh().nodes()), static_cast<double>(problem.mesh().hexes.size())};
+  problem.comm().sum(sums);
+  return {sums[0], sums[1], static_cast<double>(problem.liquids().size())};
+}
+
+double resident(const Comm& comm) {
+  malloc_trim(0);  // what the preparation gave back
+  return comm.sum(static_cast<double>(resident_bytes()));
+}
+
+// Blocks, scaling, liquid columns and the room of a product; moduli and penalties; strain and places in single precision.
+double system_bytes(const Size& s, const LinearSettings& l) {
+  const double cache = l.op == "cache" ? 7 * 8 * single * s.hexes : l.op == "assembled" ? 27 * 9 * number * s.nodes : 0;
+  return number * (9 * s.nodes + s.unknowns() + (3 + s.liquids) * s.nodal() + 2 * s.hexes) + 2 * single * s.nodal() + cache;
+}
+
+// Line factors; Chebyshev's and the cycle's vectors; interpolation from a coarser level.
+double smoother_bytes(const Size& s) { return 15 * single * s.nodes + 8 * s.nodes + 6 * number * s.nodal() + (4 + 3.4 * 8) * s.nodes; }
+
+// Weak patterns of pressure: volume gradients, nodal room, four vectors; they are taken up late.
+double pressure_bytes(const Size& s) { return 7 * 3 * single * s.hexes + 4 * number * s.nodes + 6 * number * s.hexes; }
+
+// MUMPS on the displacement block of a base mesh, measured on eyes.
+double base_bytes(const Size& s) { return 140 * std::pow(s.nodal(), 4.0 / 3); }
+
+void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vector<MemoryPart>& parts) {
+  double levels = 0;
+  const Problem* p = finest.coarser();
+  for (; p && p->coarser(); p = p->coarser()) {
+    const Size s = size_of(*p);
+    levels += system_bytes(s, l) + smoother_bytes(s) + 3 * number * s.unknowns();
+  }
+  parts.push_back({"coarser levels", levels});
+}
+
+void add_direct(const Size& s, std::vector<MemoryPart>& parts) {
+  // measured on eyes of 7,000 hexahedra and more; the factors of a compact body grow with the power 4/3
+  parts.push_back({"matrix and its copies", 11e3 * s.hexes});
+  parts.push_back({"factors", 160 * std::pow(s.unknowns(), 4.0 / 3)});
+}
+
+void add_iterative(const Problem& problem, const Size& s, const LinearSettings& l, std::vector<MemoryPart>& parts) {
+  parts.push_back({"operator", system_bytes(s, l)});
+  parts.push_back({"Krylov basis", (l.restart + 1) * single * s.unknowns() + 10 * number * s.unknowns()});
+  const std::string name = chosen_displacement(l, problem);
+  parts.push_back({"smoother", smoother_bytes(s) + (1 + s.liquids) * number * s.nodal()});
+  parts.push_back({"element pressures", pressure_bytes(s)});
+  if (name == "multigrid") {
+    add_coarser_levels(problem, l, parts);
+    const Problem* base = &problem;
+    while (base->coarser()) base = base->coarser();
+    parts.push_back({"base factors", base_bytes(size_of(*base))});
+  } else {
+    const bool whole = name == "boomeramg" || name == "boomeramg_nodal";
+    const double aggregates = s.nodes / l.aggregation.nodes;  // a block of 6 x 6 with each of 27 neighbours, and its factors
+    parts.push_back({"coarse matrix", name == "aggregation" ? 27 * 36 * 20 * aggregates : (whole ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes});
+  }
+}
+
+}  // namespace
+
+std::vector<MemoryPart> forecast_memory(const Prepared& prepared, const Scene& scene) {
+  const Problem& problem = *prepared.problem;
+  const Size s = size_of(problem);
+  std::vector<MemoryPart> parts{{"program, mesh and problem", resident(problem.comm())}};
+  // states at rest, on trial and under guard, residual, step, right-hand side and solution
+  parts.push_back({"states and residuals", number * (6 * (s.nodal() + s.hexes) + 4 * s.nodal() + 2 * s.unknowns())});
+  if (scene.output.checkpoint > 0) parts.push_back({"checkpoints", 90 * s.nodes + 32 * s.hexes});
+  if (scene.solver.linear.method == "direct")
+    add_direct(s, parts);
+  else
+    add_iterative(problem, s, scene.solver.linear, parts);
+  return parts;
+}
+
+double sum_of(const std::vector<MemoryPart>& parts) {
+  double sum = 0;
+  for (const MemoryPart& p : parts) sum += p.bytes;
+  return sum;
+}
+
+void refuse_what_cannot_fit(const std::vector<MemoryPart>& parts, const LinearSettings& l) {
+  const double limit = l.memory_limit > 0 ? l.memory_limit * megabyte : static_cast<double>(machine_bytes());
+  const double total = sum_of(parts);
+  if (l.method == "direct" || total <= limit) return;
+  std::string list;
+  for (const MemoryPart& p : parts) list += fmt::format("{}{} {:.0f}", list.empty() ? "" : ", ", p.name, p.bytes / megabyte);
+  throw scene_error("mesh",
+                    fmt::format("the run would need {:.0f} MB of memory, more than the {:.0f} MB {} ({})", total / megabyte, limit / megabyte,
+                                l.memory_limit > 0 ? "that solver.linear.memory_limit allows" : "that this machine has", list),
+                    "Refine once less (an eighth of the memory), lower solver.linear.restart, take solver.linear.operator: recompute, or "
+                    "spread the run over more machines and say in solver.linear.memory_limit what they have.");
+}
+
+}  // namespace bulbus
