@@ -34,7 +34,7 @@ struct MeshSource {
   void validate() const;
 };
 
-/// Reads or generates, and refines; whole on every rank. Throws InputError.
+/// Reads or generates the base, whole on every rank. Throws InputError.
 MeshHierarchy make_meshes(const MeshSource& source);
 
 }  // namespace bulbus

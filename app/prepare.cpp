@@ -3,6 +3,7 @@
 #include "contact/operation_probes.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/tissues.hpp"
+#include "core/problem/validate.hpp"
 
 namespace bulbus {
 namespace {
@@ -12,7 +13,7 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
   try {
     comm.together([&] {
       meshes = make_meshes(scene.mesh);
-      refuse_inverted(meshes.finest());
+      refuse_inverted(meshes.base);
     });
   } catch (const InputError& fault) {
     throw InputError(fault.what(), "mesh");
@@ -20,11 +21,25 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
   return meshes;
 }
 
-void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
-  Problem problem(mesh, model, comm);
-  const auto operation = Operation::attach(problem, mesh);
+std::vector<MeshLevel> levels_of(const MeshHierarchy& meshes, const Model& model, const Comm& comm) {
+  auto levels = distribute_levels(meshes.base, meshes.refinements, comm, shared_surfaces(meshes.base, model));
+  try {
+    refuse_inverted(*levels.back().mesh);
+  } catch (const InputError& fault) {
+    throw InputError(fault.what(), "mesh");
+  }
+  return levels;
+}
+
+void keep_finest(std::vector<MeshLevel>& levels) {
+  levels.erase(levels.begin(), levels.end() - 1);
+  levels.back().prolongation.reset();
+}
+
+void rehearse(Problem& problem, const Mesh& base) {
+  const auto operation = Operation::attach(problem, base);
   const ProbeSet probes(problem, operation_probes(operation));
-  problem.rehearse(static_cast<int>(model.steps.size()));
+  problem.rehearse(static_cast<int>(problem.model().steps.size()));
 }
 
 }  // namespace
@@ -32,14 +47,15 @@ void rehearse(const Mesh& mesh, const Model& model, const Comm& comm) {
 Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
   const MeshHierarchy meshes = meshes_of(scene, comm);
-  const Mesh& mesh = meshes.finest();
   Model model = scene.model;
-  add_tissues(model, mesh.region_names);
-  rehearse(mesh, model, comm);
-  auto problem = scene.solver.linear.wants_hierarchy() ? std::make_unique<Problem>(meshes, model, comm)
-                                                       : std::make_unique<Problem>(mesh, model, comm);
-  Prepared prepared{std::move(problem), nullptr, quality(mesh)};
-  prepared.operation = Operation::attach(*prepared.problem, mesh);
+  add_tissues(model, meshes.base.region_names);
+  validate(meshes.base, model);
+  auto levels = levels_of(meshes, model, comm);
+  if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
+  Prepared prepared{std::make_unique<Problem>(std::move(levels), model), nullptr, {}};
+  prepared.quality = quality(prepared.problem->mesh());
+  rehearse(*prepared.problem, meshes.base);
+  prepared.operation = Operation::attach(*prepared.problem, meshes.base);
   return prepared;
 }
 

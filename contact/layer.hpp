@@ -2,6 +2,7 @@
 #include <set>
 #include <span>
 
+#include "core/base/parallel.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus {
@@ -12,6 +13,8 @@ struct Layer {
   std::set<int> regions;  ///< of the hexahedra that have the faces
 };
 
-Layer layer_under(const Mesh& mesh, std::span<const Quad> faces);
+/// On the mesh that so many refinements make of `base`, whose faces these are: ways are refined one by one, each on one rank.
+/// Collective.
+Layer layer_under(const Mesh& base, std::span<const Quad> faces, int refinements, const Comm& comm);
 
 }  // namespace bulbus

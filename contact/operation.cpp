@@ -8,6 +8,7 @@
 #include "contact/layer.hpp"
 #include "contact/rigid_shapes.hpp"
 #include "contact/suture_points.hpp"
+#include "contact/sutured_tissue.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/validate.hpp"
 
@@ -18,12 +19,16 @@ constexpr double stiffness_ratio = 30;  // default α_A in shear moduli per thic
 constexpr double part_of_size = 0.03;   // default reach in diagonals of the model
 constexpr double farthest_gap = 0.25;   // the same of the gaps reported
 
-double diagonal(const Mesh& mesh) {
-  double sum = 0;
-  for (int c = 0; c < 3; ++c) {
-    const auto [low, high] = std::ranges::minmax_element(mesh.points, {}, [c](const Point& p) { return p[c]; });
-    sum += std::pow((*high)[c] - (*low)[c], 2);
+double diagonal(const LocalMesh& mesh) {
+  std::array<double, 6> ends;  // greatest of x and of −x
+  ends.fill(-1e300);
+  for (int i = 0; i < 3 * mesh.owned; ++i) {
+    ends[i % 3] = std::max(ends[i % 3], mesh.X[i]);
+    ends[3 + i % 3] = std::max(ends[3 + i % 3], -mesh.X[i]);
   }
+  mesh.comm.max(ends);
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) sum += std::pow(ends[c] + ends[3 + c], 2);
   return std::sqrt(sum);
 }
 
@@ -72,15 +77,15 @@ void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& mo
 
 }  // namespace
 
-std::shared_ptr<Operation> Operation::attach(Problem& problem, const Mesh& mesh) {
-  std::shared_ptr<Operation> operation(new Operation(problem, mesh));
+std::shared_ptr<Operation> Operation::attach(Problem& problem, const Mesh& base) {
+  std::shared_ptr<Operation> operation(new Operation(problem, base));
   if (!operation->bodies_.empty() || !operation->contacts_.empty()) problem.add(operation);
   for (const Contact& c : operation->contacts_) problem.add(c.term);
   for (const auto& [name, suture] : operation->sutures_) problem.add(suture);
   return operation;
 }
 
-Operation::Operation(Problem& problem, const Mesh& mesh) : problem_(problem) {
+Operation::Operation(Problem& problem, const Mesh& base) : problem_(problem) {
   const Model& model = problem.model();
   problem.comm().together([&] {
     for (const auto& [name, spec] : model.rigid_bodies) {
@@ -99,36 +104,39 @@ Operation::Operation(Problem& problem, const Mesh& mesh) : problem_(problem) {
                             known(name, keys(model.sutures), "Describe it under `sutures`."));
   });
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
-    add_contact(mesh, model.contacts[i], "contacts." + std::to_string(i));
-  for (const auto& [name, spec] : model.sutures) add_suture(mesh, name, spec);
+    add_contact(base, model.contacts[i], "contacts." + std::to_string(i));
+  for (const auto& [name, spec] : model.sutures) add_suture(name, spec);
   for (auto& [name, motion] : motions_) {
     const MoveSpec* first = nullptr;
     for (const StepSpec& step : model.steps)
       for (const MoveSpec& move : step.move)
         if (!first && move.body == name) first = &move;
-    if (first && first->from == "touch") keep_away(motion, *bodies_[name], *first, 2 * diagonal(mesh));
+    if (first && first->from == "touch") keep_away(motion, *bodies_[name], *first, 2 * diagonal(problem.mesh()));
   }
 }
 
-void Operation::add_contact(const Mesh& mesh, const ContactSpec& spec, const std::string& key) {
+void Operation::add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key) {
   const LocalMesh& local = problem_.mesh();
   const Model& model = problem_.model();
   for (const Contact& other : contacts_)
     if (other.spec.name == spec.name)
       throw scene_error(key + ".name", "two contacts are named '" + spec.name + "'", "Give each its own name.");
   const auto body = bodies_.find(spec.master);
-  Layer layer = layer_under(mesh, mesh.surfaces.at(spec.slave));
-  double mu = shear_modulus(mesh, model, layer), thickness = layer.thickness;
+  const auto under = [&](const std::string& surface) {
+    return layer_under(base, base.surfaces.at(surface), local.refinements, problem_.comm());
+  };
+  Layer layer = under(spec.slave);
+  double mu = shear_modulus(base, model, layer), thickness = layer.thickness;
   if (body == bodies_.end()) {
-    layer = layer_under(mesh, mesh.surfaces.at(spec.master));
-    if (const double other = shear_modulus(mesh, model, layer); other > 0) mu = mu > 0 ? std::min(mu, other) : other;
+    layer = under(spec.master);
+    if (const double other = shear_modulus(base, model, layer); other > 0) mu = mu > 0 ? std::min(mu, other) : other;
     thickness = std::min(thickness, layer.thickness);
   }
   if (spec.penalty == 0 && mu == 0)
     throw scene_error(key + ".penalty", "contact '" + spec.name + "' is between rigid sides only: no stiffness to choose its penalty from",
                       "Give `penalty`, in MPa/mm.");
   const double penalty = spec.penalty > 0 ? spec.penalty : stiffness_ratio * mu / thickness;
-  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(mesh)};
+  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(local)};
   const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
                            body == bodies_.end() ? Master(split(local.shared.at(spec.master))) : Master(body->second), model.symmetry};
   const auto term = std::make_shared<ContactTerm>(spec, defaults, sides, problem_.comm());
@@ -136,16 +144,19 @@ void Operation::add_contact(const Mesh& mesh, const ContactSpec& spec, const std
     throw scene_error(key + ".slave", "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave + "' are nodes of '" + spec.master + "' too",
                       "Give the two sides nodes of their own.");
   contacts_.push_back({spec, term, body == bodies_.end() ? nullptr : body->second, penalty, thickness,
-                       farthest_gap * diagonal(mesh)});
+                       farthest_gap * diagonal(local)});
 }
 
-void Operation::add_suture(const Mesh& mesh, const std::string& name, const SutureSpec& spec) {
+void Operation::add_suture(const std::string& name, const SutureSpec& spec) {
   const std::string key = "sutures." + name;
   const auto body = bodies_.find(spec.body);
   if (body == bodies_.end())
     throw scene_error(key + ".body", "there is no rigid body '" + spec.body + "'", known(spec.body, keys(bodies_), "Describe it under `rigid_bodies`."));
   std::vector<SuturePoint> points;
-  problem_.comm().together([&] { points = suture_points(mesh, spec, problem_.model().symmetry, key); });
+  const SuturedTissue tissue = sutured_tissue(problem_.mesh(), spec);
+  problem_.comm().together([&] { points = suture_points(tissue.mesh, spec, problem_.model().symmetry, key); });
+  for (SuturePoint& p : points)
+    for (int& n : p.nodes) n = tissue.input[n];
   for (const SuturePoint& p : points)
     for (int n : problem_.mesh().local(p.nodes)) bites_[name].push_back(n);
   sutures_[name] = std::make_shared<SutureTerm>(problem_.mesh(), points, body->second, spec, key);

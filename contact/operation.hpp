@@ -23,8 +23,9 @@ class Operation final : public Term {
     double farthest;                           ///< gaps are reported up to here, a quarter of the model's diagonal, mm
   };
 
-  /// Adds its terms to the problem; a model without any of the three has none. Throws InputError. Collective.
-  static std::shared_ptr<Operation> attach(Problem& problem, const Mesh& mesh);
+  /// Adds its terms to the problem; a model without any of the three has none. `base`: the mesh that was read or generated. Throws
+  /// InputError. Collective.
+  static std::shared_ptr<Operation> attach(Problem& problem, const Mesh& base);
 
   const std::vector<Contact>& contacts() const { return contacts_; }
   const std::map<std::string, std::shared_ptr<SutureTerm>>& sutures() const { return sutures_; }
@@ -47,9 +48,9 @@ class Operation final : public Term {
   void remember(Keeper& keeper) override;
 
  private:
-  Operation(Problem& problem, const Mesh& mesh);
-  void add_contact(const Mesh& mesh, const ContactSpec& spec, const std::string& key);
-  void add_suture(const Mesh& mesh, const std::string& name, const SutureSpec& spec);
+  Operation(Problem& problem, const Mesh& base);
+  void add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key);
+  void add_suture(const std::string& name, const SutureSpec& spec);
   void start_contacts(const State& start);
   std::vector<double> slaves_of(const std::string& body, const State& state) const;
 

@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <numeric>
 #include <optional>
 
 #include "core/base/error.hpp"
@@ -105,6 +106,21 @@ std::vector<double> Comm::gather(std::span<const double> x) const {
 
 std::vector<long long> Comm::gather(std::span<const long long> x) const {
   return gather_all(x, comm_, size_, MPI_LONG_LONG);
+}
+
+std::vector<std::vector<long long>> Comm::exchange(const std::vector<std::vector<long long>>& to_rank) const {
+  std::vector<int> give(size_), take(size_), give_start(size_ + 1), take_start(size_ + 1);
+  for (int r = 0; r < size_; ++r) give[r] = static_cast<int>(to_rank[r].size());
+  MPI_Alltoall(give.data(), 1, MPI_INT, take.data(), 1, MPI_INT, comm_);
+  std::partial_sum(give.begin(), give.end(), give_start.begin() + 1);
+  std::partial_sum(take.begin(), take.end(), take_start.begin() + 1);
+  std::vector<long long> out, in(take_start.back());
+  out.reserve(give_start.back());
+  for (const auto& list : to_rank) out.insert(out.end(), list.begin(), list.end());
+  MPI_Alltoallv(out.data(), give.data(), give_start.data(), MPI_LONG_LONG, in.data(), take.data(), take_start.data(), MPI_LONG_LONG, comm_);
+  std::vector<std::vector<long long>> from_rank;
+  for (int r = 0; r < size_; ++r) from_rank.emplace_back(in.begin() + take_start[r], in.begin() + take_start[r + 1]);
+  return from_rank;
 }
 
 void Comm::together(const std::function<void()>& work) const {

@@ -41,6 +41,8 @@ class Comm {
   /// Concatenation in the order of the ranks, on every rank.
   std::vector<double> gather(std::span<const double> x) const;
   std::vector<long long> gather(std::span<const long long> x) const;
+  /// `to_rank[r]` goes to rank r; returned is what came from each rank.
+  std::vector<std::vector<long long>> exchange(const std::vector<std::vector<long long>>& to_rank) const;
   void barrier() const;
   /// Runs work that may throw an InputError on some ranks only; then all ranks throw that of the lowest one.
   void together(const std::function<void()>& work) const;

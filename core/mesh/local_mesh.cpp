@@ -34,40 +34,24 @@ void sort_unique(std::vector<int>& v) {
   v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
-// Per rank, the Mesh nodes that its hexahedra, bars and shared surfaces touch but that others own.
-std::vector<std::vector<int>> ghosts_by_rank(const Mesh& mesh, std::span<const int> rank_of_hex,
-                                             const std::vector<int>& owner, int size, const std::set<std::string>& shared) {
-  std::vector<std::vector<int>> ghosts(size);
+// Per rank, the nodes that its hexahedra, bars and shared surfaces touch but that others own: all of them for this rank, those
+// that this rank owns for others.
+std::vector<std::vector<int>> ghosts_by_rank(const Mesh& mesh, std::span<const int> rank_of_hex, const std::vector<int>& owner,
+                                             const Comm& comm, const std::set<std::string>& shared) {
+  std::vector<std::vector<int>> ghosts(comm.size());
+  const auto needs = [&](int rank, int n) {
+    if (owner[n] != rank && (owner[n] == comm.rank() || rank == comm.rank())) ghosts[rank].push_back(n);
+  };
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
-    for (int n : mesh.hexes[h])
-      if (owner[n] != rank_of_hex[h]) ghosts[rank_of_hex[h]].push_back(n);
+    for (int n : mesh.hexes[h]) needs(rank_of_hex[h], n);
   for (const auto& [name, group] : mesh.bars)
-    for (const Bar& bar : group)
-      for_each_node(bar, [&](int n) {
-        if (owner[n] != rank_of(bar, owner)) ghosts[rank_of(bar, owner)].push_back(n);
-      });
+    for (const Bar& bar : group) for_each_node(bar, [&](int n) { needs(rank_of(bar, owner), n); });
   for (const std::string& name : shared)
     for (const Quad& q : mesh.surfaces.at(name))
       for (int n : q)
-        for (int r = 0; r < size; ++r)
-          if (owner[n] != r) ghosts[r].push_back(n);
+        for (int r = 0; r < comm.size(); ++r) needs(r, n);
   for (auto& g : ghosts) sort_unique(g);
   return ghosts;
-}
-
-struct Numbering {
-  std::vector<int> owner;
-  std::vector<long long> number;     // Mesh node → global number
-  std::vector<long long> first;      // per rank
-};
-
-Numbering renumber(std::vector<int> owner, int size) {
-  Numbering n{std::move(owner), {}, std::vector<long long>(size + 1, 0)};
-  for (int o : n.owner) ++n.first[o + 1];
-  std::partial_sum(n.first.begin(), n.first.end(), n.first.begin());
-  std::vector<long long> next(n.first.begin(), n.first.end() - 1);
-  for (int o : n.owner) n.number.push_back(next[o]++);
-  return n;
 }
 
 std::vector<Halo::Neighbour> neighbours(const std::vector<std::vector<int>>& ghosts, const std::vector<int>& owner,
@@ -86,15 +70,28 @@ std::vector<Halo::Neighbour> neighbours(const std::vector<std::vector<int>>& gho
   return all;
 }
 
-void take_hexes(const Mesh& mesh, std::span<const int> rank_of_hex, const std::vector<int>& local, LocalMesh& m) {
+// Global numbers: each rank's owned nodes in a run.
+void number_nodes(LocalMesh& m) {
+  m.first_node = m.comm.offset(static_cast<long long>(m.owned));
+  m.all_nodes = m.comm.sum(static_cast<long long>(m.owned));
+  std::vector<double> number(m.nodes());  // exact up to 2⁵³
+  std::iota(number.begin(), number.begin() + m.owned, static_cast<double>(m.first_node));
+  m.halo.update(number, 1);
+  m.number.assign(number.begin(), number.end());
+}
+
+void take_hexes(const Mesh& mesh, const Labels& whole, const std::vector<int>& local, LocalMesh& m) {
+  const auto mine = static_cast<std::size_t>(std::ranges::count(whole.rank, m.comm.rank()));
+  m.hexes.reserve(mine);
+  m.input_hex.reserve(mine);
   for (int region = 0; region < static_cast<int>(mesh.region_names.size()); ++region) {
     m.regions.push_back({static_cast<int>(m.hexes.size()), 0});
     for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
-      if (mesh.region[h] != region || rank_of_hex[h] != m.comm.rank()) continue;
+      if (mesh.region[h] != region || whole.rank[h] != m.comm.rank()) continue;
       Hex hex = mesh.hexes[h];
       for (int& n : hex) n = local[n];
       m.hexes.push_back(hex);
-      m.input_hex.push_back(static_cast<int>(h));
+      m.input_hex.push_back(whole.hex[h]);
       ++m.regions.back().count;
     }
   }
@@ -152,51 +149,93 @@ void take_bars(const Mesh& mesh, const std::vector<int>& owner, const std::vecto
   }
 }
 
+// Members of a name as local nodes; nodes that are not held drop out.
+std::vector<int> held(const std::vector<int>& nodes, const std::vector<int>& local) {
+  std::vector<int> found;
+  for (int n : nodes)
+    if (local[n] >= 0) found.push_back(local[n]);
+  return found;
+}
+
+std::vector<int> held_of_region(const Mesh& mesh, int region, const std::vector<int>& local) {
+  std::vector<bool> in(mesh.points.size());
+  for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
+    if (mesh.region[h] == region)
+      for (int n : mesh.hexes[h]) in[n] = true;
+  std::vector<int> found;
+  for (std::size_t n = 0; n < in.size(); ++n)
+    if (in[n] && local[n] >= 0) found.push_back(local[n]);
+  return found;
+}
+
+void take_sets(const Mesh& mesh, const std::vector<int>& local, LocalMesh& m) {
+  for (const auto& [name, set] : mesh.node_sets) m.sets[name] = held(nodes_of(mesh, name), local);
+  for (const auto& [name, faces] : mesh.surfaces)
+    if (!m.sets.contains(name)) m.sets[name] = held(nodes_of(mesh, name), local);
+  for (int r = 0; r < static_cast<int>(mesh.region_names.size()); ++r)
+    m.region_nodes.push_back(held_of_region(mesh, r, local));
+}
+
 }  // namespace
 
 LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm, const std::set<std::string>& shared) {
-  const int me = comm.rank();
-  const Numbering n = renumber(node_owners(mesh, rank_of_hex), comm.size());
-  const auto ghosts = ghosts_by_rank(mesh, rank_of_hex, n.owner, comm.size(), shared);
+  return distribute(mesh, labels_of(mesh, rank_of_hex), comm, shared);
+}
 
-  std::vector<int> input, local(mesh.points.size(), -1);
+LocalMesh distribute(const Mesh& mesh, const Labels& whole, const Comm& comm, const std::set<std::string>& shared) {
+  const int me = comm.rank();
+  const auto owner = node_owners(mesh, whole.rank);
+  const auto ghosts = ghosts_by_rank(mesh, whole.rank, owner, comm, shared);
+
+  std::vector<int> nodes, local(mesh.points.size(), -1);
   for (int i = 0; i < static_cast<int>(mesh.points.size()); ++i)
-    if (n.owner[i] == me) input.push_back(i);
-  const int owned = static_cast<int>(input.size());
-  input.insert(input.end(), ghosts[me].begin(), ghosts[me].end());
-  for (std::size_t i = 0; i < input.size(); ++i) local[input[i]] = static_cast<int>(i);
+    if (owner[i] == me) nodes.push_back(i);
+  const int owned = static_cast<int>(nodes.size());
+  nodes.insert(nodes.end(), ghosts[me].begin(), ghosts[me].end());
+  for (std::size_t i = 0; i < nodes.size(); ++i) local[nodes[i]] = static_cast<int>(i);
 
   LocalMesh m{.comm = comm,
               .owned = owned,
-              .first_node = n.first[me],
-              .all_nodes = n.first.back(),
               .region_names = mesh.region_names,
-              .halo = Halo(comm, neighbours(ghosts, n.owner, local, me))};
-  m.input_node = input;
-  for (int i : input) {
-    m.number.push_back(n.number[i]);
-    m.X.insert(m.X.end(), mesh.points[i].begin(), mesh.points[i].end());
+              .halo = Halo(comm, neighbours(ghosts, owner, local, me))};
+  m.input_node.reserve(nodes.size());
+  m.X.reserve(3 * nodes.size());
+  for (int n : nodes) {
+    m.input_node.push_back(whole.node[n]);
+    m.X.insert(m.X.end(), mesh.points[n].begin(), mesh.points[n].end());
   }
-  take_hexes(mesh, rank_of_hex, local, m);
-  take_surfaces(mesh, rank_of_hex, local, m);
+  number_nodes(m);
+  take_hexes(mesh, whole, local, m);
+  take_surfaces(mesh, whole.rank, local, m);
   for (const std::string& name : shared)
     for (Quad q : mesh.surfaces.at(name)) {
       for (int& node : q) node = local[node];
       m.shared[name].push_back(q);
     }
-  take_bars(mesh, n.owner, local, m);
+  take_bars(mesh, owner, local, m);
+  take_sets(mesh, local, m);
   return m;
 }
 
-std::vector<int> LocalMesh::local(std::span<const int> mesh_nodes) const {
+int LocalMesh::local(int mesh_node) const {
   // input_node ascends within the owned nodes and within the ghosts
-  std::vector<int> found;
   const auto middle = input_node.begin() + owned;
+  for (auto [first, last] : {std::pair{input_node.begin(), middle}, std::pair{middle, input_node.end()}})
+    if (auto at = std::lower_bound(first, last, mesh_node); at != last && *at == mesh_node) return static_cast<int>(at - input_node.begin());
+  return -1;
+}
+
+std::vector<int> LocalMesh::local(std::span<const int> mesh_nodes) const {
+  std::vector<int> found;
   for (int n : mesh_nodes)
-    for (auto [first, last] : {std::pair{input_node.begin(), middle}, std::pair{middle, input_node.end()}})
-      if (auto at = std::lower_bound(first, last, n); at != last && *at == n)
-        found.push_back(static_cast<int>(at - input_node.begin()));
+    if (const int here = local(n); here >= 0) found.push_back(here);
   return found;
+}
+
+const std::vector<int>* LocalMesh::nodes_of(const std::string& name) const {
+  if (const auto set = sets.find(name); set != sets.end()) return &set->second;
+  const auto region = std::ranges::find(region_names, name);
+  return region != region_names.end() ? &region_nodes[region - region_names.begin()] : nullptr;
 }
 
 std::size_t LocalMesh::bytes() const {
@@ -204,6 +243,8 @@ std::size_t LocalMesh::bytes() const {
   for (const auto& [name, faces] : surfaces) total += bytes_of(faces);
   for (const auto& [name, faces] : shared) total += bytes_of(faces);
   for (const auto& [name, group] : bars) total += bytes_of(group);
+  for (const auto& [name, nodes] : sets) total += bytes_of(nodes);
+  for (const auto& nodes : region_nodes) total += bytes_of(nodes);
   return total;
 }
 

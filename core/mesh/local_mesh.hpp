@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mesh/halo.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/mesh_part.hpp"
 
 namespace bulbus {
 
@@ -32,16 +32,25 @@ struct LocalMesh {
   std::map<std::string, std::vector<Quad>> shared;    ///< all faces of surfaces that every rank asked for, in the Mesh's order
   std::map<std::string, std::vector<Bar>> bars;       ///< each bar on one rank
   std::map<std::string, std::vector<int>> input_bar;  ///< index of each in the Mesh's group
+  std::map<std::string, std::vector<int>> sets;       ///< local nodes of every node set, and surface of no set's name
+  std::vector<std::vector<int>> region_nodes;         ///< local nodes of every region
+  int refinements = 0;  ///< that the Mesh is away from the one that was read or generated
   Halo halo;
 
   int nodes() const { return static_cast<int>(input_node.size()); }
-  /// Local numbers of those of the given Mesh nodes that this rank holds (owned or ghost).
+  /// Local number of a Mesh node, −1 if this rank does not hold it (owned or ghost).
+  int local(int mesh_node) const;
+  /// Those of the given Mesh nodes that this rank holds.
   std::vector<int> local(std::span<const int> mesh_nodes) const;
+  /// Local nodes of a set, surface or region, ascending in the Mesh; null if it has none of that name.
+  const std::vector<int>* nodes_of(const std::string& name) const;
   std::size_t bytes() const;
 };
 
-/// Takes this rank's part; `rank_of_hex` as from partition(). Every rank gets the nodes of the surfaces `shared` at least as
+/// Takes what this rank is given of a part, as from part_of(). Every rank gets the nodes of the surfaces `shared` at least as
 /// ghosts. Collective.
+LocalMesh distribute(const Mesh& part, const Labels& whole, const Comm& comm, const std::set<std::string>& shared);
+/// Of a mesh that every rank has; `rank_of_hex` as from partition(). Collective.
 LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm, const std::set<std::string>& shared = {});
 
 }  // namespace bulbus

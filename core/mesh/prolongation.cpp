@@ -75,7 +75,7 @@ void Interpolation::apply_transposed(std::span<const double> fine, std::span<dou
 
 std::size_t Interpolation::bytes() const { return bytes_of(start_) + bytes_of(nodes_) + bytes_of(weights_); }
 
-Prolongation::Prolongation(const RefinedMesh& refinement, const LocalMesh& coarse, const LocalMesh& fine)
+Prolongation::Prolongation(const ParentsOf& parents_of, const LocalMesh& coarse, const LocalMesh& fine)
     : coarse_(coarse), fine_(fine), same_(coarse.owned), lone_start_{0} {
   for (std::size_t h = 0; h < coarse.hexes.size(); ++h)
     for (int c = 0; c < 8; ++c)
@@ -85,12 +85,9 @@ Prolongation::Prolongation(const RefinedMesh& refinement, const LocalMesh& coars
     for (int n : h) met[n] = true;
   first_lone_ = fine.owned;
   while (first_lone_ < fine.nodes() && met[first_lone_]) ++first_lone_;
-  std::vector<int> local(refinement.coarse_nodes, -1);
-  for (int n = 0; n < coarse.nodes(); ++n) local[coarse.input_node[n]] = n;
   for (int n = first_lone_; n < fine.nodes(); ++n) {
-    auto parents = refinement.parents_of(fine.input_node[n]);
-    for (int& p : parents) p = local[p];
-    if (std::ranges::find(parents, -1) == parents.end()) lone_parents_.insert(lone_parents_.end(), parents.begin(), parents.end());
+    const auto parents = parents_of(fine.input_node[n]), known = coarse.local(parents);
+    if (known.size() == parents.size()) lone_parents_.insert(lone_parents_.end(), known.begin(), known.end());
     lone_start_.push_back(static_cast<int>(lone_parents_.size()));
   }
 }

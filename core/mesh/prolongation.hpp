@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -36,7 +37,11 @@ class Interpolation {
 /// How one rank's parts of a mesh and of the refined one hang together; hexahedra lie on the ranks of their parents.
 class Prolongation {
  public:
-  Prolongation(const RefinedMesh& refinement, const LocalMesh& coarse, const LocalMesh& fine);
+  /// `parents_of`: those of a node of the finer Mesh, in the coarser. The local meshes have to stay where they are.
+  using ParentsOf = std::function<std::vector<int>(int)>;
+  Prolongation(const ParentsOf& parents_of, const LocalMesh& coarse, const LocalMesh& fine);
+  Prolongation(const RefinedMesh& whole, const LocalMesh& coarse, const LocalMesh& fine)
+      : Prolongation([&](int n) { return whole.parents_of(n); }, coarse, fine) {}
 
   /// Trilinear in a hexahedron around the node, extended to where the node really is: a curved surface lies beside the coarser
   /// faces, and with plain means of the parents a rigid rotation would strain it. Linear fields of the places are reproduced.

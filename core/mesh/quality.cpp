@@ -22,23 +22,51 @@ double at_corner(const std::array<Point, 8>& x, int a) {
   return lengths > 0 ? dot(u, cross(v, w)) / lengths : 0;
 }
 
-void summarise(RegionQuality& q, std::vector<double> values) {
-  q.count = static_cast<int>(values.size());
-  if (values.empty()) return;
-  std::sort(values.begin(), values.end());
-  q.least = values.front();
-  q.five_percent = values[static_cast<std::size_t>(.05 * (values.size() - 1))];
-  q.mean = std::accumulate(values.begin(), values.end(), 0.0) / values.size();
+std::array<Point, 8> corners(const LocalMesh& mesh, int hex) {
+  std::array<Point, 8> x;
+  for (int a = 0; a < 8; ++a) std::copy_n(&mesh.X[3 * mesh.hexes[hex][a]], 3, x[a].begin());
+  return x;
 }
 
-}  // namespace
-
-double scaled_jacobian(const Mesh& mesh, int hex) {
-  const std::array<Point, 8> x = corners(mesh, hex);
+double scaled_jacobian(const std::array<Point, 8>& x) {
   double least = std::numeric_limits<double>::infinity();
   for (int a = 0; a < 8; ++a) least = std::min(least, at_corner(x, a));
   return least;
 }
+
+// The value of that rank among the sorted values of all ranks, by bisection of the numbers between −1 and 1.
+double selected(const std::vector<double>& sorted, long long rank, const Comm& comm) {
+  double low = -2, high = 2;  // at most `rank` values are ≤ low, more are ≤ high
+  while (true) {
+    const double middle = std::midpoint(low, high);
+    if (middle <= low || middle >= high) return high;
+    const auto below = std::ranges::upper_bound(sorted, middle) - sorted.begin();
+    (comm.sum(static_cast<long long>(below)) > rank ? high : low) = middle;
+  }
+}
+
+void summarise(RegionQuality& q, std::vector<double> values, const Comm& comm) {
+  const auto count = comm.sum(static_cast<long long>(values.size()));
+  q.count = static_cast<int>(count);
+  q.volume = comm.sum(q.volume);
+  if (count == 0) return;
+  std::sort(values.begin(), values.end());
+  q.least = comm.min(values.empty() ? std::numeric_limits<double>::infinity() : values.front());
+  q.five_percent = selected(values, static_cast<long long>(.05 * static_cast<double>(count - 1)), comm);
+  q.mean = comm.sum(std::accumulate(values.begin(), values.end(), 0.0)) / static_cast<double>(count);
+}
+
+void refuse(const std::array<Point, 8>& x, int input_hex, const std::string& region) {
+  Point c{};
+  for (const Point& p : x) c = c + .125 * p;
+  throw input_error(fmt::format("hexahedron {} of region '{}' about ({:.4g}, {:.4g}, {:.4g}) mm is inside out or flat (scaled Jacobian {:.3g})",
+                                input_hex + 1, region, c[0], c[1], c[2], scaled_jacobian(x)),
+                    "smooth or refine the mesh there");
+}
+
+}  // namespace
+
+double scaled_jacobian(const Mesh& mesh, int hex) { return scaled_jacobian(corners(mesh, hex)); }
 
 std::vector<RegionQuality> quality(const Mesh& mesh) {
   std::vector<RegionQuality> result(mesh.region_names.size());
@@ -49,23 +77,46 @@ std::vector<RegionQuality> quality(const Mesh& mesh) {
   }
   for (std::size_t r = 0; r < result.size(); ++r) {
     result[r].region = mesh.region_names[r];
-    summarise(result[r], std::move(values[r]));
+    summarise(result[r], std::move(values[r]), Comm(MPI_COMM_SELF));
+  }
+  return result;
+}
+
+std::vector<RegionQuality> quality(const LocalMesh& mesh) {
+  std::vector<RegionQuality> result;
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
+    RegionQuality q{.region = mesh.region_names[r]};
+    std::vector<double> values;
+    const auto [first, count] = mesh.regions[r];
+    values.reserve(count);
+    for (int h = first; h < first + count; ++h) {
+      const auto x = corners(mesh, h);
+      values.push_back(scaled_jacobian(x));
+      q.volume += hex_volume(x);
+    }
+    summarise(q, std::move(values), mesh.comm);
+    result.push_back(q);
   }
   return result;
 }
 
 void refuse_inverted(const Mesh& mesh) {
-  for (std::size_t e = 0; e < mesh.hexes.size(); ++e) {
-    const double q = scaled_jacobian(mesh, e);
-    if (q > 0) continue;
-    const Point c = center(mesh, e);
-    throw input_error(
-        fmt::format(
-            "hexahedron {} of region '{}' about ({:.4g}, {:.4g}, {:.4g}) mm is inside out or flat (scaled "
-            "Jacobian {:.3g})",
-            e + 1, mesh.region_names[mesh.region[e]], c[0], c[1], c[2], q),
-        "smooth or refine the mesh there");
-  }
+  for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
+    if (const auto x = corners(mesh, e); !(scaled_jacobian(x) > 0)) refuse(x, static_cast<int>(e), mesh.region_names[mesh.region[e]]);
+}
+
+void refuse_inverted(const LocalMesh& mesh) {
+  int first = -1;
+  std::string region;
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r)
+    for (int h = mesh.regions[r].first; h < mesh.regions[r].first + mesh.regions[r].count; ++h)
+      if ((first < 0 || mesh.input_hex[h] < mesh.input_hex[first]) && !(scaled_jacobian(corners(mesh, h)) > 0))
+        first = h, region = mesh.region_names[r];
+  const double none = std::numeric_limits<double>::infinity(), mine = first < 0 ? none : mesh.input_hex[first];
+  const double least = mesh.comm.min(mine);
+  mesh.comm.together([&] {
+    if (mine == least && least < none) refuse(corners(mesh, first), mesh.input_hex[first], region);
+  });
 }
 
 }  // namespace bulbus

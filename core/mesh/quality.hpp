@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/local_mesh.hpp"
 
 namespace bulbus {
 
@@ -22,8 +22,12 @@ struct RegionQuality {
 
 /// One entry per region, in the order of region_names.
 std::vector<RegionQuality> quality(const Mesh& mesh);
+/// Of all ranks, the same on each. Collective.
+std::vector<RegionQuality> quality(const LocalMesh& mesh);
 
 /// Throws InputError naming the first cell whose scaled Jacobian is not positive, its region and its centre.
 void refuse_inverted(const Mesh& mesh);
+/// The same, on every rank. Collective.
+void refuse_inverted(const LocalMesh& mesh);
 
 }  // namespace bulbus

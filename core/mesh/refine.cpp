@@ -30,7 +30,7 @@ void sort_unique(std::vector<Key>& keys) {
 // children that do.
 class NewNodes {
  public:
-  explicit NewNodes(const Mesh& mesh) : coarse_(static_cast<int>(mesh.points.size())) {
+  explicit NewNodes(const Mesh& mesh) : coarse_(static_cast<int>(mesh.points.size())), hexes_(mesh.hexes.size()) {
     edges_.reserve(12 * mesh.hexes.size());
     faces_.reserve(6 * mesh.hexes.size());
     for (const Hex& h : mesh.hexes) {
@@ -44,6 +44,7 @@ class NewNodes {
   int of_edge(int a, int b) const { return coarse_ + position(edges_, sorted(Edge{a, b})); }
   int of_face(const Quad& q) const { return first_face() + position(faces_, sorted(q)); }
   int of_hex(int hex) const { return first_face() + static_cast<int>(faces_.size()) + hex; }
+  std::size_t count() const { return edges_.size() + faces_.size() + hexes_; }
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Quad>& faces() const { return faces_; }
 
@@ -61,11 +62,14 @@ class NewNodes {
   }
 
   int coarse_;
+  std::size_t hexes_;
   std::vector<Edge> edges_;
   std::vector<Quad> faces_;
 };
 
 void take_parents(const Mesh& mesh, const NewNodes& nodes, RefinedMesh& fine) {
+  fine.start.reserve(nodes.count() + 1);
+  fine.parents.reserve(2 * nodes.edges().size() + 4 * nodes.faces().size() + 8 * mesh.hexes.size());
   fine.start.push_back(0);
   const auto add = [&](const auto& parents) {
     fine.parents.insert(fine.parents.end(), parents.begin(), parents.end());
@@ -95,6 +99,8 @@ std::array<int, 27> lattice(const Mesh& mesh, const NewNodes& nodes, int hex) {
 }
 
 void split_hexes(const Mesh& mesh, const NewNodes& nodes, Mesh& fine) {
+  fine.hexes.reserve(8 * mesh.hexes.size());
+  fine.region.reserve(8 * mesh.hexes.size());
   for (int h = 0; h < static_cast<int>(mesh.hexes.size()); ++h) {
     const auto at = lattice(mesh, nodes, h);
     for (const auto& child : corner) {
@@ -118,8 +124,14 @@ Vector mean(std::span<const int> parents, const std::vector<Vector>& of) {
 }
 
 void place_nodes(const Mesh& mesh, const RefinedMesh& r, Mesh& fine) {
-  fine.points = mesh.points;
-  if (mesh.parameters.size() == mesh.points.size()) fine.parameters = mesh.parameters, fine.place = mesh.place;
+  const std::size_t count = mesh.points.size() + r.start.size() - 1;
+  fine.points.reserve(count);
+  fine.points.insert(fine.points.end(), mesh.points.begin(), mesh.points.end());
+  if (mesh.parameters.size() == mesh.points.size()) {
+    fine.parameters.reserve(count);
+    fine.parameters.insert(fine.parameters.end(), mesh.parameters.begin(), mesh.parameters.end());
+    fine.place = mesh.place;
+  }
   for (std::size_t i = 0; i + 1 < r.start.size(); ++i) {
     const std::span<const int> parents(r.parents.data() + r.start[i], r.parents.data() + r.start[i + 1]);
     if (fine.place)
@@ -130,9 +142,11 @@ void place_nodes(const Mesh& mesh, const RefinedMesh& r, Mesh& fine) {
 }
 
 void split_surfaces(const Mesh& mesh, const NewNodes& nodes, Mesh& fine) {
-  for (const auto& [name, faces] : mesh.surfaces)
+  for (const auto& [name, faces] : mesh.surfaces) {
+    auto& parts = fine.surfaces[name];
     for (const Quad& q : faces)
-      for (const Quad& part : nodes.split(q)) fine.surfaces[name].push_back(part);
+      for (const Quad& part : nodes.split(q)) parts.push_back(part);
+  }
 }
 
 void extend_sets(const Mesh& mesh, const RefinedMesh& r, Mesh& fine) {
@@ -159,8 +173,10 @@ EmbeddedPoint in_part(const EmbeddedPoint& e, const NewNodes& nodes) {
 }
 
 void move_bars(const Mesh& mesh, const NewNodes& nodes, Mesh& fine) {
-  for (const auto& [name, group] : mesh.bars)
-    for (const Bar& b : group) fine.bars[name].push_back({in_part(b.a, nodes), in_part(b.b, nodes), b.share});
+  for (const auto& [name, group] : mesh.bars) {
+    auto& moved = fine.bars[name];
+    for (const Bar& b : group) moved.push_back({in_part(b.a, nodes), in_part(b.b, nodes), b.share});
+  }
 }
 
 }  // namespace
@@ -171,10 +187,10 @@ std::vector<int> RefinedMesh::parents_of(int node) const {
   return {parents.begin() + start[i], parents.begin() + start[i + 1]};
 }
 
-MeshHierarchy refined(Mesh base, int times) {
-  MeshHierarchy h{std::move(base), {}};
-  for (int i = 0; i < times; ++i) h.refinements.push_back(refine(h.finest()));
-  return h;
+Mesh MeshHierarchy::finest() const {
+  Mesh mesh = base;
+  for (int i = 0; i < refinements; ++i) mesh = refine(mesh).mesh;
+  return mesh;
 }
 
 RefinedMesh refine(const Mesh& mesh) {

@@ -24,15 +24,14 @@ struct RefinedMesh {
 /// of their parents.
 RefinedMesh refine(const Mesh& mesh);
 
-/// A mesh and its refinements, the finest last.
+/// A mesh and how many times it is to be refined.
 struct MeshHierarchy {
   Mesh base;
-  std::vector<RefinedMesh> refinements;
-  const Mesh& mesh(std::size_t level) const { return level == 0 ? base : refinements[level - 1].mesh; }
-  const Mesh& finest() const { return mesh(refinements.size()); }
+  int refinements = 0;
+  /// All of the finest mesh.
+  Mesh finest() const;
 };
 
-/// Refines `times` times.
-MeshHierarchy refined(Mesh base, int times);
+inline MeshHierarchy refined(Mesh base, int times) { return {std::move(base), times}; }
 
 }  // namespace bulbus

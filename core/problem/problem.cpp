@@ -4,55 +4,44 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/mesh/partition.hpp"
-#include "core/problem/closed_surface.hpp"
 #include "core/problem/validate.hpp"
 
 namespace bulbus {
+
 namespace {
 
-// Of the hexahedra `level` refinements later.
-std::vector<int> inherited(const std::vector<int>& rank_of_base, std::size_t level) {
-  std::vector<int> rank;
-  for (int r : rank_of_base) rank.insert(rank.end(), std::size_t{1} << 3 * level, r);
-  return rank;
+// Of a model that has been found valid.
+std::vector<MeshLevel> valid_levels(const Mesh& base, int refinements, const Model& model, const Comm& comm) {
+  validate(base, model);
+  return distribute_levels(base, refinements, comm, shared_surfaces(base, model));
 }
 
 }  // namespace
 
-Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm)
-    : model_(model), mesh_(distribute(mesh, partition(mesh, comm.size()), comm, contact_surfaces(mesh, model))) {
-  validate(mesh, model);
-  build(mesh);
+Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm) : Problem(valid_levels(mesh, 0, model, comm), model) {}
+
+Problem::Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm) : Problem(valid_levels(meshes.base, meshes.refinements, model, comm), model) {}
+
+Problem::Problem(std::vector<MeshLevel> levels, const Model& model) : model_(model), level_(std::move(levels.back())), mesh_(*level_.mesh) {
+  levels.pop_back();
+  build();
+  if (levels.empty()) return;
+  coarser_ = std::make_unique<Problem>(std::move(levels), model);
+  coarser_->follows_ = true;
 }
 
-Problem::Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm)
-    : Problem(meshes, meshes.refinements.size(), partition(meshes.base, comm.size()), model, comm) {}
-
-Problem::Problem(const MeshHierarchy& meshes, std::size_t level, const std::vector<int>& rank_of_base, const Model& model, const Comm& comm)
-    : model_(model),
-      mesh_(distribute(meshes.mesh(level), inherited(rank_of_base, level), comm, contact_surfaces(meshes.mesh(level), model))),
-      follows_(level < meshes.refinements.size()) {
-  const Mesh& mesh = meshes.mesh(level);
-  if (!follows_) validate(mesh, model);
-  build(mesh);
-  if (level == 0) return;
-  coarser_.reset(new Problem(meshes, level - 1, rank_of_base, model, comm));
-  prolongation_ = std::make_unique<Prolongation>(meshes.refinements[level - 1], coarser_->mesh_, mesh_);
-}
-
-void Problem::build(const Mesh& mesh) {
+void Problem::build() {
+  multiplicity_ = 1;
   for (std::size_t i = 0; i < model_.symmetry.size(); ++i) multiplicity_ *= 2;
-  for (const std::string& set : sets_in_use(mesh, model_)) sets_[set] = mesh_.local(bulbus::nodes_of(mesh, set));
-  build_bodies_and_solid(mesh);
-  build_liquids(mesh);
+  build_bodies_and_solid();
+  build_liquids();
   build_bars();
   hold_fixed();
 }
 
 State Problem::coarsened(const State& state) const {
   State coarse = coarser_->initial_state();
-  prolongation_->inject(state.x, coarse.x);
+  level_.prolongation->inject(state.x, coarse.x);
   const auto V0 = solid_->reference_volumes();
   for (std::size_t h = 0; h < coarse.lambda.size(); ++h) {
     double sum = 0, volume = 0;
@@ -64,13 +53,13 @@ State Problem::coarsened(const State& state) const {
   return coarse;
 }
 
-std::vector<int> Problem::nodes_of(const std::string& set) const {
-  if (const auto found = sets_.find(set); found != sets_.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [name, nodes] : sets_) names.push_back(name);
+const std::vector<int>& Problem::nodes_of(const std::string& set) const {
+  if (const auto* nodes = mesh_.nodes_of(set)) return *nodes;
+  std::vector<std::string> names = mesh_.region_names;
+  for (const auto& [name, nodes] : mesh_.sets) names.push_back(name);
   const std::string near = nearest(set, names);
-  throw input_error("no hold, load or probe of the model names the set '" + set + "'",
-                    near.empty() ? "name it in one of them" : "did you mean '" + near + "'?");
+  throw input_error("the mesh has no node set, surface or region '" + set + "'",
+                    near.empty() ? "name one that it has" : "did you mean '" + near + "'?");
 }
 
 State Problem::initial_state() const {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/element/solid.hpp"
-#include "core/mesh/prolongation.hpp"
+#include "core/mesh/mesh_levels.hpp"
 #include "core/problem/dof_map.hpp"
 #include "core/problem/liquid.hpp"
 #include "core/problem/loads.hpp"
@@ -40,9 +40,10 @@ class Problem {
  public:
   /// Validates, partitions and builds. Throws InputError. Collective.
   Problem(const Mesh& mesh, const Model& model, const Comm& comm);
-  /// On the finest mesh, with a coarser problem on each mesh below it; the base mesh is partitioned, children stay where their
-  /// parents are.
+  /// On the finest mesh, with a coarser problem on each mesh below it.
   Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm);
+  /// The same of a model that validate() lets pass on the base mesh; `levels` as from distribute_levels(). Collective.
+  Problem(std::vector<MeshLevel> levels, const Model& model);
 
   const LocalMesh& mesh() const { return mesh_; }
   const Model& model() const { return model_; }
@@ -55,7 +56,7 @@ class Problem {
   /// The same model on the mesh that this one refines, without the terms that were added; null for a mesh that refines none.
   /// It follows this problem through the steps.
   Problem* coarser() const { return coarser_.get(); }
-  const Prolongation& prolongation() const { return *prolongation_; }
+  const Prolongation& prolongation() const { return *level_.prolongation; }
   /// Nodal places as they are at the coarser nodes, element pressures as means over the children. Collective.
   State coarsened(const State& state) const;
   /// Every term but the solid and the liquids.
@@ -67,8 +68,8 @@ class Problem {
   /// A term from a floor above; it acts, and hears of steps, after those added before it.
   void add(std::shared_ptr<Term> term) { added_.push_back(std::move(term)); }
   std::span<const std::shared_ptr<Term>> added() const { return added_; }
-  /// Local nodes of a region, or of a set or surface that the model refers to as nodes. Throws InputError for others.
-  std::vector<int> nodes_of(const std::string& set) const;
+  /// Local nodes of a set, surface or region. Throws InputError if the mesh has none of that name.
+  const std::vector<int>& nodes_of(const std::string& set) const;
 
   State initial_state() const;
   /// Sets up loads, holds and liquids of a step from the state it starts in. Collective.
@@ -77,7 +78,7 @@ class Problem {
   void set_progress(double s, State& state);
   void end_step();
   /// Goes through the first steps without solving them: prescribed displacements are carried along, so that each step starts
-  /// where the one before leaves its sets. Throws InputError. Collective.
+  /// where the one before leaves its sets. Then it is as new, without the terms that were added. Throws InputError. Collective.
   void rehearse(int steps);
   /// What steps and increments have left behind, terms included. Collective.
   void remember(Keeper& keeper);
@@ -96,10 +97,9 @@ class Problem {
   void linearize(const State& state, double gamma, StrainSource source);
 
  private:
-  Problem(const MeshHierarchy& meshes, std::size_t level, const std::vector<int>& rank_of_hex, const Model& model, const Comm& comm);
-  void build(const Mesh& mesh);
-  void build_bodies_and_solid(const Mesh& mesh);
-  void build_liquids(const Mesh& mesh);
+  void build();
+  void build_bodies_and_solid();
+  void build_liquids();
   void build_bars();
   void hold_fixed();
   void require_free_elements() const;
@@ -107,15 +107,16 @@ class Problem {
   void add_load(const LoadSpec& spec, int step, int index);
   void begin_liquids(const StepSpec& spec, int step, const State& start);
   void release(const StepSpec& spec, int step);
+  void go_through(int steps);
+  void renew();
   Residual::Resultant resultant(std::size_t body, const State& state, const Residual& r) const;
   int liquid_index(const std::string& name, const std::string& key) const;
 
   Model model_;
-  LocalMesh mesh_;
+  MeshLevel level_;
+  const LocalMesh& mesh_;  // of level_
   std::unique_ptr<Problem> coarser_;
-  std::unique_ptr<Prolongation> prolongation_;
-  bool follows_ = false;                          // a finer problem, which has been checked
-  std::map<std::string, std::vector<int>> sets_;  // local nodes
+  bool follows_ = false;  // a finer problem, which has been checked
   std::unique_ptr<Solid> solid_;
   std::unique_ptr<DofMap> dofs_;
   std::vector<Liquid> liquids_;

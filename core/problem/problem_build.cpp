@@ -10,14 +10,24 @@
 namespace bulbus {
 namespace {
 
-// Mean place of a region's nodes in the Mesh, on the symmetry planes where there are any: the same on every rank.
-Vec3<double> center_of(const Mesh& mesh, const std::string& region, std::span<const std::string> symmetry) {
+// Mean place of some nodes, on the symmetry planes where there are any: the same on every rank.
+Vec3<double> center_of(const LocalMesh& mesh, std::span<const int> nodes, std::span<const std::string> symmetry) {
   Vec3<double> center{0, 0, 0};
-  const auto nodes = nodes_of_region(mesh, region_index(mesh, region));
+  const auto owned = std::ranges::count_if(nodes, [&](int n) { return n < mesh.owned; });
+  const auto all = static_cast<double>(mesh.comm.sum(static_cast<long long>(owned)));
   for (int n : nodes)
-    for (int c = 0; c < 3; ++c) center[c] += mesh.points[n][c] / static_cast<double>(nodes.size());
+    if (n < mesh.owned)
+      for (int c = 0; c < 3; ++c) center[c] += mesh.X[3 * n + c] / all;
+  mesh.comm.sum(center);
   for (const std::string& s : symmetry) center[axis_of(s)] = 0;
   return center;
+}
+
+// A length by which rounding can be told from a distance: 1e-9 of the mesh's size.
+double tolerance_of(const LocalMesh& mesh) {
+  double size = 0;
+  for (double v : mesh.X) size = std::max(size, std::abs(v));
+  return 1e-9 * mesh.comm.max(size);
 }
 
 // A body cut by a symmetry plane may neither leave it nor tilt out of it.
@@ -30,18 +40,45 @@ std::array<bool, 6> free_motions(std::span<const std::string> symmetry) {
   return free;
 }
 
-// The symmetry planes that cut a region: one beside it mirrors it, but holds nothing.
-std::vector<std::string> planes_through(const Mesh& mesh, const std::string& region, std::span<const std::string> symmetry) {
-  const double tolerance = mesh_tolerance(mesh);
+// The symmetry planes that have a node of a region: one beside it mirrors it, but holds nothing.
+std::vector<std::string> planes_through(const LocalMesh& mesh, std::span<const int> nodes, std::span<const std::string> symmetry) {
+  const double tolerance = tolerance_of(mesh);
   std::vector<std::string> planes;
   for (const std::string& s : symmetry)
-    if (std::ranges::any_of(nodes_of_region(mesh, region_index(mesh, region)), [&](int n) { return std::abs(mesh.points[n][axis_of(s)]) <= tolerance; })) planes.push_back(s);
+    if (mesh.comm.any(std::ranges::any_of(nodes, [&](int n) { return std::abs(mesh.X[3 * n + axis_of(s)]) <= tolerance; }))) planes.push_back(s);
   return planes;
+}
+
+// Middle of the box around the nodes of faces of all ranks, and its volume.
+struct Box {
+  Point middle;
+  double volume = 1;
+};
+
+Box box_of(const LocalMesh& mesh, std::span<const Quad> faces) {
+  std::array<double, 6> ends;  // greatest of x and of −x
+  ends.fill(-1e300);
+  for (const Quad& q : faces)
+    for (int n : q)
+      for (int c = 0; c < 3; ++c) {
+        ends[c] = std::max(ends[c], mesh.X[3 * n + c]);
+        ends[3 + c] = std::max(ends[3 + c], -mesh.X[3 * n + c]);
+      }
+  mesh.comm.max(ends);
+  Box box;
+  for (int c = 0; c < 3; ++c) {
+    box.middle[c] = (ends[c] - ends[3 + c]) / 2;
+    box.volume *= ends[c] + ends[3 + c];
+  }
+  return box;
 }
 
 }  // namespace
 
-void Problem::build_bodies_and_solid(const Mesh& mesh) {
+void Problem::build_bodies_and_solid() {
+  solid_.reset();
+  region_nodes_.clear();
+  region_floor_.clear();
   std::vector<RigidBody> bodies;
   std::vector<SolidRegion> regions;
   std::vector<bool> rigid_node(mesh_.nodes());
@@ -54,20 +91,20 @@ void Problem::build_bodies_and_solid(const Mesh& mesh) {
       regions.push_back({name, make_material(terms_of(spec)), run.first, run.count});
       continue;
     }
-    const auto planes = planes_through(mesh, name, model_.symmetry);
-    auto nodes = mesh_.local(nodes_of_region(mesh, static_cast<int>(r)));  // ghosts too of which this rank has no hexahedron
+    const auto& nodes = mesh_.region_nodes[r];  // ghosts too of which this rank has no hexahedron
+    const auto planes = planes_through(mesh_, nodes, model_.symmetry);
     for (int n : nodes) {
       if (rigid_node[n])
         throw scene_error("regions." + name, "rigid region '" + name + "' shares nodes with another rigid region",
                           "Give both one name, or let the tissue between them deform.");
       rigid_node[n] = true;
     }
-    bodies.emplace_back(name, std::move(nodes), center_of(mesh, name, planes), free_motions(planes));
+    bodies.emplace_back(name, nodes, center_of(mesh_, nodes, planes), free_motions(planes));
   }
   solid_ = std::make_unique<Solid>(mesh_.X, mesh_.hexes, regions);
   dofs_ = std::make_unique<DofMap>(mesh_, std::move(bodies));
   for (const SolidRegion& r : solid_->regions()) {
-    auto nodes = mesh_.local(nodes_of_region(mesh, region_index(mesh, r.name)));
+    std::vector<int> nodes = mesh_.region_nodes[std::ranges::find(mesh_.region_names, r.name) - mesh_.region_names.begin()];
     std::erase_if(nodes, [&](int n) { return n >= mesh_.owned || rigid_node[n]; });
     // forces of a strain of 1e-7 on the faces of the region's hexahedra: rounded places leave strains of 1e-14 in thin cells, and a
     // softer region feels those of its neighbour
@@ -78,23 +115,16 @@ void Problem::build_bodies_and_solid(const Mesh& mesh) {
   }
 }
 
-void Problem::build_liquids(const Mesh& mesh) {
+void Problem::build_liquids() {
+  liquids_.clear();
   for (const auto& [name, spec] : model_.liquids) {
-    const auto& faces = mesh.surfaces.at(spec.surface);
-    require_closed(mesh, faces, model_.symmetry, spec.surface, "liquids." + name + ".surface");
-    Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300}, x0;
-    for (const Quad& q : faces)
-      for (int n : q)
-        for (int c = 0; c < 3; ++c) {
-          low[c] = std::min(low[c], mesh.points[n][c]);
-          high[c] = std::max(high[c], mesh.points[n][c]);
-        }
-    for (int c = 0; c < 3; ++c) x0[c] = (low[c] + high[c]) / 2;
+    const auto& faces = mesh_.surfaces.at(spec.surface);
+    const Box box = box_of(mesh_, faces);
+    Point x0 = box.middle;
     for (const std::string& s : model_.symmetry) x0[axis_of(s)] = 0;  // the missing cap then contributes nothing
-    liquids_.emplace_back(name, PressureSurface(mesh_.surfaces.at(spec.surface)), x0, spec.K, comm());
+    liquids_.emplace_back(name, PressureSurface(faces), x0, spec.K, comm());
     const double V = liquids_.back().volume(mesh_.X);
-    const double box = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-    if (!(V > 1e-9 * box))
+    if (!(V > 1e-9 * box.volume))
       throw scene_error("liquids." + name + ".surface",
                         "liquid '" + name + "' has no volume: surface '" + spec.surface + "' encloses " + std::to_string(V) + " mm3",
                         "The surface must bound the solid towards the liquid (normals are taken from the hexahedra), with the "
@@ -110,9 +140,7 @@ void Problem::build_bars() {
 
 void Problem::hold_fixed() {
   const auto zero = [](double) { return 0.0; };
-  double size = 0;
-  for (double v : mesh_.X) size = std::max(size, std::abs(v));
-  const double tolerance = 1e-9 * comm().max(size);
+  const double tolerance = tolerance_of(mesh_);
   for (const std::string& plane : model_.symmetry) {
     const int c = axis_of(plane);
     Vec3<double> normal{0, 0, 0};

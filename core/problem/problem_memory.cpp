@@ -12,7 +12,7 @@ void Problem::remember(Keeper& keeper) {
   coarser_->remember(keeper);
 }
 
-void Problem::rehearse(int steps) {
+void Problem::go_through(int steps) {
   State state = initial_state();
   std::vector<double> held(state.x.size());
   for (int k = 0; k < steps; ++k) {
@@ -23,9 +23,23 @@ void Problem::rehearse(int steps) {
   }
 }
 
+void Problem::rehearse(int steps) {
+  go_through(steps);
+  added_.clear();
+  renew();
+}
+
+void Problem::renew() {
+  loads_.clear();
+  step_ = -1;
+  s_ = 0;
+  build();
+  if (coarser_) coarser_->renew();
+}
+
 // Read twice: the step builds on what was held before it, and its begin changes what was kept later.
 void Problem::resume(int step, const State& start, double s, State& now, Keeper& kept) {
-  rehearse(step);
+  go_through(step);
   remember(kept);
   begin_step(step, start);
   set_progress(s, now);

@@ -135,21 +135,7 @@ std::vector<Polynomial::Term> terms_of(const RegionSpec& s) {
   return terms;
 }
 
-std::set<std::string> sets_in_use(const Mesh& mesh, const Model& model) {
-  std::set<std::string> names(mesh.region_names.begin(), mesh.region_names.end());
-  for (const FixSpec& f : model.fix) names.insert(f.set);
-  for (const StepSpec& s : model.steps) {
-    for (const DisplaceSpec& d : s.displace) names.insert(d.set);
-    for (const LoadSpec& l : s.loads)
-      if (l.force) names.insert(l.set);
-  }
-  for (const ProbeSpec& p : model.probes)
-    for (const std::string& set : {p.set, p.to})
-      if (!set.empty()) names.insert(set);
-  return names;
-}
-
-std::set<std::string> contact_surfaces(const Mesh& mesh, const Model& model) {
+std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const ContactSpec& c = model.contacts[i];
@@ -172,6 +158,8 @@ std::set<std::string> contact_surfaces(const Mesh& mesh, const Model& model) {
     check_surface(mesh, c.master, key + ".master");
     names.insert(c.master);
   }
+  for (const auto& [name, suture] : model.sutures)
+    if (mesh.surfaces.contains(suture.surface)) names.insert(suture.surface);
   return names;
 }
 
@@ -185,6 +173,8 @@ void validate(const Mesh& mesh, const Model& model) {
       throw scene_error("bars." + name, "the mesh has no bars '" + name + "'", known(name, names_of(mesh.bars)));
   for (const auto& [name, spec] : model.liquids) check_surface(mesh, spec.surface, "liquids." + name + ".surface");
   check_symmetry(mesh, model);
+  for (const auto& [name, spec] : model.liquids)
+    require_closed(mesh, mesh.surfaces.at(spec.surface), model.symmetry, spec.surface, "liquids." + name + ".surface");
   for (std::size_t i = 0; i < model.fix.size(); ++i) {
     check_set(mesh, model.fix[i].set, "fix." + std::to_string(i) + ".set");
     check_not_rigid(mesh, model, model.fix[i].set, "fix." + std::to_string(i) + ".set");

@@ -10,15 +10,13 @@
 namespace bulbus {
 
 /// Refuses a model that does not fit its mesh: regions without material and materials without region, moduli that are not
-/// positive, unknown or empty sets, surfaces, bars and liquids, motions left free. Throws InputError naming the key.
+/// positive, unknown or empty sets, surfaces, bars and liquids, liquids that leak, motions left free. What holds of a mesh holds of
+/// its refinements. Throws InputError naming the key.
 void validate(const Mesh& mesh, const Model& model);
 
-/// Names of all node sets, surfaces and regions that the model refers to as sets of nodes, and of all regions.
-std::set<std::string> sets_in_use(const Mesh& mesh, const Model& model);
-
-/// Surfaces of the mesh that take part in contact: every rank needs all of their nodes. Throws InputError for a contact whose
-/// surfaces do not exist, are empty or are the same.
-std::set<std::string> contact_surfaces(const Mesh& mesh, const Model& model);
+/// Surfaces of the mesh of which every rank needs all nodes: those that take part in contact or are sutured. Throws InputError
+/// for a contact whose surfaces do not exist, are empty or are the same.
+std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model);
 
 /// All terms c_rs of a region.
 std::vector<Polynomial::Term> terms_of(const RegionSpec& spec);

@@ -1,0 +1,18 @@
+#pragma once
+#include <memory>
+
+#include "core/mesh/prolongation.hpp"
+
+namespace bulbus {
+
+/// One rank's part of a mesh of a hierarchy.
+struct MeshLevel {
+  std::unique_ptr<const LocalMesh> mesh;
+  std::unique_ptr<const Prolongation> prolongation;  ///< from the level below; the base has none
+};
+
+/// A mesh, given to the ranks by partition(), and its refinements; hexahedra stay where their parents are. Every rank
+/// refines only its part. The finest last. Collective.
+std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, const Comm& comm, const std::set<std::string>& shared);
+
+}  // namespace bulbus
