@@ -11,6 +11,7 @@ template <class Body>
 void for_each_gauss_point(Body body) {
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j)
+#pragma GCC unroll 2
       for (int i = 0; i < 2; ++i) body(i, j, k);
 }
 
