@@ -1,9 +1,11 @@
 #include "core/base/memory.hpp"
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
+#include <new>
 
 namespace bulbus {
 namespace {
@@ -26,6 +28,17 @@ std::size_t peak_resident_bytes() { return status_kib("VmHWM:") * 1024; }
 
 std::size_t machine_bytes() {
   return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+void* large_pages(std::size_t bytes) {
+  constexpr std::size_t page = std::size_t{2} << 20;
+  const bool large = bytes >= 4 * page;  // smaller ones would waste too much of the last page
+  void* p = large ? std::aligned_alloc(page, (bytes + page - 1) / page * page) : std::malloc(bytes);
+  if (!p && bytes > 0) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+  if (large) madvise(p, bytes, MADV_HUGEPAGE);
+#endif
+  return p;
 }
 
 void MemoryTally::set(const std::string& part, std::size_t bytes) {

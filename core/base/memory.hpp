@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -11,6 +12,9 @@ std::size_t peak_resident_bytes();
 /// Bytes of memory of this machine, used or not.
 std::size_t machine_bytes();
 
+/// Memory for LargePages, to be freed with std::free. Throws std::bad_alloc.
+void* large_pages(std::size_t bytes);
+
 /// Bytes held by each named part of the program on this rank, with the peak of each.
 class MemoryTally {
  public:
@@ -19,6 +23,15 @@ class MemoryTally {
 
  private:
   std::map<std::string, std::size_t> peaks_;
+};
+
+/// Storage in pages of 2 MB where the system has them: for large arrays that are read from end to end, again and again.
+template <class T>
+struct LargePages {
+  using value_type = T;
+  T* allocate(std::size_t n) { return static_cast<T*>(large_pages(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t) { std::free(p); }
+  friend bool operator==(const LargePages&, const LargePages&) { return true; }
 };
 
 /// Bytes of a vector's storage.

@@ -65,17 +65,33 @@ std::array<Vec3<Pack>, N> gather(const PackNodes<N>& p, std::span<const double> 
   return out;
 }
 
+/// Adds x, y and z to eight nodes, one after the other: elements may share one. Always as a pair and a single number, so that the next
+/// load finds what a store has just written.
+inline void scatter_add_nodes(const std::array<int, lanes>& node, int used, const Vec3<Pack>& in, double* v) {
+  using Two = double __attribute__((vector_size(2 * sizeof(double))));
+  alignas(64) double xy[2][lanes], z[lanes];
+  store(Pack(__builtin_shufflevector(in[0].v, in[1].v, 0, 8, 2, 10, 4, 12, 6, 14)), xy[0]);
+  store(Pack(__builtin_shufflevector(in[0].v, in[1].v, 1, 9, 3, 11, 5, 13, 7, 15)), xy[1]);
+  store(in[2], z);
+  const auto add = [&](int l) {
+    double* to = v + 3 * static_cast<std::ptrdiff_t>(node[l]);
+    Two sum, part;
+    std::memcpy(&sum, to, sizeof sum);
+    std::memcpy(&part, xy[l % 2] + l / 2 * 2, sizeof part);
+    sum += part;
+    std::memcpy(to, &sum, sizeof sum);
+    to[2] += z[l];
+  };
+  if (used == lanes)
+    for (int l = 0; l < lanes; ++l) add(l);
+  else
+    for (int l = 0; l < used; ++l) add(l);
+}
+
 /// Adds the pack's nodal vectors into v, lane by lane.
 template <std::size_t N>
 void scatter_add(const PackNodes<N>& p, const std::array<Vec3<Pack>, N>& in, std::span<double> v) {
-  for (std::size_t a = 0; a < N; ++a) {
-    alignas(64) double x[3][lanes];
-    for (int c = 0; c < 3; ++c) store(in[a][c], x[c]);
-    for (int l = 0; l < p.used; ++l) {
-      double* to = v.data() + 3 * static_cast<std::ptrdiff_t>(p.node[a][l]);
-      to[0] += x[0][l], to[1] += x[1][l], to[2] += x[2][l];
-    }
-  }
+  for (std::size_t a = 0; a < N; ++a) scatter_add_nodes(p.node[a], p.used, in[a], v.data());
 }
 
 /// One number per element, `used` of them from `first` on.

@@ -30,35 +30,45 @@ inline Vec3<SinglePack> gather_nodes(const PackPair& p, int a, const float* v) {
   return {even(xy01, xy23), odd(xy01, xy23), even(second(p0, p1), second(p2, p3))};
 }
 
-inline SinglePack join(const Pack& low, const Pack& high) {
-  return SinglePack(SingleVector(__builtin_shufflevector(__builtin_convertvector(low.v, FloatVector), __builtin_convertvector(high.v, FloatVector), 0, 1, 2, 3,
-                                                         4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)));
-}
-
-inline std::array<Vec3<SinglePack>, 8> gather(const PackPair& p, const std::vector<float>& v) {
+/// Nodal vectors (3 numbers a node) of the pair's elements.
+inline std::array<Vec3<SinglePack>, 8> gather(const PackPair& p, std::span<const float> v) {
   std::array<Vec3<SinglePack>, 8> out;
-  for (int a = 0; a < 8; ++a) out[a] = gather_nodes(p, a, v.data());
-  return out;
-}
-
-/// Relative to the first node of each element, in double precision: a rigid motion must not drown the strain in rounding.
-inline std::array<Vec3<SinglePack>, 8> gather_relative(const PackPair& p, std::span<const double> v) {
-  const auto low = gather(p.low, v), high = gather(p.high, v);
-  std::array<Vec3<SinglePack>, 8> out;
-  for (int a = 0; a < 8; ++a)
-    for (int c = 0; c < 3; ++c) out[a][c] = join(low[a][c] - low[0][c], high[a][c] - high[0][c]);
-  return out;
-}
-
-inline void scatter_add(const PackPair& p, const std::array<Vec3<SinglePack>, 8>& in, std::vector<float>& v) {
-  for (int a = 0; a < 8; ++a) {
-    alignas(64) float x[3][2 * lanes];
-    for (int c = 0; c < 3; ++c) std::memcpy(x[c], &in[a][c].v, sizeof x[c]);
-    for (int l = 0; l < p.used; ++l) {
-      float* to = v.data() + 3 * static_cast<std::ptrdiff_t>(p.node(a, l));
-      to[0] += x[0][l], to[1] += x[1][l], to[2] += x[2][l];
-    }
+  if (3 * static_cast<std::size_t>(std::max(p.low.last, p.high.last)) + 3 < v.size()) {
+    for (int a = 0; a < 8; ++a) out[a] = gather_nodes(p, a, v.data());
+    return out;
   }
+  for (int a = 0; a < 8; ++a)
+    for (int c = 0; c < 3; ++c)
+      for (int l = 0; l < 2 * lanes; ++l) out[a][c].v[l] = v[3 * static_cast<std::size_t>(p.node(a, l)) + c];
+  return out;
+}
+
+/// Adds x, y and z to sixteen nodes, as the double one does.
+inline void scatter_add_nodes(const PackPair& p, int a, const Vec3<SinglePack>& in, float* v) {
+  using Two = float __attribute__((vector_size(2 * sizeof(float))));
+  const SingleVector xy[2] = {
+      __builtin_shufflevector(in[0].v, in[1].v, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29),
+      __builtin_shufflevector(in[0].v, in[1].v, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31)};
+  alignas(64) float pairs[2][2 * lanes], z[2 * lanes];
+  std::memcpy(pairs, xy, sizeof pairs);
+  std::memcpy(z, &in[2].v, sizeof z);
+  const auto add = [&](int l) {
+    float* to = v + 3 * static_cast<std::ptrdiff_t>(p.node(a, l));
+    Two sum, part;
+    std::memcpy(&sum, to, sizeof sum);
+    std::memcpy(&part, pairs[l / 2 % 2] + l / 4 * 4 + l % 2 * 2, sizeof part);
+    sum += part;
+    std::memcpy(to, &sum, sizeof sum);
+    to[2] += z[l];
+  };
+  if (p.used == 2 * lanes)
+    for (int l = 0; l < 2 * lanes; ++l) add(l);
+  else
+    for (int l = 0; l < p.used; ++l) add(l);
+}
+
+inline void scatter_add(const PackPair& p, const std::array<Vec3<SinglePack>, 8>& in, std::span<float> v) {
+  for (int a = 0; a < 8; ++a) scatter_add_nodes(p, a, in[a], v.data());
 }
 
 /// One number per element, `used` of them from `first` on; the others are zero.

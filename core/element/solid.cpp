@@ -82,7 +82,7 @@ void Solid::linearize(std::span<const double> x, std::span<const double> lambda,
   single_.x.clear();
   update_moduli();
   if (source == StrainSource::cache) fill_cache();
-  else std::vector<float>().swap(cache_);
+  else decltype(cache_)().swap(cache_);
 }
 
 void Solid::update_moduli() {
@@ -113,7 +113,7 @@ void Solid::update_moduli() {
 
 void Solid::fill_cache() {
   constexpr int per_point = cached_floats * lanes;
-  cache_.resize(packs_.size() * 8 * per_point);
+  cache_.resize(packs_.size() * pack_floats);
   for_each_pack([&](const auto&, int p, int) {
     const auto gx = reference_gradient(gather(packs_[p], x_)), gX = reference_gradient(gather<8>(packs_[p], X_));
     for_each_gauss_point([&](int i, int j, int k) {
@@ -130,18 +130,14 @@ void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, s
                   std::span<double> volume_change) const {
   for_each_pack([&](const auto& material, int p, int first) __attribute__((flatten)) {
     const auto& pack = packs_[p];
-    const auto gx = reference_gradient(gather(pack, x_)), gd = reference_gradient(gather(pack, dx));
     const Pack lambda = load_some(lambda_, first, pack.used), penalty = load_some(penalty_, first, pack.used);
     const Pack dl = dlambda.empty() ? Pack(0.) : load_some(dlambda, first, pack.used);
     Pack theta;
-    if (source_ == StrainSource::cache) {
-      const CachedStrain strain{cache_.data() + static_cast<std::size_t>(p) * 8 * cached_floats * lanes};
-      const auto strain_of = [&](const PointValues<Pack>&) { return strain; };
-      scatter_add(pack, tangent_action(material, strain_of, gx, gd, lambda, dl, penalty, theta), force);
-    } else {
-      const auto strain_of = [&](const PointValues<Pack>& det) { return RecomputedStrain(reference_gradient(gather<8>(pack, X_)), det); };
-      scatter_add(pack, tangent_action(material, strain_of, gx, gd, lambda, dl, penalty, theta), force);
-    }
+    const auto add_action = [&](const auto& strain) {
+      scatter_add(pack, tangent_action(material, strain, gather(pack, x_), gather(pack, dx), lambda, dl, penalty, theta), force);
+    };
+    if (source_ == StrainSource::cache) add_action(CachedStrain{cache_.data() + static_cast<std::size_t>(p) * pack_floats});
+    else add_action(RecomputedStrain{reference_gradient(gather<8>(pack, X_))});
     if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
   });
 }
@@ -149,27 +145,16 @@ void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, s
 void Solid::apply_pressure(std::span<const double> dlambda, std::span<double> force) const {
   for_each_pack([&](const auto&, int p, int first) {
     const auto& pack = packs_[p];
-    const auto gx = reference_gradient(gather(pack, x_));
-    const Pack dl = load_some(dlambda, first, pack.used);
-    ReferenceGradient<Pack> flux{};
-    for_each_gauss_point([&](int i, int j, int k) {
-      Mat3<Pack> cof = cofactor(gx.at(i, j, k));
-      for (auto& row : cof.m)
-        for (Pack& c : row) c *= dl;
-      flux.add(i, j, k, cof);
-    });
-    scatter_add(pack, transposed_gradient(flux), force);
+    Modes<Pack> f{};
+    add_pressure(volume_gradient(modes(gather(pack, x_))), load_some(dlambda, first, pack.used), f);
+    scatter_add(pack, nodal(f), force);
   });
 }
 
 void Solid::volume_change(std::span<const double> dx, std::span<double> volume_change) const {
   for_each_pack([&](const auto&, int p, int first) {
     const auto& pack = packs_[p];
-    const auto gx = reference_gradient(gather(pack, x_)), gd = reference_gradient(gather(pack, dx));
-    Pack theta(0.);
-    for_each_gauss_point([&](int i, int j, int k) {
-      theta += trace(times_transposed(gd.at(i, j, k), cofactor(gx.at(i, j, k))));
-    });
+    const Pack theta = bulbus::volume_change(volume_gradient(modes(gather(pack, x_))), modes(gather(pack, dx)));
     store_some(theta, volume_change, first, pack.used);
   });
 }

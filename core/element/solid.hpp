@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/memory.hpp"
 #include "core/element/contribution.hpp"
 #include "core/element/packing.hpp"
 #include "core/material/material.hpp"
@@ -59,6 +60,7 @@ class Solid {
   void apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
              std::span<double> volume_change) const;
   /// The same without dlambda in single precision where the strain is cached: for smoothers.
+  void apply_single(std::span<const float> dx, std::span<float> force) const;
   void apply_single(std::span<const double> dx, std::span<double> force) const;
   /// volume_change = bᵀ dx.
   void volume_change(std::span<const double> dx, std::span<double> volume_change) const;
@@ -101,10 +103,12 @@ class Solid {
   std::vector<PackNodes<8>> packs_;
   std::vector<double> V0_, mu_, penalty_;
   std::vector<int> rigid_;
-  std::vector<float> cache_;
+  std::vector<float, LargePages<float>> cache_;
   std::span<const double> x_, lambda_;
   struct Single {
-    std::vector<float> x, force;  // x: of the linearised state, empty until it is asked for
+    std::vector<float> x;  // of the linearised state, empty until it is asked for
+    std::vector<float> dx, force;
+    std::vector<double> wide, wide_force;
   };
   mutable Single single_;
   double gamma_ = 0;

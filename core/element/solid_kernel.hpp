@@ -11,6 +11,7 @@ template <class Body>
 void for_each_gauss_point(Body body) {
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j)
+#pragma GCC unroll 2
       for (int i = 0; i < 2; ++i) body(i, j, k);
 }
 
@@ -31,44 +32,28 @@ PointStrain<T> point_strain(const Mat3<T>& a, const T& det_a, const Mat3<T>& A) 
   return {gram(F, T(root * root)), dV0};
 }
 
-/// One number per Gauss point i + 2j + 4k of a pack.
-template <class P>
-using PointValues = std::array<P, 8>;
-
-/// The strain of a pack's Gauss points, computed from both configurations. Divisions and roots, which take long but can overlap,
-/// are done for all points at once.
-class RecomputedStrain {
- public:
-  RecomputedStrain(const ReferenceGradient<Pack>& A, const PointValues<Pack>& det_a) {
-    for_each_gauss_point([&](int i, int j, int k) {
-      const int p = i + 2 * j + 4 * k;
-      const Mat3<Pack> a = A.at(i, j, k);
-      cofactor_[p] = cofactor(a);
-      dV0_[p] = determinant(a, cofactor_[p]);
-    });
-    for (int p = 0; p < 8; ++p) {
-      const Pack inverse = 1.0 / dV0_[p], root = inverse_cube_root(det_a[p] * inverse) * inverse;
-      factor_[p] = root * root;
-    }
+/// The strain of a pack's Gauss points, computed from the reference configuration too.
+struct RecomputedStrain {
+  ReferenceGradient<Pack> A;
+  /// a = ∂x/∂ξ, det = det a
+  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a, const Pack& det) const {
+    const Mat3<Pack> reference = A.at(i, j, k), cof = cofactor(reference);
+    const Pack dV0 = determinant(reference, cof);
+    const Pack product = det * dV0 * dV0, root = inverse_cube_root(Pack(product * product));  // (det² dV0⁴)^(-1/3) = J^(-2/3) / dV0²
+    return {gram(times_transposed(a, cof), root), dV0};
   }
-  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a) const {
-    const int p = i + 2 * j + 4 * k;
-    return {gram(times_transposed(a, cofactor_[p]), factor_[p]), dV0_[p]};
-  }
-
- private:
-  std::array<Mat3<Pack>, 8> cofactor_;
-  PointValues<Pack> dV0_, factor_;  // factor: J^(-2/3) / dV0²
 };
 
 /// Floats kept per element and Gauss point by the cache: b and dV0.
 constexpr int cached_floats = 7;
+constexpr int pack_floats = 8 * cached_floats * lanes;
 
 /// The strain of a pack's Gauss points, read from the cache (7 floats a point and lane).
 struct CachedStrain {
   const float* data;
-  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>&) const {
+  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>&, const Pack&) const {
     const float* p = data + (i + 2 * j + 4 * k) * cached_floats * lanes;
+    prefetch(p + pack_floats, cached_floats * lanes);
     PointStrain<Pack> s;
     for (int c = 0; c < 6; ++c) s.b.v[c] = load(p + c * lanes);
     s.dV0 = load(p + 6 * lanes);
@@ -95,45 +80,29 @@ NodalVectors<Pack> internal_force(const Material& material, const ReferenceGradi
         q(r, c) = scale * (tau(r, 0) * cof(0, c) + tau(r, 1) * cof(1, c) + tau(r, 2) * cof(2, c)) + lambda * cof(r, c);
     flux.add(i, j, k, q);
   });
-  return transposed_gradient(flux);
+  return nodal(transposed_gradient(flux));
 }
 
 /// Action of a pack's tangent: forces K δx + b (δλ + γ W θ), where θ = bᵀ δx, b = ∂V_e/∂u, is returned too.
-/// `penalty` is γ W = γ μ_e / V_e; `strain_of` gives the strain of the points from their det ∂x/∂ξ.
-template <class P, class Material, class StrainOf>
-NodalVectors<P> tangent_action(const Material& material, StrainOf strain_of, const ReferenceGradient<P>& x,
-                                  const ReferenceGradient<P>& dx, const P& lambda, const P& dlambda,
-                                  const P& penalty, P& theta) {
-  struct Kinematics {
-    Mat3<P> cof, l;
-  };
-  std::array<Kinematics, 8> points;
-  PointValues<P> det, inverse;
-  theta = 0;
-  for_each_gauss_point([&](int i, int j, int k) {
-    const int n = i + 2 * j + 4 * k;
-    Kinematics& point = points[n];
-    const Mat3<P> a = x.at(i, j, k);
-    point.cof = cofactor(a);
-    det[n] = determinant(a, point.cof);
-    point.l = times_transposed(dx.at(i, j, k), point.cof);  // l det
-    theta += trace(point.l);
-  });
-  for (int n = 0; n < 8; ++n) inverse[n] = 1.0 / det[n];
-  const auto strain = strain_of(det);
-  const P pressure = dlambda + penalty * theta;
+/// `penalty` is γ W = γ μ_e / V_e.
+template <class P, class Material, class Strain>
+NodalVectors<P> tangent_action(const Material& material, const Strain& strain, const NodalVectors<P>& x, const NodalVectors<P>& dx,
+                               const P& lambda, const P& dlambda, const P& penalty, P& theta) {
+  const Modes<P> place = modes(x), change = modes(dx), b = volume_gradient(place);
+  theta = volume_change(b, change);
+  const ReferenceGradient<P> gx = reference_gradient(place), gd = reference_gradient(change);
   ReferenceGradient<P> flux{};
   for_each_gauss_point([&](int i, int j, int k) {
-    const int n = i + 2 * j + 4 * k;
-    const Kinematics& point = points[n];
-    const PointStrain<P> s = strain.at(i, j, k, x.at(i, j, k));
+    const Mat3<P> a = gx.at(i, j, k), cof = cofactor(a);
+    const P det = determinant(a, cof), inverse = 1.0 / det;
+    const PointStrain<P> s = strain.at(i, j, k, a, det);
+    const Mat3<P> l = times_transposed(gd.at(i, j, k), cof);  // l det
     // T is linear in l: hand over l det and divide once. Everything carries one more 1/det for a⁻ᵀ = cof / det.
-    const P dV0 = s.dV0 * inverse[n] * inverse[n];
-    Mat3<P> t = material.tangent(s.b, point.l, dV0, P(lambda * inverse[n]));
-    for (int r = 0; r < 3; ++r) t(r, r) += pressure;
-    flux.add(i, j, k, t * point.cof);
+    flux.add_product(i, j, k, material.tangent(s.b, l, P(s.dV0 * inverse * inverse), P(lambda * inverse)), cof);
   });
-  return transposed_gradient(flux);
+  Modes<P> force = transposed_gradient(flux);
+  add_pressure(b, P(dlambda + penalty * theta), force);
+  return nodal(force);
 }
 
 }  // namespace bulbus

@@ -19,14 +19,12 @@ ShapeGradients spatial_gradients(int i, int j, int k, const Mat3<Pack>& cof, con
   return g;
 }
 
-// b_e, in the order of the pack's nodes: ∫ J ∇ₓN dV0
-std::array<Pack, 24> constraint(const ReferenceGradient<Pack>& x) {
-  std::array<Pack, 24> b{};
-  for_each_gauss_point([&](int i, int j, int k) {
-    const auto g = spatial_gradients(i, j, k, cofactor(x.at(i, j, k)), 1.);
-    for (int n = 0; n < 8; ++n)
-      for (int c = 0; c < 3; ++c) b[3 * n + c] += g[n][c];
-  });
+// b_e = ∂V_e/∂u, in the order of the pack's nodes.
+std::array<Pack, 24> constraint(const NodalVectors<Pack>& x) {
+  const NodalVectors<Pack> at = nodal(volume_gradient(modes(x)));
+  std::array<Pack, 24> b;
+  for (int n = 0; n < 8; ++n)
+    for (int c = 0; c < 3; ++c) b[3 * n + c] = at[n][c];
   return b;
 }
 
@@ -69,7 +67,7 @@ void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
       add_point(material, point_strain(a, det, gX.at(i, j, k)), spatial_gradients(i, j, k, cof, 1. / det), det, lambda, K);
     });
     if (augmented) {
-      const auto b = constraint(gx);
+      const auto b = constraint(gather(pack, x_));
       const Pack penalty = load_some(penalty_, first, pack.used);
       for (int r = 0; r < 24; ++r)
         for (int c = 0; c < 24; ++c) K[24 * r + c] += penalty * b[r] * b[c];
@@ -85,7 +83,7 @@ void Solid::visit_constraints(
     const std::function<void(int, std::span<const int>, std::span<const double>)>& visitor) const {
   std::array<double, 24> lane;
   for_each_pack([&](const auto&, int p, int first) {
-    const auto b = constraint(reference_gradient(gather(packs_[p], x_)));
+    const auto b = constraint(gather(packs_[p], x_));
     for (int l = 0; l < packs_[p].used; ++l) {
       for (int i = 0; i < 24; ++i) lane[i] = b[i][l];
       visitor(first + l, nodes_of_lane(packs_[p], l), lane);

@@ -35,17 +35,19 @@ struct NeoHooke {
     return deviator(b, T(2 * c10));
   }
 
-  /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]; here b carries 2 c10 w
+  /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]; here b carries 2 c10 w. With e = ⅔ tr l and q = (l − e I) b,
+  /// whose trace is b:l − e tr b, this is q + ⅓ tr b lᵀ − ⅔ tr q I − ⅓ e tr b I.
   template <class T>
   Mat3<T> tangent(Sym3<T> b, const Mat3<T>& l, const T& w, const T& p) const {
     const T weight = 2 * c10 * w;
     for (T& v : b.v) v *= weight;
-    const T third = trace(b) * (1.0 / 3), tr = trace(l), expansion = tr * (2.0 / 3);
-    const T transposed = third - p, spherical = third * expansion - contract(b, l) * (2.0 / 3) + p * tr;
-    Mat3<T> t;
+    const T third = trace(b) * (1.0 / 3), tr = trace(l), e = tr * (2.0 / 3), transposed = third - p;
+    Mat3<T> t = l;
+    for (int i = 0; i < 3; ++i) t(i, i) -= e;
+    t = t * b;
+    const T spherical = p * tr - third * e - trace(t) * (2.0 / 3);
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j)
-        t(i, j) = l(i, 0) * b(0, j) + l(i, 1) * b(1, j) + l(i, 2) * b(2, j) + transposed * l(j, i) - expansion * b(i, j);
+      for (int j = 0; j < 3; ++j) t(i, j) += transposed * l(j, i);
       t(i, i) += spherical;
     }
     return t;

@@ -67,31 +67,24 @@ std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal)
   return flux;
 }
 
-// Forces on local nodes, folded, and volume changes of a nodal increment.
-struct CoupledSystem::Action {
-  std::span<double> force;
-  std::vector<double> volume;
-};
-
-CoupledSystem::Action CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda,
-                                                  bool volume, Precision precision) const {
+// Forces on local nodes, folded, of a nodal increment. `volume` takes the changes of the hexahedra that have an equation; it may be empty.
+std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume,
+                                              Precision precision) const {
   force_.assign(dx.size(), 0);
-  Action a{force_, std::vector<double>(volume ? layout_.hexes : 0)};
+  const Solid& solid = problem_.solid();
   if (assembled_) {
     assembled_->apply(dx, force_);
-    if (!dlambda.empty()) problem_.solid().apply_pressure(dlambda, force_);
-    if (volume) problem_.solid().volume_change(dx, a.volume);
+    if (!dlambda.empty()) solid.apply_pressure(dlambda, force_);
+    if (!volume.empty()) solid.volume_change(dx, volume);
   } else {
-    if (precision == Precision::single)
-      problem_.solid().apply_single(dx, force_);
-    else
-      problem_.solid().apply(dx, dlambda, force_, a.volume);
+    if (precision == Precision::single) solid.apply_single(dx, force_);
+    else solid.apply(dx, dlambda, force_, volume);
     for (const auto& term : problem_.terms()) term->add_action(dx, force_);
     for (std::size_t i = 0; i < state_->P.size(); ++i)
       if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force_);
   }
   problem_.mesh().halo.fold(force_);
-  return a;
+  return force_;
 }
 
 // Spin rows of every body on rank 0; unknowns that symmetry holds are identity rows.
@@ -122,8 +115,7 @@ void CoupledSystem::apply_displacement(std::span<const double> x, std::span<doub
   const DofMap& dofs = problem_.dofs();
   dx_.resize(state_->x.size());
   dofs.expand(*state_, x, dx_);
-  const Action a = nodal_action(dx_, {}, false, precision);
-  dofs.reduce(*state_, a.force, y);
+  dofs.reduce(*state_, nodal_action(dx_, {}, {}, precision), y);
   dofs.add_held(x, dx_, held_scale_, y);
   add_body_geometry(x, y);
 }
@@ -134,10 +126,8 @@ void CoupledSystem::apply(std::span<const double> x, std::span<double> y) const 
   const auto yu = layout_.primal(y), yl = layout_.lambda(y);
   dx_.resize(state_->x.size());
   dofs.expand(*state_, xu, dx_);
-  const Action a = nodal_action(dx_, xl, true);
-  std::ranges::copy(a.volume, yl.begin());
+  dofs.reduce(*state_, nodal_action(dx_, xl, yl), yu);
   for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
-  dofs.reduce(*state_, a.force, yu);
   dofs.add_held(xu, dx_, held_scale_, yu);
   add_body_geometry(xu, yu);
   const std::size_t liquids = g_.size();
@@ -167,12 +157,12 @@ std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<
   std::vector<double> b(layout_.size());
   const auto bu = layout_.primal(b), bl = layout_.lambda(b);
   const auto penalty = problem_.solid().penalties();
-  std::vector<double> local(r.force), liquid(r.liquid), bound(r.volume.size());
+  std::vector<double> local(r.force), liquid(r.liquid), bound(r.volume.size()), volume(r.volume.size());
   // A ū; the tangent's augmentation acts on ū too, and is undone by the element rows it comes from
-  const Action a = nodal_action(held, {}, true);
-  for (std::size_t i = 0; i < local.size(); ++i) local[i] += a.force[i];
+  const auto force = nodal_action(held, {}, volume);
+  for (std::size_t i = 0; i < local.size(); ++i) local[i] += force[i];
   for (std::size_t e = 0; e < bound.size(); ++e) {
-    bl[e] = -(r.volume[e] + a.volume[e]);
+    bl[e] = -(r.volume[e] + volume[e]);
     bound[e] = penalty[e] * r.volume[e];  // A_γ ū holds γ W bᵀ ū already
   }
   std::vector<double> augmentation(local.size());

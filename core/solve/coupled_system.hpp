@@ -90,8 +90,8 @@ class CoupledSystem final : public LinearOperator {
   std::size_t bytes() const;
 
  private:
-  struct Action;
-  Action nodal_action(std::span<const double> dx, std::span<const double> dlambda, bool volume, Precision precision = Precision::full) const;
+  std::span<double> nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume,
+                                 Precision precision = Precision::full) const;
   void take_liquid_columns();
   std::vector<double> liquid_fluxes(std::span<const double> primal) const;
   void take_blocks();

@@ -121,6 +121,18 @@ TEST_F(SolidTest, SinglePrecisionActsAsDouble) {
   }
 }
 
+TEST_F(SolidTest, SinglePrecisionTakesAndAddsToFloats) {
+  const std::vector<float> given(d.begin(), d.end());
+  for (StrainSource source : {StrainSource::cache, StrainSource::recompute}) {
+    solid.linearize(x, lambda, 10, source);
+    std::vector<float> single(X.size(), 1.f);
+    solid.apply_single(given, single);
+    const std::vector<double> force(single.begin(), single.end());
+    const auto expected = plus(action(std::vector<double>(given.begin(), given.end())), 1, std::vector<double>(X.size(), 1.));
+    EXPECT_LT(relative_difference(force, expected), 2e-6);
+  }
+}
+
 TEST_F(SolidTest, SinglePrecisionFollowsTheLinearisedState) {
   solid.linearize(X, lambda, 10, StrainSource::cache);
   std::vector<double> before(X.size()), after(X.size());
