@@ -29,7 +29,7 @@ struct Bar {
 /// Where a node is in the lattice of a generated shape; what the numbers mean is the shape's own.
 using Parameters = std::array<double, 5>;
 
-/// A hexahedral mesh with its names. Whole on every rank: it is what is read or generated, before partition.
+/// A hexahedral mesh with its names: what is read or generated, whole on every rank, or a rank's part of its refinement.
 struct Mesh {
   std::vector<Point> points;
   std::vector<Hex> hexes;

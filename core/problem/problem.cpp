@@ -16,11 +16,27 @@ std::vector<MeshLevel> valid_levels(const Mesh& base, int refinements, const Mod
   return distribute_levels(base, refinements, comm, shared_surfaces(base, model));
 }
 
+// Names that the model refers to as sets of nodes, and those of all regions.
+std::set<std::string> sets_in_use(const LocalMesh& mesh, const Model& model) {
+  std::set<std::string> names(mesh.region_names.begin(), mesh.region_names.end());
+  for (const FixSpec& f : model.fix) names.insert(f.set);
+  for (const StepSpec& s : model.steps) {
+    for (const DisplaceSpec& d : s.displace) names.insert(d.set);
+    for (const LoadSpec& l : s.loads)
+      if (l.force) names.insert(l.set);
+  }
+  for (const ProbeSpec& p : model.probes)
+    for (const std::string& set : {p.set, p.to})
+      if (!set.empty()) names.insert(set);
+  return names;
+}
+
 }  // namespace
 
 Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm) : Problem(valid_levels(mesh, 0, model, comm), model) {}
 
-Problem::Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm) : Problem(valid_levels(meshes.base, meshes.refinements, model, comm), model) {}
+Problem::Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm)
+    : Problem(valid_levels(meshes.base, meshes.refinements, model, comm), model) {}
 
 Problem::Problem(std::vector<MeshLevel> levels, const Model& model) : model_(model), level_(std::move(levels.back())), mesh_(*level_.mesh) {
   levels.pop_back();
@@ -54,12 +70,11 @@ State Problem::coarsened(const State& state) const {
 }
 
 const std::vector<int>& Problem::nodes_of(const std::string& set) const {
-  if (const auto* nodes = mesh_.nodes_of(set)) return *nodes;
-  std::vector<std::string> names = mesh_.region_names;
-  for (const auto& [name, nodes] : mesh_.sets) names.push_back(name);
-  const std::string near = nearest(set, names);
-  throw input_error("the mesh has no node set, surface or region '" + set + "'",
-                    near.empty() ? "name one that it has" : "did you mean '" + near + "'?");
+  const auto known = sets_in_use(mesh_, model_);
+  if (const auto* nodes = mesh_.nodes_of(set); nodes && known.contains(set)) return *nodes;
+  const std::string near = nearest(set, known);
+  throw input_error("no hold, load or probe of the model names the set '" + set + "'",
+                    near.empty() ? "name it in one of them" : "did you mean '" + near + "'?");
 }
 
 State Problem::initial_state() const {

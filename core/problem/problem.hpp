@@ -68,7 +68,7 @@ class Problem {
   /// A term from a floor above; it acts, and hears of steps, after those added before it.
   void add(std::shared_ptr<Term> term) { added_.push_back(std::move(term)); }
   std::span<const std::shared_ptr<Term>> added() const { return added_; }
-  /// Local nodes of a set, surface or region. Throws InputError if the mesh has none of that name.
+  /// Local nodes of a region, or of a set or surface that the model refers to as nodes. Throws InputError for others.
   const std::vector<int>& nodes_of(const std::string& set) const;
 
   State initial_state() const;

@@ -186,14 +186,14 @@ TEST(Refinement, RunningSumsAreThoseOfAllRanks) {
   EXPECT_EQ(sums.total(), 73);
 }
 
-/// A shell under a plate, sewn to it.
+/// A shell with a tire sewn onto it.
 Scene sewn_shell() {
   Scene s{generate(ShellShape{.inner = 10, .outer = 12, .n = 3, .layers = 2, .part = "half"}), {}};
   Model& m = s.model;
   m.regions["shell"] = neo_hooke(.08);
   m.symmetry = {"x"};
   m.fix.push_back({"inner", {"x", "y", "z"}});
-  m.rigid_bodies["tire"].tire = TireShape{.width = 4, .crown = 2, .edge_radius = .5, .inner_radius_of_curvature = 12, .radius = 12, .arc = {.from = 0, .to = 30}};
+  m.rigid_bodies["tire"].tire = TireShape{.width = 4, .crown = 2, .edge_radius = .5, .arc = {.from = 0, .to = 30}};
   m.contacts = {{.name = "tire", .slave = "outer", .master = "tire", .start = "resolve"}};
   m.sutures["string"] = {.body = "tire", .surface = "outer", .pair = SutureSpec::Pair{.azimuth = 0, .spacing = 8}};
   m.steps = {step("sew")};
