@@ -88,7 +88,8 @@ ReferenceGradient<T> reference_gradient(const Modes<T>& m) {
     for (int c = 0; c < 3; ++c) {
       const T low = m.linear[d][c] - gauss_point * m.twist[f][c], high = m.linear[d][c] + gauss_point * m.twist[f][c];
       const T low_slope = m.twist[e][c] - gauss_point * m.warp[c], high_slope = m.twist[e][c] + gauss_point * m.warp[c];
-      g.along[d][c] = {low - gauss_point * low_slope, high - gauss_point * high_slope, low + gauss_point * low_slope, high + gauss_point * high_slope};
+      g.along[d][c] = {low - gauss_point * low_slope, high - gauss_point * high_slope,
+                       low + gauss_point * low_slope, high + gauss_point * high_slope};
     }
   }
   return g;

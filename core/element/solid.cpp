@@ -160,7 +160,7 @@ void Solid::volume_change(std::span<const double> dx, std::span<double> volume_c
 }
 
 std::size_t Solid::bytes() const {
-  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) + bytes_of(single_.x) + bytes_of(single_.force);
+  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) + single_.bytes();
 }
 
 std::size_t Solid::cache_bytes() const { return bytes_of(cache_); }

@@ -59,7 +59,8 @@ class Solid {
   /// not written.
   void apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
              std::span<double> volume_change) const;
-  /// The same without dlambda in single precision where the strain is cached: for smoothers.
+  /// The same without dlambda in single precision where the strain is cached: for smoothers. Good to 1e-6 or so of the strain's part;
+  /// a translation on top of it costs floats accuracy, doubles none.
   void apply_single(std::span<const float> dx, std::span<float> force) const;
   void apply_single(std::span<const double> dx, std::span<double> force) const;
   /// volume_change = bᵀ dx.
@@ -109,6 +110,7 @@ class Solid {
     std::vector<float> x;  // of the linearised state, empty until it is asked for
     std::vector<float> dx, force;
     std::vector<double> wide, wide_force;
+    std::size_t bytes() const { return bytes_of(x) + bytes_of(dx) + bytes_of(force) + bytes_of(wide) + bytes_of(wide_force); }
   };
   mutable Single single_;
   double gamma_ = 0;

@@ -35,8 +35,8 @@ struct NeoHooke {
     return deviator(b, T(2 * c10));
   }
 
-  /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]; here b carries 2 c10 w. With e = ⅔ tr l and q = (l − e I) b,
-  /// whose trace is b:l − e tr b, this is q + ⅓ tr b lᵀ − ⅔ tr q I − ⅓ e tr b I.
+  /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]; here b carries 2 c10 w.
+  /// With e = ⅔ tr l and q = (l − e I) b, whose trace is b:l − e tr b, this is q + ⅓ tr b lᵀ − ⅔ tr q I − ⅓ e tr b I.
   template <class T>
   Mat3<T> tangent(Sym3<T> b, const Mat3<T>& l, const T& w, const T& p) const {
     const T weight = 2 * c10 * w;
