@@ -30,7 +30,6 @@ bool ran_as_child(int& argc, char**& argv, const std::function<json(const std::v
   const std::string file = argv[2];
   const std::vector<std::string> words(argv + 3, argv + argc);
   Session session(argc, argv);
-  return_freed_memory();
   write_json(file, measure(words));
   return true;
 }

@@ -1,6 +1,5 @@
 #include "benchmarks/common.hpp"
 
-#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -73,12 +72,6 @@ void single_threaded(char** argv) {
   if (one && std::string(one) == "1" && std::getenv("OPENBLAS_NUM_THREADS")) return;
   for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"}) setenv(name, "1", 1);
   execv("/proc/self/exe", argv);
-}
-
-void return_freed_memory() {
-  mallopt(M_MMAP_MAX, 1 << 16);
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  mallopt(M_TRIM_THRESHOLD, 1 << 20);
 }
 
 void reset_peak_resident() { std::ofstream("/proc/self/clear_refs") << 5; }

@@ -24,10 +24,6 @@ Options parse(int argc, char** argv, std::vector<int> sizes, std::vector<int> sm
 /// Makes BLAS and OpenMP single-threaded. They read the environment before main, so the program starts itself anew.
 void single_threaded(char** argv);
 
-/// Lets the allocator hand freed blocks of a megabyte or more back to the system. MPI libraries switch that off, after which the
-/// peak of a process tells more of fragmentation than of need. Call after MPI has started.
-void return_freed_memory();
-
 /// Lets the peak that core/base/memory.hpp tells begin anew with what is resident now (Linux; elsewhere it stays).
 void reset_peak_resident();
 

@@ -162,7 +162,6 @@ int main(int argc, char** argv) {
   single_threaded(argv);
   if (ran_as_child(argc, argv, whole_run)) return 0;
   Session session(argc, argv);
-  return_freed_memory();
   const Options o = parse(argc, argv, {8, 14}, {4}, 1);
   const Limits limits = limits_in(o);
   json report = new_report("formulations", o);

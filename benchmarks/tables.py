@@ -61,6 +61,16 @@ TABLES = {
     "from_dump": [("rows", [("file", "file"), ("unknowns", "unknowns"), ("method", "method"), ("iterations", "iterations"),
                             ("set-up s", "setup_s"), ("solve s", "solve_s"), ("MB", "mb"), ("residual", "residual"),
                             ("failure", "reason")])],
+    "scaling": [("rows", [("ranks", "ranks"), ("n", "n"), ("refined", "refine"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"),
+                          ("Krylov iterations", "iterations"), ("set-up s", "setup_s"), ("ms per iteration", "iteration_ms"),
+                          ("rank µs per unknown", "us_per_unknown"), ("messages", "messages"), ("kB", "kb"), ("global sums", "reductions"),
+                          ("peak MB of a rank", "peak_mb"), ("failure", "reason")])],
+    "mesh_convergence": [
+        ("rows", [("n", "n"), ("refined", "refine"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"), ("processor s", "cpu_s"),
+                  ("peak MB", "peak_mb"), ("Newton iterations", "newton_iterations"), ("Krylov iterations", "krylov_iterations"),
+                  ("failure", "reason")]),
+        ("probes", [("figure", "probe"), ("unit", "unit"), ("coarse", "level_0"), ("middle", "level_1"), ("fine", "level_2"),
+                    ("extrapolated", "extrapolated"), ("observed order", "order"), ("error of the fine one, %", "error_percent")])],
     "contact_search": [("rows", [("slave nodes", "nodes"), ("triangles", "triangles"), ("candidates per node", "candidates_per_node"),
                                  ("global search, ns per node", "global_ns_per_node"), ("slave normals", "normals_ns_per_node"),
                                  ("local search", "local_ns_per_node"), ("tracked", "tracked_ns_per_node")])],
@@ -187,13 +197,85 @@ def trade_tables():
                               [("mesh, %", "mesh")])])
 
 
+def scaling_rows():
+    files = sorted((HERE / "results").glob("scaling_*.json"))
+    return [row for f in files for row in json.loads(f.read_text())["rows"]]
+
+
+def large_tables():
+    path = HERE / "results" / "large" / "summary.json"
+    if not path.exists():
+        return ""
+    s = json.loads(path.read_text())
+    memory, ranks = s["memory_mb"], s["ranks"]
+    steps = [{**step, "minutes": step["seconds"] / 60} for step in s["steps"]]
+    parts = [{"part": part, "mb": round(mb["all_ranks"])} for part, mb in sorted(memory["parts"].items()) if mb["all_ranks"] >= 1]
+    seconds = [{"part": part, "minutes": t / 60} for part, t in sorted(s["seconds"].items(), key=lambda i: -i[1]) if t >= 1]
+    peak = memory["process_peak"]["all_ranks"]
+    facts = (f"{s['hexahedra']:,} hexahedra, {s['unknowns']['total']:,} unknowns on {ranks} ranks: {s['seconds']['total'] / 60:.0f} minutes, "
+             f"{peak / 1e3:.1f} GB at the peak (all ranks), {1e6 * peak / s['unknowns']['total']:.0f} bytes per unknown.")
+    probes = [{"figure": name, "value": f"{v:.5g}", "unit": s["units"].get(name, "")} for name, v in s["probes"].items() if v is not None]
+    return "\n\n".join([
+        facts,
+        table(steps, [("step", "name"), ("increments", "increments"), ("Newton", "newton_iterations"), ("Krylov", "krylov_iterations"),
+                      ("cuts", "cuts"), ("minutes", "minutes")]),
+        table(seconds, [("time", "part"), ("minutes", "minutes")]),
+        table(parts, [("memory, peak of the part", "part"), ("MB, all ranks", "mb")]),
+        table(probes, [("figure", "figure"), ("value", "value"), ("unit", "unit")])])
+
+
+LATENCY, BANDWIDTH = 2e-6, 1e9  # s a message and a doubling of a sum's ranks; bytes per second of a rank
+
+
+# Rows of the model of docs/scaling.md for 10^9 unknowns, from the largest measured system on two ranks.
+def model_rows():
+    measured = [r for r in scaling_rows() if r["ranks"] == 2]
+    if not measured:
+        return []
+    of = max(measured, key=lambda r: r["unknowns"])
+    per_rank, hexes = of["unknowns"] / 2, of["hexahedra"] / 2
+    ghosts_of = lambda cells: 3 * cells ** (2 / 3)  # half the surface of a cube: the other half belongs to its neighbours
+    rows = []
+    for ranks in (128, 256, 512):
+        share = 1e9 / ranks
+        cells = share * hexes / per_rank
+        compute = of["us_per_unknown"] * 1e-6 * share
+        sent = of["kb"] * 1e3 * ghosts_of(cells) / of["ghosts"]
+        neighbours = 12  # of a part of a shell a few parts thick
+        network = sent / BANDWIDTH + neighbours * of["messages"] * LATENCY
+        sums = of["reductions"] * LATENCY * ranks.bit_length()
+        rows.append({"ranks": ranks, "share": round(share), "gb": of["peak_mb"] / 1e3 / per_rank * share, "compute": compute,
+                     "network": network, "sums": sums, "total": compute + network + sums})
+    return rows
+
+
+MODEL = [("ranks", "ranks"), ("unknowns of a rank", "share"), ("GB of a rank", "gb"), ("an iteration: computing, s", "compute"),
+         ("messages, s", "network"), ("global sums, s", "sums"), ("together, s", "total")]
+
+
+def mesh_table():
+    path = HERE / "results" / "mesh_convergence.json"
+    if not path.exists():
+        return ""
+    report = json.loads(path.read_text())
+    return "\n\n".join(table(report[where], columns) for where, columns in TABLES["mesh_convergence"])
+
+
+def scaling_blocks():
+    rows = scaling_rows()
+    return {"scaling": table(rows, TABLES["scaling"][0][1]) if rows else "", "large": large_tables(),
+            "model": table(model_rows(), MODEL) if rows else ""}
+
+
 def pages():
     """Path, text as it is and text as it should be of every page with tables."""
     blocks = {"README.md": {"tables": table([r for r in result("direct_vs_iterative")["rows"] if r["n"] >= 14], SUMMARY),
                             "formulations": table(by_direct_solver(result("formulations")), FORMULATIONS),
                             "operation": table(beside_paper(result("operation")), OPERATION)},
               "docs/benchmarks.md": {"tables": all_tables(recorded())},
-              "docs/trade.md": {"trade": trade_tables()}}
+              "docs/trade.md": {"trade": trade_tables()},
+              "docs/scaling.md": scaling_blocks(),
+              "docs/verification.md": {"mesh": mesh_table()}}
     for name, of_page in blocks.items():
         path = HERE.parent / name
         right = text = path.read_text()

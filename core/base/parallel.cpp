@@ -46,6 +46,11 @@ void give_freed_memory_back() {
 
 }  // namespace
 
+Traffic& traffic() {
+  static Traffic sent;
+  return sent;
+}
+
 Session::Session(int& argc, char**& argv) {
   int running = 0;
   MPI_Initialized(&running);
@@ -66,16 +71,19 @@ Comm::Comm(MPI_Comm c) : comm_(c) {
 }
 
 double Comm::sum(double x) const {
+  ++traffic().reductions;
   MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, comm_);
   return x;
 }
 
 long long Comm::sum(long long x) const {
+  ++traffic().reductions;
   MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_LONG_LONG, MPI_SUM, comm_);
   return x;
 }
 
 double Comm::max(double x) const {
+  ++traffic().reductions;
   MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_MAX, comm_);
   return x;
 }
@@ -83,10 +91,12 @@ double Comm::max(double x) const {
 double Comm::min(double x) const { return -max(-x); }
 
 void Comm::sum(std::span<double> x) const {
+  ++traffic().reductions;
   MPI_Allreduce(MPI_IN_PLACE, x.data(), static_cast<int>(x.size()), MPI_DOUBLE, MPI_SUM, comm_);
 }
 
 void Comm::max(std::span<double> x) const {
+  ++traffic().reductions;
   MPI_Allreduce(MPI_IN_PLACE, x.data(), static_cast<int>(x.size()), MPI_DOUBLE, MPI_MAX, comm_);
 }
 

@@ -8,7 +8,7 @@
 
 namespace bulbus {
 
-/// Starts and ends MPI and the libraries on it (Kokkos, hypre are started by their own wrappers). One per program.
+/// Starts and ends MPI and the libraries on it (hypre is started by its own wrapper). One per program.
 class Session {
  public:
   Session(int& argc, char**& argv);
@@ -16,6 +16,12 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 };
+
+/// What this rank has sent through Halo and summed through Comm since the program began.
+struct Traffic {
+  long long messages = 0, bytes = 0, reductions = 0;
+};
+Traffic& traffic();
 
 /// A communicator with the few reductions that the program needs. Every member but rank/size is collective.
 class Comm {

@@ -25,6 +25,8 @@ void exchange(const Comm& comm, const std::vector<Halo::Neighbour>& neighbours, 
   }
   for (const auto& n : neighbours) {
     const auto& buffer = out.emplace_back(packed(v, give(n), width));
+    ++traffic().messages;
+    traffic().bytes += static_cast<long long>(buffer.size() * sizeof(double));
     MPI_Isend(buffer.data(), static_cast<int>(buffer.size()), MPI_DOUBLE, n.rank, tag, comm.raw(), &*request++);
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
