@@ -72,6 +72,12 @@ void measure_memory(const Problem& problem, const CoupledSystem& system, Meters&
   meters.memory.set("coupled system", system.bytes());
 }
 
+nlohmann::json json_of(const std::vector<MemoryPart>& forecast) {
+  nlohmann::json mb{{"together", 1e-6 * sum_of(forecast)}};
+  for (const auto& [part, bytes] : forecast) mb[part] = 1e-6 * bytes;
+  return mb;
+}
+
 void write_end(const Log& log, const Model& model, const Recorder& recorder, const MarchReport& march,
                const std::string& folder, double seconds) {
   log.info("");
@@ -97,10 +103,12 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   const double start = Clock::now();
   Meters meters;
   Prepared prepared;
+  std::vector<MemoryPart> memory;
   {
     const auto scope = meters.clock.measure("mesh and problem");
     prepared = prepare(scene, comm);
-    refuse_what_cannot_fit(forecast_memory(prepared, scene), scene.solver.linear);
+    memory = forecast_memory(prepared, scene);
+    refuse_what_cannot_fit(memory, scene.solver.linear);
   }
   Problem& problem = *prepared.problem;
   std::optional<Checkpoint> from;
@@ -113,6 +121,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   const FileStart start_of_records = from ? FileStart::continued : FileStart::anew;
   const Log log(out_dir + "/run.log", comm, screen, start_of_records);
   write_header(log, scene, scene_path, prepared);
+  log.info(fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * sum_of(memory)));
 
   Recorder recorder(prepared, scene, out_dir, log, meters, start_of_records);
   const LinearSettings& linear = scene.solver.linear;
@@ -127,7 +136,8 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   recorder.finish(state);
   measure_memory(problem, system, meters);
   const double seconds = Clock::now() - start;
-  const auto summary = summary_of(scene.title, prepared, recorder, report, meters, seconds);
+  auto summary = summary_of(scene.title, prepared, recorder, report, meters, seconds);
+  summary["memory_mb"]["forecast"] = json_of(memory);
   if (comm.rank() == 0) write_json(out_dir + "/summary.json", summary);
   write_end(log, scene.model, recorder, report, out_dir, seconds);
   return report.converged ? 0 : 1;
