@@ -9,7 +9,7 @@ FLOORS = [["core/base"], ["core/mesh"], ["core/io"], ["core/material"], ["core/e
           ["precond", "contact"], ["app"], ["tests", "benchmarks"]]
 LEVEL = {folder: level for level, floor in enumerate(FLOORS) for folder in floor}
 WRAPPED = {  # header pattern: the sources that may include it
-    r"(Tpetra|Belos|Teuchos|Kokkos)\w*\.hpp": r"core/solve/fgmres\.cpp",
+    r"(Tpetra|Belos|Teuchos|Kokkos)\w*\.hpp": r"core/solve/(fgmres\.cpp|krylov_vectors\.hpp)",
     r"_?hypre\w*\.h|HYPRE\w*\.h": r"precond/boomeramg\.cpp",
     r"dmumps_c\.h": r"core/solve/mumps\.cpp",
     r"hdf5\.h|H5\w*\.h": r"core/io/hdf5_\w+\.(cpp|hpp)|core/solve/dump\.cpp|core/io/vtkhdf\.cpp",
