@@ -157,6 +157,17 @@ Residual::Resultant Problem::resultant(std::size_t k, const State& state, const 
   return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}, sum[6], sum[7], sum[8] / sum[9]};
 }
 
+namespace {
+
+// A force without its counterpart, relative to the forces that meet there. What rounding leaves in the places, a strain of 1e-15 where the floor
+// is one of 1e-7, is none.
+double imbalance(double force, double magnitude, double floor) {
+  constexpr double rounding = 1e-8;
+  return force <= rounding * floor ? 0 : force / std::max(magnitude, floor);
+}
+
+}  // namespace
+
 Balance Problem::balance(const Residual& r) const {
   Balance b;
   std::vector<double> free(r.force);
@@ -170,15 +181,14 @@ Balance Problem::balance(const Residual& r) const {
     }
   comm().sum(sums);
   for (std::size_t g = 0; g < region_nodes_.size(); ++g) {
-    const double relative = std::sqrt(sums[2 * g]) / std::max(std::sqrt(sums[2 * g + 1]), region_floor_[g]);
+    const double relative = imbalance(std::sqrt(sums[2 * g]), std::sqrt(sums[2 * g + 1]), region_floor_[g]);
     if (!(relative <= b.force)) b.force = relative, b.region = solid_->regions()[g].name;
   }
   for (std::size_t k = 0; k < dofs_->bodies().size(); ++k) {
     // as the free nodes are: the resultants against the sum of the nodal magnitudes
     const Residual::Resultant& body = r.bodies[k];
     const double floor = region_floor_.empty() ? 1e-300 : region_floor_[0];
-    for (double relative : {norm(body.force) / std::max(body.magnitude, floor),
-                            norm(body.moment) / std::max(body.moment_magnitude, floor * body.arm)})
+    for (double relative : {imbalance(norm(body.force), body.magnitude, floor), imbalance(norm(body.moment), body.moment_magnitude, floor * body.arm)})
       if (!(relative <= b.force)) b.force = relative, b.region = dofs_->bodies()[k].name();
   }
   const auto V0 = solid_->reference_volumes();
