@@ -44,9 +44,8 @@ double smoother_bytes(const Size& s) { return 15 * single * s.nodes + 8 * s.node
 // Weak patterns of pressure: volume gradients, nodal room, four vectors; they are taken up late.
 double pressure_bytes(const Size& s) { return 7 * 3 * single * s.hexes + 4 * number * s.nodes + 6 * number * s.hexes; }
 
-// MUMPS on the displacement block of a base mesh, measured on eyes: kept, and besides while it is assembled and factorised.
-double base_bytes(const Size& s) { return 220 * std::pow(s.nodal(), 4.0 / 3); }
-double base_setup_bytes(const Size& s) { return 155 * std::pow(s.nodal(), 4.0 / 3); }
+// MUMPS on the displacement block of a base mesh, measured on eyes.
+double base_bytes(const Size& s) { return 178 * std::pow(s.nodal(), 4.0 / 3); }
 
 void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vector<MemoryPart>& parts) {
   double levels = 0;
@@ -68,25 +67,17 @@ void add_iterative(const Problem& problem, const Size& s, const LinearSettings& 
   const std::string name = chosen_displacement(l, problem);
   parts.push_back({"operator", system_bytes(s, l)});
   parts.push_back({"smoother", smoother_bytes(s) + (1 + s.liquids) * number * s.nodal()});
-  const double basis = (l.restart + 1) * single * s.unknowns() + 10 * number * s.unknowns(), pressures = pressure_bytes(s);
-  double setup = 0;
+  parts.push_back({"Krylov basis", (l.restart + 1) * single * s.unknowns() + 10 * number * s.unknowns()});
+  parts.push_back({"element pressures", pressure_bytes(s)});
   if (name == "multigrid") {
     add_coarser_levels(problem, l, parts);
     const Problem* base = &problem;
     while (base->coarser()) base = base->coarser();
-    const Size b = size_of(*base);
-    setup = base_setup_bytes(b);
-    parts.push_back({"base factors", base_bytes(b)});
+    parts.push_back({"base factors", base_bytes(size_of(*base))});
   } else {
     const bool whole = name == "boomeramg" || name == "boomeramg_nodal";
     const double aggregates = s.nodes / l.aggregation.nodes;  // a block of 6 x 6 with each of 27 neighbours, and its factors
     parts.push_back({"coarse matrix", name == "aggregation" ? 27 * 36 * 20 * aggregates : (whole ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes});
-  }
-  if (setup > basis + pressures) {  // the one makes room before the others come
-    parts.push_back({"factorisation of the base", setup});
-  } else {
-    parts.push_back({"Krylov basis", basis});
-    parts.push_back({"element pressures", pressures});
   }
 }
 
@@ -96,6 +87,8 @@ std::vector<MemoryPart> forecast_memory(const Prepared& prepared, const Scene& s
   const Problem& problem = *prepared.problem;
   const Size s = size_of(problem);
   std::vector<MemoryPart> parts{{"program, mesh and problem", resident(problem.comm())}};
+  // their code and buffers become resident when they are first called
+  parts.push_back({"libraries at work", 15 * megabyte * problem.comm().size()});
   // states at rest, on trial and under guard, residual, step, right-hand side and solution
   parts.push_back({"states and residuals", number * (6 * (s.nodal() + s.hexes) + 4 * s.nodal() + 2 * s.unknowns())});
   if (scene.output.checkpoint > 0) parts.push_back({"checkpoints", 90 * s.nodes + 32 * s.hexes});

@@ -22,7 +22,7 @@ struct Memory {
 Memory of_half_eye(const std::vector<std::string>& settings) {
   const fs::path out = fs::temp_directory_path() / ("bulbus_memory_" + std::to_string(getpid()));
   std::vector<std::string> arguments{BULBUS_PROGRAM, "run", BULBUS_DATA "/scenes/half_eye.yaml", "-o", out};
-  for (const std::string& s : {"steps.1.displace.0.radial=-.1", "steps.1.increments=1", "output.checkpoint=1"}) arguments.insert(arguments.end(), {"--set", s});
+  for (const char* s : {"steps.1.displace.0.radial=-.1", "steps.1.increments=1", "output.checkpoint=1"}) arguments.insert(arguments.end(), {"--set", s});
   for (const std::string& s : settings) arguments.insert(arguments.end(), {"--set", s});
   EXPECT_EQ(run_process(arguments).status, 0);
   std::ifstream file(out / "summary.json");
