@@ -53,7 +53,8 @@ def view(surface, table, title, left, right):
     mapper.UseLookupTableScalarRangeOn()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().EdgeVisibilityOn()
+    if surface.GetOutput().GetNumberOfCells() < 200000:  # more would be black with edges
+        actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(0.25, 0.25, 0.25)
     actor.GetProperty().SetLineWidth(0.3)
     text = vtk.vtkTextActor()
