@@ -202,21 +202,22 @@ def scaling_rows():
     return [row for f in files for row in json.loads(f.read_text())["rows"]]
 
 
+def large_facts():
+    s = result("large/summary")
+    peak = s["memory_mb"]["process_peak"]["all_ranks"]
+    return (f"{s['hexahedra']:,} hexahedra, {s['unknowns']['total']:,} unknowns on {s['ranks']} ranks: {s['seconds']['total'] / 60:.0f} minutes, "
+            f"{peak / 1e3:.1f} GB at the peak (all ranks), {1e6 * peak / s['unknowns']['total']:.0f} bytes per unknown.")
+
+
 def large_tables():
-    path = HERE / "results" / "large" / "summary.json"
-    if not path.exists():
-        return ""
-    s = json.loads(path.read_text())
-    memory, ranks = s["memory_mb"], s["ranks"]
+    s = result("large/summary")
+    memory = s["memory_mb"]
     steps = [{**step, "minutes": step["seconds"] / 60} for step in s["steps"]]
     parts = [{"part": part, "mb": round(mb["all_ranks"])} for part, mb in sorted(memory["parts"].items()) if mb["all_ranks"] >= 1]
     seconds = [{"part": part, "minutes": t / 60} for part, t in sorted(s["seconds"].items(), key=lambda i: -i[1]) if t >= 1]
-    peak = memory["process_peak"]["all_ranks"]
-    facts = (f"{s['hexahedra']:,} hexahedra, {s['unknowns']['total']:,} unknowns on {ranks} ranks: {s['seconds']['total'] / 60:.0f} minutes, "
-             f"{peak / 1e3:.1f} GB at the peak (all ranks), {1e6 * peak / s['unknowns']['total']:.0f} bytes per unknown.")
     probes = [{"figure": name, "value": f"{v:.5g}", "unit": s["units"].get(name, "")} for name, v in s["probes"].items() if v is not None]
     return "\n\n".join([
-        facts,
+        large_facts(),
         table(steps, [("step", "name"), ("increments", "increments"), ("Newton", "newton_iterations"), ("Krylov", "krylov_iterations"),
                       ("cuts", "cuts"), ("minutes", "minutes")]),
         table(seconds, [("time", "part"), ("minutes", "minutes")]),
@@ -271,7 +272,7 @@ def pages():
     """Path, text as it is and text as it should be of every page with tables."""
     blocks = {"README.md": {"tables": table([r for r in result("direct_vs_iterative")["rows"] if r["n"] >= 14], SUMMARY),
                             "formulations": table(by_direct_solver(result("formulations")), FORMULATIONS),
-                            "operation": table(beside_paper(result("operation")), OPERATION)},
+                            "operation": table(beside_paper(result("operation")), OPERATION), "large": large_facts()},
               "docs/benchmarks.md": {"tables": all_tables(recorded())},
               "docs/trade.md": {"trade": trade_tables()},
               "docs/scaling.md": scaling_blocks(),
