@@ -228,12 +228,13 @@ def large_tables():
 LATENCY, BANDWIDTH = 2e-6, 1e9  # s a message and a doubling of a sum's ranks; bytes per second of a rank
 
 
-# Rows of the model of docs/scaling.md for 10^9 unknowns, from the largest measured system on two ranks.
+# Rows of the model of docs/scaling.md for 10^9 unknowns, from the largest measured system on two ranks and the memory of the large run.
 def model_rows():
     measured = [r for r in scaling_rows() if r["ranks"] == 2]
     if not measured:
         return []
     of = max(measured, key=lambda r: r["unknowns"])
+    large = result("large/summary")
     per_rank, hexes = of["unknowns"] / 2, of["hexahedra"] / 2
     ghosts_of = lambda cells: 3 * cells ** (2 / 3)  # half the surface of a cube: the other half belongs to its neighbours
     rows = []
@@ -245,7 +246,7 @@ def model_rows():
         neighbours = 12  # of a part of a shell a few parts thick
         network = sent / BANDWIDTH + neighbours * of["messages"] * LATENCY
         sums = of["reductions"] * LATENCY * ranks.bit_length()
-        rows.append({"ranks": ranks, "share": round(share), "gb": of["peak_mb"] / 1e3 / per_rank * share, "compute": compute,
+        rows.append({"ranks": ranks, "share": round(share), "gb": large["memory_mb"]["process_peak"]["all_ranks"] / 1e3 / large["unknowns"]["total"] * share, "compute": compute,
                      "network": network, "sums": sums, "total": compute + network + sums})
     return rows
 
