@@ -225,6 +225,21 @@ def large_tables():
         table(probes, [("figure", "figure"), ("value", "value"), ("unit", "unit")])])
 
 
+# The same run on coarser meshes beside the large one.
+def growth_table():
+    rows = []
+    for name in ("refine_1", "refine_2", "summary"):
+        s = result(f"large/{name}")
+        unknowns, peak = s["unknowns"]["total"], s["memory_mb"]["process_peak"]["all_ranks"]
+        rows.append({"hexahedra": s["hexahedra"], "unknowns": unknowns, "ranks": s["ranks"], "seconds": s["seconds"]["total"],
+                     "us": 1e6 * s["ranks"] * s["seconds"]["total"] / unknowns, "peak": peak, "bytes": 1e6 * peak / unknowns,
+                     "expected": s["memory_mb"].get("forecast", {}).get("together", ""), "newton": s["totals"]["newton_iterations"],
+                     "krylov": s["totals"]["krylov_iterations"], "iop": f"{s['probes']['IOP']:.4f}", "axial": f"{s['probes']['axial_change']:.4f}"})
+    return table(rows, [("hexahedra", "hexahedra"), ("unknowns", "unknowns"), ("ranks", "ranks"), ("s", "seconds"), ("rank µs per unknown", "us"),
+                        ("peak MB", "peak"), ("forecast MB", "expected"), ("bytes per unknown", "bytes"), ("Newton", "newton"),
+                        ("Krylov", "krylov"), ("IOP, mmHg", "iop"), ("axial change, mm", "axial")])
+
+
 LATENCY, BANDWIDTH = 2e-6, 1e9  # s a message and a doubling of a sum's ranks; bytes per second of a rank
 
 
@@ -265,7 +280,7 @@ def mesh_table():
 
 def scaling_blocks():
     rows = scaling_rows()
-    return {"scaling": table(rows, TABLES["scaling"][0][1]) if rows else "", "large": large_tables(),
+    return {"scaling": table(rows, TABLES["scaling"][0][1]) if rows else "", "large": large_tables(), "growth": growth_table(),
             "model": table(model_rows(), MODEL) if rows else ""}
 
 
