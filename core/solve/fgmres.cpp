@@ -140,7 +140,9 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   auto problem = rcp(new Problem(rcp(new Wrapped(A, room)), wrap(x.data()), wrap(const_cast<double*>(b.data()))));  // Belos only reads b
   if (M) problem->setRightPrec(rcp(new Wrapped(*M, room)));
   problem->setProblem();  // computes b - A x
-  report.initial = residual_norm(A, b, x, comm);
+  std::vector<double> initial(1);
+  problem->getInitResVec()->MvNorm(initial);
+  report.initial = initial[0];
   report.final = report.initial;
   if (!std::isfinite(report.initial)) return ends(false, "the initial residual is not finite");
   if (report.initial <= options.tolerance * scale) return ends(true, "the initial guess suffices");
