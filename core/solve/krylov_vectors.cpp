@@ -30,13 +30,9 @@ class KrylovVectors::Column {
     space_->bytes -= full_.size() * sizeof(double) + single_.size() * sizeof(float);
   }
 
-  /// use(pointer to the numbers), const double* or const float*; a column that was never written is zero.
+  /// use(pointer to the numbers), double* or float*; they are zero until they are written.
   template <class Use>
-  auto read(Use use) {
-    return write(use);
-  }
-  template <class Use>
-  auto write(Use use) {
+  auto with(Use use) {
     if (std::holds_alternative<double*>(numbers_) && !std::get<double*>(numbers_)) allocate();
     return std::visit(use, numbers_);
   }
@@ -98,16 +94,16 @@ void KrylovVectors::MvTimesMatAddMv(double alpha, const Base& a, const Matrix& B
   for (int j = 0; j < GetNumberVecs(); ++j)
     for_each_block(space_->rows, [&](std::size_t first, std::size_t rows) {
       double sum[block];
-      columns_[j]->write([&](auto* own) {
+      columns_[j]->with([&](auto* own) {
         for (std::size_t i = 0; i < rows; ++i) sum[i] = beta == 0 ? 0 : beta * own[first + i];
       });
       for (int k = 0; k < A.GetNumberVecs(); ++k) {
         const double factor = alpha * B(k, j);
-        A.columns_[k]->read([&](const auto* other) {
+        A.columns_[k]->with([&](const auto* other) {
           for (std::size_t i = 0; i < rows; ++i) sum[i] += factor * other[first + i];
         });
       }
-      columns_[j]->write([&](auto* own) { std::copy_n(sum, rows, own + first); });
+      columns_[j]->with([&](auto* own) { std::copy_n(sum, rows, own + first); });
     });
 }
 
@@ -115,11 +111,11 @@ void KrylovVectors::MvAddMv(double alpha, const Base& a, double beta, const Base
   const KrylovVectors &A = of(a), &B = of(b);
   const std::size_t n = space_->rows;
   for (int j = 0; j < GetNumberVecs(); ++j)
-    columns_[j]->write([&](auto* own) {
+    columns_[j]->with([&](auto* own) {
       using Number = std::remove_pointer_t<decltype(own)>;
-      A.columns_[j]->read([&](const auto* x) {
+      A.columns_[j]->with([&](const auto* x) {
         if (beta == 0) return (void)std::transform(x, x + n, own, [&](auto v) { return static_cast<Number>(alpha * v); });
-        B.columns_[j]->read([&](const auto* y) {
+        B.columns_[j]->with([&](const auto* y) {
           for (std::size_t i = 0; i < n; ++i) own[i] = static_cast<Number>((alpha == 0 ? 0 : alpha * x[i]) + beta * y[i]);
         });
       });
@@ -130,7 +126,7 @@ void KrylovVectors::MvScale(double alpha) { MvScale(std::vector<double>(columns_
 
 void KrylovVectors::MvScale(const std::vector<double>& alpha) {
   for (std::size_t j = 0; j < columns_.size(); ++j)
-    columns_[j]->write([&](auto* own) {
+    columns_[j]->with([&](auto* own) {
       for (std::size_t i = 0; i < space_->rows; ++i) own[i] *= alpha[j];
     });
 }
@@ -141,9 +137,9 @@ void KrylovVectors::MvTransMv(double alpha, const Base& a, Matrix& B) const {
   std::vector<double> products(static_cast<std::size_t>(rows) * columns);
   for_each_block(space_->rows, [&](std::size_t first, std::size_t count) {
     for (int j = 0; j < columns; ++j)
-      columns_[j]->read([&](const auto* y) {
+      columns_[j]->with([&](const auto* y) {
         for (int i = 0; i < rows; ++i)
-          A.columns_[i]->read([&](const auto* x) { products[i + j * rows] += local_inner_product(x + first, y + first, count); });
+          A.columns_[i]->with([&](const auto* x) { products[i + j * rows] += local_inner_product(x + first, y + first, count); });
       });
   });
   space_->comm.sum(products);
@@ -155,8 +151,8 @@ void KrylovVectors::MvDot(const Base& a, std::vector<double>& products) const {
   const KrylovVectors& A = of(a);
   std::vector<double> sums;
   for (std::size_t j = 0; j < columns_.size(); ++j)
-    columns_[j]->read([&](const auto* y) {
-      A.columns_[j]->read([&](const auto* x) { sums.push_back(local_inner_product(x, y, space_->rows)); });
+    columns_[j]->with([&](const auto* y) {
+      A.columns_[j]->with([&](const auto* x) { sums.push_back(local_inner_product(x, y, space_->rows)); });
     });
   space_->comm.sum(sums);
   std::ranges::copy(sums, products.begin());
@@ -177,16 +173,16 @@ void KrylovVectors::MvRandom() {
   std::mt19937 random(1 + space_->comm.rank());
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const auto& column : columns_)
-    column->write([&](auto* own) { std::generate_n(own, space_->rows, [&] { return uniform(random); }); });
+    column->with([&](auto* own) { std::generate_n(own, space_->rows, [&] { return uniform(random); }); });
 }
 
 void KrylovVectors::MvInit(double value) {
-  for (const auto& column : columns_) column->write([&](auto* own) { std::fill_n(own, space_->rows, value); });
+  for (const auto& column : columns_) column->with([&](auto* own) { std::fill_n(own, space_->rows, value); });
 }
 
 std::span<const double> KrylovVectors::read(int column, std::vector<double>& room) const {
   const std::size_t n = space_->rows;
-  return columns_[column]->read([&](const auto* own) -> std::span<const double> {
+  return columns_[column]->with([&](const auto* own) -> std::span<const double> {
     if constexpr (std::is_same_v<decltype(own), const double*>) return {own, n};
     room.assign(own, own + n);
     return room;
@@ -194,7 +190,7 @@ std::span<const double> KrylovVectors::read(int column, std::vector<double>& roo
 }
 
 void KrylovVectors::write(int column, std::span<const double> values) {
-  columns_[column]->write([&](auto* own) { std::ranges::copy(values, own); });
+  columns_[column]->with([&](auto* own) { std::ranges::copy(values, own); });
 }
 
 }  // namespace bulbus
