@@ -50,11 +50,19 @@ double base_bytes(const Size& s) { return 178 * std::pow(s.nodal(), 4.0 / 3); }
 void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vector<MemoryPart>& parts) {
   double levels = 0;
   const Problem* p = finest.coarser();
-  for (; p && p->coarser(); p = p->coarser()) {
+  for (; p->coarser(); p = p->coarser()) {
     const Size s = size_of(*p);
     levels += system_bytes(s, l) + smoother_bytes(s) + 3 * number * s.unknowns();
   }
   parts.push_back({"coarser levels", levels});
+  parts.push_back({"base factors", base_bytes(size_of(*p))});
+}
+
+// Aggregates' blocks of 6 x 6 with each of 27 neighbours and their factors; hypre's hierarchies; the nodes' blocks.
+double coarse_bytes(const std::string& name, const Size& s, const LinearSettings& l) {
+  if (name == "aggregation") return 27 * 36 * 20 * s.nodes / l.aggregation.nodes;
+  if (name == "jacobi") return 9 * 12 * s.nodes;
+  return (name == "boomeramg" || name == "boomeramg_nodal" ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes;
 }
 
 void add_direct(const Size& s, std::vector<MemoryPart>& parts) {
@@ -69,16 +77,10 @@ void add_iterative(const Problem& problem, const Size& s, const LinearSettings& 
   parts.push_back({"smoother", smoother_bytes(s) + (1 + s.liquids) * number * s.nodal()});
   parts.push_back({"Krylov basis", (l.restart + 1) * single * s.unknowns() + 10 * number * s.unknowns()});
   parts.push_back({"element pressures", pressure_bytes(s)});
-  if (name == "multigrid") {
+  if (name == "multigrid" && problem.coarser())
     add_coarser_levels(problem, l, parts);
-    const Problem* base = &problem;
-    while (base->coarser()) base = base->coarser();
-    parts.push_back({"base factors", base_bytes(size_of(*base))});
-  } else {
-    const bool whole = name == "boomeramg" || name == "boomeramg_nodal";
-    const double aggregates = s.nodes / l.aggregation.nodes;  // a block of 6 x 6 with each of 27 neighbours, and its factors
-    parts.push_back({"coarse matrix", name == "aggregation" ? 27 * 36 * 20 * aggregates : (whole ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes});
-  }
+  else
+    parts.push_back({"coarse matrix", coarse_bytes(name, s, l)});
 }
 
 }  // namespace

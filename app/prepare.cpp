@@ -23,6 +23,7 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
 
 std::vector<MeshLevel> levels_of(const MeshHierarchy& meshes, const Model& model, const Comm& comm) {
   auto levels = distribute_levels(meshes.base, meshes.refinements, comm, shared_surfaces(meshes.base, model));
+  if (meshes.refinements == 0) return levels;  // the base has been found right
   try {
     refuse_inverted(*levels.back().mesh);
   } catch (const InputError& fault) {
