@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "core/base/error.hpp"
-#include "core/solve/at_mpi_finalize.hpp"
+#include "precond/at_mpi_finalize.hpp"
 
 #undef max
 #undef min

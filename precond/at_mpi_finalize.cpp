@@ -1,4 +1,4 @@
-#include "core/solve/at_mpi_finalize.hpp"
+#include "precond/at_mpi_finalize.hpp"
 
 #include <mpi.h>
 
