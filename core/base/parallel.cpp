@@ -31,10 +31,6 @@ std::vector<T> gather_all(std::span<const T> x, MPI_Comm comm, int size, MPI_Dat
   return all;
 }
 
-}  // namespace
-
-namespace {
-
 // Open MPI has malloc keep all that is freed, for networks that pin memory: a third of a large run would be holes.
 void give_freed_memory_back() {
 #ifdef __GLIBC__

@@ -7,7 +7,6 @@
 #include "core/problem/validate.hpp"
 
 namespace bulbus {
-
 namespace {
 
 // Of a model that has been found valid.
@@ -29,6 +28,13 @@ std::set<std::string> sets_in_use(const LocalMesh& mesh, const Model& model) {
     for (const std::string& set : {p.set, p.to})
       if (!set.empty()) names.insert(set);
   return names;
+}
+
+// A force without its counterpart, relative to the forces that meet there. What rounding leaves in the places, a strain of 1e-15 where the floor
+// is one of 1e-7, is none.
+double imbalance(double force, double magnitude, double floor) {
+  constexpr double rounding = 1e-8;
+  return force <= rounding * floor ? 0 : force / std::max(magnitude, floor);
 }
 
 }  // namespace
@@ -156,17 +162,6 @@ Residual::Resultant Problem::resultant(std::size_t k, const State& state, const 
   comm().sum(sum);
   return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}, sum[6], sum[7], sum[8] / sum[9]};
 }
-
-namespace {
-
-// A force without its counterpart, relative to the forces that meet there. What rounding leaves in the places, a strain of 1e-15 where the floor
-// is one of 1e-7, is none.
-double imbalance(double force, double magnitude, double floor) {
-  constexpr double rounding = 1e-8;
-  return force <= rounding * floor ? 0 : force / std::max(magnitude, floor);
-}
-
-}  // namespace
 
 Balance Problem::balance(const Residual& r) const {
   Balance b;
