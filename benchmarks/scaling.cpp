@@ -33,7 +33,8 @@ json solve(int n, int refine, const Comm& comm) {
   system.linearize(state, r);
   auto solver = make_solver(settings, meters);
   const double linearised = Clock::now();
-  solver->prepare(system);
+  const LinearReport ready = solver->prepare(system);
+  if (!ready.ok) return {{"n", n}, {"refine", refine}, {"ranks", comm.size()}, {"reason", ready.reason}};
   const std::vector<double> held(state.x.size());
   const auto b = system.right_hand_side(r, held);
   std::vector<double> x(system.size());

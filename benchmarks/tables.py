@@ -61,6 +61,8 @@ TABLES = {
     "from_dump": [("rows", [("file", "file"), ("unknowns", "unknowns"), ("method", "method"), ("iterations", "iterations"),
                             ("set-up s", "setup_s"), ("solve s", "solve_s"), ("MB", "mb"), ("residual", "residual"),
                             ("failure", "reason")])],
+    "apply_ranks": [("rows", [("tangent by", "variant"), ("hexahedra", "hexahedra"), ("ms", "ms"), ("independent copies, ms", "copies_ms"),
+                              ("exchange, ms", "exchange_ms"), ("throughput of copies", "of_copies")])],
     "scaling": [("rows", [("ranks", "ranks"), ("n", "n"), ("refined", "refine"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"),
                           ("Krylov iterations", "iterations"), ("set-up s", "setup_s"), ("ms per iteration", "iteration_ms"),
                           ("rank µs per unknown", "us_per_unknown"), ("messages", "messages"), ("kB", "kb"), ("global sums", "reductions"),
