@@ -15,6 +15,7 @@ class DumpingSolver final : public LinearSolver {
 
   LinearReport prepare(CoupledSystem& system) override { return solver_->prepare(system); }
   void renew() override { solver_->renew(); }
+  void increment_begins() override { solver_->increment_begins(); }
 
   LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
                      double tolerance) override {

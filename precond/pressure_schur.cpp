@@ -1,6 +1,7 @@
 #include "precond/pressure_schur.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/base/memory.hpp"
@@ -22,6 +23,12 @@ class Diagonal final : public Preconditioner {
  private:
   std::vector<double> values_;
 };
+
+// As many hexahedra as a mesh has in one direction, more or less: halving them doubles it. Fewer than 16 gain little.
+int degree_for(long long hexes) { return std::max(16, static_cast<int>(std::lround(std::cbrt(hexes)))); }
+
+// A polynomial of degree d inverts eigenvalues above so much of the largest one to within a third.
+double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * degree); }
 
 }  // namespace
 
@@ -69,8 +76,8 @@ void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q
 std::size_t LinePressureStiffness::bytes() const { return bytes_of(b_) + bytes_of(nodal_) + bytes_of(held_); }
 
 struct PressureSchur::Weak {
-  Weak(const CoupledSystem& system, const LineJacobi& lines, const PressureSettings& settings)
-      : K(system, lines), scale(system), inverse(K, scale, settings.degree, settings.smallest, system.problem().comm()) {}
+  Weak(const CoupledSystem& system, const LineJacobi& lines, int degree)
+      : K(system, lines), scale(system), inverse(K, scale, degree, smallest_for(degree), system.problem().comm()) {}
   LinePressureStiffness K;
   Diagonal scale;
   Chebyshev inverse;
@@ -81,7 +88,7 @@ PressureSchur::PressureSchur(const CoupledSystem& system, const LineJacobi* line
 
 void PressureSchur::strengthen() {
   if (!holds_back()) return;
-  weak_ = std::make_shared<Weak>(system_, *lines_, settings_);
+  weak_ = std::make_shared<Weak>(system_, *lines_, settings_.degree > 0 ? settings_.degree : degree_for(system_.problem().mesh().all_hexes));
   correction_.resize(diagonal_.size());
 }
 

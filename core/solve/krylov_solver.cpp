@@ -120,9 +120,11 @@ class KrylovSolver final : public LinearSolver {
   }
 
   void renew() override { solves_ = 0; }
+  void increment_begins() override { dragged_ = false; }
 
  private:
-  // As it is; then with the strengthened preconditioner; where plain GMRES, which needs one basis only, still fails, the flexible one.
+  // As it is, unless the solve before dragged; then with the strengthened preconditioner; where plain GMRES, which needs one basis only,
+  // still fails, the flexible one, anew from where it has come to as long as rounding ends it and each time gains a digit.
   KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
                                double tolerance, const Comm& comm, const KrylovObserver& observer) {
     KrylovReport report;
@@ -132,13 +134,19 @@ class KrylovSolver final : public LinearSolver {
       const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, flexible ? Precision::full : Precision::single};
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
+    const int patience = std::min(settings_.pressures.after, settings_.max_iterations);
     if (preconditioner_->holds_back()) {
-      const PressureSettings& p = settings_.pressures;
-      go_on(std::min((tolerance < p.below ? 1 : 2) * p.after, settings_.max_iterations));
+      if (!dragged_) go_on(patience);
       if (!report.converged) strengthen();
     }
     go_on(settings_.max_iterations - report.iterations);
-    if (!std::exchange(flexible, true)) go_on(settings_.max_iterations - report.iterations);
+    flexible = true;
+    double before;
+    do {
+      before = report.final;
+      go_on(settings_.max_iterations - report.iterations);
+    } while (!report.converged && report.final < 0.1 * before);
+    dragged_ = report.iterations > patience;
     return report;
   }
 
@@ -154,6 +162,7 @@ class KrylovSolver final : public LinearSolver {
   Meters& meters_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
   int solves_ = 0;               // with what the preconditioner was set up for
+  bool dragged_ = false;         // did the solve before, of the same increment?
   double first_ = 0, last_ = 0;  // Krylov iterations per digit of the first and the last of them
 };
 

@@ -46,6 +46,8 @@ class LinearSolver {
                              double tolerance) = 0;
   /// The next prepare keeps nothing of earlier linearisations.
   virtual void renew() {}
+  /// The next solve is an increment's first: nothing is known of it from those before.
+  virtual void increment_begins() {}
 };
 
 /// A preconditioner of the whole system.

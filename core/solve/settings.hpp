@@ -40,15 +40,12 @@ struct MultigridSettings : SmootherSettings {
 
 /// The part of the element pressures' preconditioner that knows their weak patterns: too dear for easy solves.
 struct PressureSettings {
-  double below = 1e-4;
-  int after = 20, degree = 16;
-  double smallest = 0.003, weight = 0.15;
+  int after = 10, degree = 0;
+  double weight = 0.15;
   template <class V>
   void describe(V&& v) {
-    v("below", below, About{"solves to a larger relative tolerance wait twice as long"}.between(0, 1));
-    v("after", after, About{"Krylov iterations after which that part is taken up"}.between(0, 100000));
-    v("degree", degree, About{"degree of the polynomial that inverts what weak patterns meet"}.between(1, 100));
-    v("smallest", smallest, About{"smallest eigenvalue that it inverts, as a part of the largest"}.between(1e-5, 0.9));
+    v("after", after, About{"Krylov iterations after which that part is taken up; solves after one that waited in vain take it up at once"}.between(0, 100000));
+    v("degree", degree, About{"degree of the polynomial that inverts what weak patterns meet; 0: from the number of hexahedra"}.between(0, 1000));
     v("weight", weight, About{"weight beside the part that knows strains only"}.between(0, 1));
   }
 };
