@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bulbus {
 namespace {
@@ -25,23 +26,27 @@ double excess(const Balance& b, const NewtonSettings& s) {
   return std::max({b.force / s.force, b.volume / s.volume, b.liquid / s.liquid});
 }
 
-// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing.
+// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing. Where the criteria are nearly met, a
+// tenth of that may lie above the cap: tried once, as a region may need more than all together, and where prescribed motions are done.
 class ForcingTerm {
  public:
   explicit ForcingTerm(double cap) : cap_(cap), eta_(cap) {}
-  double next(double norm, double excess) {
+  double next(double norm, double excess, bool held) {
     if (before_ > 0) {
       const double ratio = norm / before_, guard = eta_ * eta_;
       eta_ = ratio * ratio;
       if (guard > 0.1) eta_ = std::max(eta_, guard);
     }
     before_ = norm;
-    eta_ = std::min(cap_, std::max(eta_, std::min(0.1 / excess, cap_)));
+    const double enough = 0.1 / excess;
+    eta_ = std::min(cap_, std::max(eta_, enough));
+    if (held && enough > cap_ && !std::exchange(tried_, true)) return enough;
     return std::max(eta_, 1e-13);
   }
 
  private:
   double cap_, eta_, before_ = 0;
+  bool tried_ = false;
 };
 
 struct Step {
@@ -104,6 +109,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   NewtonReport report;
   ForcingTerm forcing(settings.eta_max);
   problem.set_progress(progress, state);
+  solver.increment_begins();
   const auto fail = [&](Outcome outcome, std::string reason = {}) {
     report.outcome = outcome;
     report.reason = reason.empty() ? describe(outcome) : std::move(reason);
@@ -141,7 +147,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       system.linearize(state, r);
     }
     now.linear = solve(system, solver, r, held, solution, [&](std::span<const double> b) {
-      if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0));
+      if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
       return now.tolerance;
     });
     report.krylov_iterations += now.linear.iterations;
