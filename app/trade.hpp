@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "app/prepare.hpp"
 
 namespace bulbus {
@@ -15,12 +17,13 @@ struct TradeRun {
 /// A mesh of a trade.
 struct TradeMesh {
   std::string words;             ///< "n 14"
-  double h = 1;                  ///< size of its cells, relative to those of the scene's mesh
+  std::optional<double> h;       ///< size of its cells, relative to those of the scene's mesh; none: of another shape
   std::vector<std::string> set;
   int reference = -1;            ///< the run that errors on this mesh count from
 };
 
-/// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each knob, and on other meshes.
+/// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each knob, and on other
+/// meshes: a coarser and a finer one, from which figures are extrapolated, and one with twice the layers through the thickness.
 struct Trade {
   std::string scene;              ///< its file
   std::vector<TradeMesh> meshes;  ///< the scene's first

@@ -52,14 +52,14 @@ double least_of(const ProbeSpec& probe) {
 void extrapolate(const Trade& trade, TradeResults& results) {
   std::vector<int> meshes;
   for (int m = 0; m < static_cast<int>(trade.meshes.size()); ++m)
-    if (is_known(trade, results, m)) meshes.push_back(m);
-  std::ranges::sort(meshes, std::greater{}, [&](int m) { return trade.meshes[m].h; });
+    if (trade.meshes[m].h && is_known(trade, results, m)) meshes.push_back(m);
+  std::ranges::sort(meshes, std::greater{}, [&](int m) { return *trade.meshes[m].h; });
   results.extrapolated.assign(results.figures.size(), {});
   for (std::size_t f = 0; f < results.figures.size(); ++f) {
     std::vector<double> h, v;
     for (int m : meshes)
       if (const auto value = results.value(trade.meshes[m].reference, static_cast<int>(f))) {
-        h.push_back(trade.meshes[m].h);
+        h.push_back(*trade.meshes[m].h);
         v.push_back(*value);
       }
     if (h.size() > 1) results.extrapolated[f] = extrapolate(h, v);

@@ -29,6 +29,8 @@ const std::vector<Knob> knobs{
     {"gamma", {"solver.linear.gamma"}, {"2", "5", "10"}},
     {"smoothing", {"solver.linear.smoothing"}, {"single", "double"}},
     {"degree", {"solver.linear.aggregation.degree"}, {"6", "8", "12"}},
+    {"operator", {"solver.linear.operator"}, {"recompute", "cache", "assembled"}},
+    {"pressure patterns after", {"solver.linear.pressures.after"}, {"0", "40", "100000"}},
     {"method", {"solver.linear.method"}, {"direct"}}};
 
 const Settings reference{"solver.newton.force=1e-9",    "solver.newton.volume=1e-9",      "solver.newton.liquid=1e-10",
@@ -66,6 +68,16 @@ std::vector<std::pair<std::string, int>> cells_of(const MeshSource& mesh) {
   return {};
 }
 
+// A wall's cells through its thickness, twice as many as they are.
+std::optional<TradeMesh> layered(const MeshSource& mesh) {
+  const auto twice = [](const char* shape, int layers) {
+    return TradeMesh{fmt::format("layers {}", 2 * layers), {}, {fmt::format("mesh.{}.layers={}", shape, 2 * layers)}};
+  };
+  if (mesh.eye) return twice("eye", mesh.eye->layers);
+  if (mesh.shell) return twice("shell", mesh.shell->layers);
+  return {};
+}
+
 // Counts of cells stay even where they are, as an eye's must be. h is that of the first count.
 TradeMesh mesh_with(const std::vector<std::pair<std::string, int>>& cells, double factor) {
   TradeMesh mesh;
@@ -99,6 +111,14 @@ class Planner {
     trade_.meshes.push_back(std::move(mesh));
     return static_cast<int>(trade_.meshes.size()) - 1;
   }
+  /// Runs with these accuracies on another mesh, whose errors count from the first of them.
+  void add_on(const TradeMesh& other, std::initializer_list<const char*> accuracies) {
+    const int number = mesh(other);
+    for (const char* accuracy : accuracies) {
+      const int run = add("mesh", other.words + ", " + accuracy, {std::string("solver.accuracy=") + accuracy}, number);
+      if (trade_.meshes[number].reference < 0) trade_.meshes[number].reference = run;
+    }
+  }
   Scene scene_on(const TradeMesh& mesh) const { return read_scene(trade_.scene, joined(overrides_, mesh.set)); }
   Trade& trade() { return trade_; }
 
@@ -119,7 +139,7 @@ std::optional<TradeMesh> fitting_mesh(const Planner& planner, const std::vector<
                                       std::span<const double> factors, const Comm& comm) {
   for (double factor : factors) {
     const TradeMesh mesh = mesh_with(cells, factor);
-    if (std::abs(mesh.h - 1) < .1) continue;
+    if (std::abs(*mesh.h - 1) < .1) continue;
     try {
       prepare(planner.scene_on(mesh), comm);
       return mesh;
@@ -144,13 +164,9 @@ Trade plan_trade(const std::string& scene, const std::vector<std::string>& overr
     planner.add("accuracy", accuracy, {std::string("solver.accuracy=") + accuracy});
   for (const auto& factors : {std::array{.7, .6, .5}, std::array{1.3, 1.45, 1.6}}) {
     const auto mesh = fitting_mesh(planner, cells, factors, prepared.problem->comm());
-    if (!mesh) continue;
-    const int number = planner.mesh(*mesh);
-    for (const char* accuracy : {"tight", "balanced", "fast"}) {
-      const int run = planner.add("mesh", mesh->words + ", " + accuracy, {std::string("solver.accuracy=") + accuracy}, number);
-      if (planner.trade().meshes[number].reference < 0) planner.trade().meshes[number].reference = run;
-    }
+    if (mesh) planner.add_on(*mesh, {"tight", "balanced", "fast"});
   }
+  if (const auto mesh = layered(given.mesh)) planner.add_on(*mesh, {"tight"});
   for (const Knob& knob : knobs)
     for (const std::string& value : knob.values) {
       Settings set;

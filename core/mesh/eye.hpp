@@ -33,7 +33,7 @@ struct ZonuleLayout {
 /// The half eye x >= 0 and its mesh.
 struct EyeSettings {
   EyeShape shape;
-  int n = 14;
+  int n = 14, layers = 1;
   double band_half_width = 1;
   ZonuleLayout zonules;
   std::optional<Detachment> detachment;
@@ -43,6 +43,7 @@ struct EyeSettings {
     v("n", n,
       About{"cells across a pole's core, even: 14 gives 7,350 hexahedra, 28 eight times as many"}.between(
           4, 200));
+    v("layers", layers, About{"times as many cells through the thickness of the wall's coats"}.between(1, 100));
     v("band_half_width", band_half_width,
       About{"rings end at this distance from the equator plane, so that they follow the band",
             Quantity::length}

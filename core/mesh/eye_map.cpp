@@ -6,9 +6,9 @@ namespace bulbus {
 
 EyeMap::EyeMap(const EyeSettings& s)
     : scale(scaled(1, s.n)),
-      wall(3 * scale),
-      choroid(4 * scale),
-      inner(6 * scale),
+      wall(3 * scale * s.layers),
+      choroid(4 * scale * s.layers),
+      inner(6 * scale * s.layers),
       nerve(8 * scale),
       lens_layers(6 * scale),
       lens_disc{s.n / 2, scale, .72},

@@ -131,7 +131,8 @@ class KrylovSolver final : public LinearSolver {
     bool flexible = !M.fixed() || tolerance < roundings;
     const auto go_on = [&](int most) {
       if (report.converged || most <= 0) return;
-      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, flexible ? Precision::full : Precision::single};
+      const Precision basis = flexible ? Precision::full : Precision::single;
+      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, basis};
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
     const int patience = std::min(settings_.pressures.after, settings_.max_iterations);

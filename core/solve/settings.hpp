@@ -44,8 +44,11 @@ struct PressureSettings {
   double weight = 0.15;
   template <class V>
   void describe(V&& v) {
-    v("after", after, About{"Krylov iterations after which that part is taken up; solves after one that waited in vain take it up at once"}.between(0, 100000));
-    v("degree", degree, About{"degree of the polynomial that inverts what weak patterns meet; 0: from the number of hexahedra"}.between(0, 1000));
+    v("after", after,
+      About{"Krylov iterations after which that part is taken up; solves after one that waited in vain take it up at once"}.between(
+          0, 100000));
+    v("degree", degree,
+      About{"degree of the polynomial that inverts what weak patterns meet; 0: from the number of hexahedra"}.between(0, 1000));
     v("weight", weight, About{"weight beside the part that knows strains only"}.between(0, 1));
   }
 };
@@ -76,8 +79,8 @@ struct LinearSettings {
     v("displacement", displacement,
       About{"preconditioner of the displacement block; auto: multigrid where the mesh is refined, aggregation elsewhere"}.one_of(
           {"auto", "aggregation", "multigrid", "hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
-    v("operator", op, About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of(
-                          {"recompute", "cache", "assembled"}));
+    v("operator", op,
+      About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of({"recompute", "cache", "assembled"}));
     v("gamma", gamma, About{"augmentation of the incompressibility in the linear system"}.between(0, 1e4));
     v("smoothing", smoothing, About{"precision of the smoother in the preconditioner of the displacement block"}.one_of({"single", "double"}));
     v("reuse", reuse,

@@ -88,7 +88,7 @@ TEST(TradePlan, CountsErrorsOfAMeshFromItsOwnTightSolution) {
   ASSERT_EQ(trade.meshes.size(), 3u);
   EXPECT_EQ(trade.meshes[0].reference, 0);
   EXPECT_EQ(trade.meshes[1].words, "nx 2");
-  EXPECT_DOUBLE_EQ(trade.meshes[1].h, 2);
+  EXPECT_DOUBLE_EQ(trade.meshes[1].h.value(), 2);
   EXPECT_EQ(trade.meshes[2].words, "nx 6");
   for (int m : {1, 2}) {
     const TradeRun& tight = trade.runs[trade.meshes[m].reference];
@@ -98,6 +98,29 @@ TEST(TradePlan, CountsErrorsOfAMeshFromItsOwnTightSolution) {
 }
 
 StudyRow row(double seconds, double value) { return {.converged = true, .values = {value}, .seconds = seconds}; }
+
+TEST(TradePlan, LayersAWallWithoutExtrapolatingFromIt) {
+  const std::string path = std::string(BULBUS_DATA) + "/scenes/encircling.yaml";
+  const std::vector<std::string> coarse{"mesh.eye.n=8"};
+  const Trade trade = plan_trade(path, coarse, prepare(read_scene(path, coarse), Comm(MPI_COMM_SELF)));
+  const TradeMesh& layered = trade.meshes.back();
+  EXPECT_EQ(layered.words, "layers 2");
+  EXPECT_FALSE(layered.h);
+  EXPECT_EQ(trade.runs[layered.reference].scene.mesh.eye->layers, 2);
+  EXPECT_EQ(trade.runs[layered.reference].scene.mesh.eye->n, 8);
+
+  TradeResults results;
+  results.figures = {{"IOP", "mmHg"}};
+  results.least = {0};
+  for (const TradeRun& run : trade.runs) results.runs.push_back(run.name);
+  results.rows.assign(trade.runs.size(), row(1, 20));
+  extrapolate(trade, results);
+  EXPECT_DOUBLE_EQ(results.extrapolated[0]->value, 20);
+  results.rows[layered.reference] = row(1, 30);
+  extrapolate(trade, results);
+  EXPECT_DOUBLE_EQ(results.extrapolated[0]->value, 20);
+  EXPECT_NEAR(whole_error(results, layered.reference)->value, .5, 1e-12);
+}
 
 TEST(TradeRecords, TellFrontAndDominated) {
   const Trade trade = bar_trade();

@@ -35,6 +35,21 @@ TEST(Eye, CountsScaleWithTheCubeOfN) {
   EXPECT_EQ(eye(28).hexes.size(), 8u * 7350);
 }
 
+TEST(Eye, LayersMultiplyTheCellsOfTheCoatsAlone) {
+  EyeSettings settings;
+  const Mesh& once = working_eye();
+  settings.layers = 3;
+  const Mesh thrice = generate(settings);
+  const auto before = quality(once), after = quality(thrice);
+  for (std::size_t r = 0; r < before.size(); ++r) {
+    const bool coat = before[r].region != "lens" && before[r].region != "optic_nerve";
+    EXPECT_EQ(after[r].count, (coat ? 3 : 1) * before[r].count) << before[r].region;
+    EXPECT_NEAR(after[r].volume, before[r].volume, 1e-3 * before[r].volume) << before[r].region;
+    EXPECT_GT(after[r].least, .5) << before[r].region;
+  }
+  EXPECT_EQ(nodes_of(thrice, "outer_sclera").size(), nodes_of(once, "outer_sclera").size());
+}
+
 TEST(Eye, IsRegularAtEveryN) {
   for (int n : {8, 10, 14, 20, 28})
     for (const RegionQuality& q : quality(eye(n))) {
