@@ -28,9 +28,10 @@ concept Checked = requires(const T& t) {
   t.validate();
 };
 
-/// A described struct whose first key chooses the defaults of others.
+/// A described struct whose key `preset_key` chooses the defaults of keys behind it.
 template <class T>
 concept Preset = requires(T& t) {
+  T::preset_key;
   t.take_preset();
 };
 

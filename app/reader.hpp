@@ -1,6 +1,6 @@
 #pragma once
 #include <algorithm>
-#include <utility>
+#include <string_view>
 
 #include "app/entry.hpp"
 #include "app/kinds.hpp"
@@ -50,14 +50,13 @@ template <kinds::Described T>
 void read_struct(const Entry& entry, const std::string& key, T& object) {
   if (!entry.is(Entry::Kind::nothing)) expect(entry, Entry::Kind::map, key);
   check_keys(entry, key, kinds::keys_of(object));
-  [[maybe_unused]] bool first = true;
   object.describe([&](const char* name, auto& member, const About& about) {
     const Entry* given = entry.find(name);
     if (about.required && (!given || given->is(Entry::Kind::nothing)))
       refuse_missing(entry, key, name, about);
     if (given) read_any(*given, below(key, name), about, member);
     if constexpr (kinds::Preset<T>)
-      if (std::exchange(first, false)) object.take_preset();
+      if (std::string_view(name) == T::preset_key) object.take_preset();
   });
   if constexpr (kinds::Checked<T>) validate(entry, key, object);
 }

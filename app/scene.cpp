@@ -37,6 +37,11 @@ void Scene::validate() const {
   refuse_twins(model.steps, "steps");
 }
 
+// Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations.
+void Scene::take_preset() {
+  if (mesh.refine > 0) solver.linear.gamma = 10;
+}
+
 Scene scene_of(const Entry& root, const std::string& path) {
   Scene scene;
   reader::read_struct(root, "", scene);

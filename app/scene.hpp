@@ -45,6 +45,9 @@ struct Scene {
   }
   /// Throws InputError if two probes or two named steps share a name.
   void validate() const;
+  static constexpr const char* preset_key = "mesh";
+  /// Defaults of the solver that depend on the mesh; the reader calls it before the solver's settings override them.
+  void take_preset();
 };
 
 /// A scene from its YAML as data. Relative files count from the folder of `path`, the scene's, and come out

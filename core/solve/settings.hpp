@@ -30,7 +30,7 @@ struct AggregationSettings : SmootherSettings {
 /// Geometric multigrid as a preconditioner of the displacement block.
 struct MultigridSettings : SmootherSettings {
   int visits = 1;
-  MultigridSettings() : SmootherSettings{6, 0.05} {}
+  MultigridSettings() : SmootherSettings{12, 0.02} {}
   template <class V>
   void describe(V&& v) {
     v("visits", visits, About{"cycles on every coarser refined level for one on the next finer: 1: V-cycle, 2: W-cycle"}.between(1, 2));
@@ -81,7 +81,7 @@ struct LinearSettings {
           {"auto", "aggregation", "multigrid", "hybrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact"}));
     v("operator", op,
       About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of({"recompute", "cache", "assembled"}));
-    v("gamma", gamma, About{"augmentation of the incompressibility in the linear system"}.between(0, 1e4));
+    v("gamma", gamma, About{"augmentation of the incompressibility in the linear system; on refined meshes the default is 10"}.between(0, 1e4));
     v("smoothing", smoothing, About{"precision of the smoother in the preconditioner of the displacement block"}.one_of({"single", "double"}));
     v("reuse", reuse,
       About{"a preconditioner is kept for later linearisations of its step as long as these take no more than so many times the Krylov "
@@ -141,6 +141,7 @@ struct SolverSettings {
     v("newton", newton, About{"Newton's iteration"});
     v("stepping", stepping, About{"increments"});
   }
+  static constexpr const char* preset_key = "accuracy";
   /// Gives what `accuracy` steers its values; the reader calls it before single settings override them.
   void take_preset();
   /// What each accuracy promises.

@@ -33,6 +33,16 @@ TEST(Reader, ReadsEveryKindOfValue) {
   EXPECT_EQ(s.solver.newton.max_iterations, 25);
 }
 
+TEST(Reader, AugmentsMoreOnRefinedMeshesUnlessTold) {
+  const auto gamma = [](const std::vector<std::string>& overrides) {
+    return parse_scene(least_scene(""), "scene.yaml", overrides).solver.linear.gamma;
+  };
+  EXPECT_EQ(gamma({}), LinearSettings().gamma);
+  EXPECT_EQ(gamma({"mesh.refine=2"}), 10);
+  EXPECT_EQ(gamma({"mesh.refine=2", "solver.accuracy=fast"}), 10);
+  EXPECT_EQ(gamma({"mesh.refine=2", "solver.linear.gamma=3"}), 3);
+}
+
 TEST(Reader, KeepsQuantitiesInTheKeptUnit) {
   const Scene s = full();
   EXPECT_DOUBLE_EQ(s.mesh.block->upper[0], 20);
