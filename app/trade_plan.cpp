@@ -137,6 +137,7 @@ class Planner {
 // The first of these sizes of cells that the scene is at home on: sets of an eye may need certain numbers of cells.
 std::optional<TradeMesh> fitting_mesh(const Planner& planner, const std::vector<std::pair<std::string, int>>& cells,
                                       std::span<const double> factors, const Comm& comm) {
+  if (cells.empty()) return {};  // of a file, which has the cells that it has
   for (double factor : factors) {
     const TradeMesh mesh = mesh_with(cells, factor);
     if (std::abs(*mesh.h - 1) < .1) continue;
@@ -155,9 +156,7 @@ Trade plan_trade(const std::string& scene, const std::vector<std::string>& overr
   const Scene given = read_scene(scene, overrides);
   const auto cells = cells_of(given.mesh);
   Planner planner(scene, overrides);
-  TradeMesh own = mesh_with(cells, 1);
-  own.set.clear();
-  planner.mesh(own);
+  planner.mesh({mesh_with(cells, 1).words, 1, {}});
   planner.trade().meshes[0].reference = planner.add("reference", "", reference);
   planner.add("scene", "accuracy " + given.solver.accuracy, {});
   for (const char* accuracy : {"fast", "balanced", "tight"})

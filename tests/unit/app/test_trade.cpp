@@ -122,6 +122,14 @@ TEST(TradePlan, LayersAWallWithoutExtrapolatingFromIt) {
   EXPECT_NEAR(whole_error(results, layered.reference)->value, .5, 1e-12);
 }
 
+TEST(TradePlan, LeavesAMeshFromAFileAsItIs) {
+  const std::string path = std::string(BULBUS_DATA) + "/scenes/two_blocks.yaml";
+  const Trade trade = plan_trade(path, {}, prepare(read_scene(path), Comm(MPI_COMM_SELF)));
+  ASSERT_EQ(trade.meshes.size(), 1u);
+  EXPECT_EQ(trade.meshes[0].h, 1);
+  EXPECT_EQ(trade.meshes[0].reference, 0);
+}
+
 TEST(TradeRecords, TellFrontAndDominated) {
   const Trade trade = bar_trade();
   TradeResults results;
