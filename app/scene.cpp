@@ -37,10 +37,7 @@ void Scene::validate() const {
   refuse_twins(model.steps, "steps");
 }
 
-// Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations.
-void Scene::take_preset() {
-  if (mesh.refine > 0) solver.linear.gamma = 10;
-}
+void Scene::take_preset() { solver.linear.take_mesh(mesh.refine); }
 
 Scene scene_of(const Entry& root, const std::string& path) {
   Scene scene;

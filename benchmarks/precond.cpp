@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   Options o = parse(argc, argv, {14}, {4}, 1);
   const auto& chosen = o.rest.empty() ? methods : o.rest;  // `bench_precond hybrid exact`: these only
   SolverSettings settings;
+  settings.linear.take_mesh(o.refine);
   json report = new_report("precond", o, comm.size());
   for (auto [key, value] : {std::pair<const char*, json>{"gamma", settings.linear.gamma}, {"tolerance", tolerance},
                             {"restart", settings.linear.restart}, {"max_iterations", settings.linear.max_iterations},

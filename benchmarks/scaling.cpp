@@ -23,7 +23,8 @@ json solve(int n, int refine, const Comm& comm) {
   const double start = Clock::now();
   auto problem = half_eye(n, comm, refine);
   const double made = Clock::now();
-  const LinearSettings settings;
+  LinearSettings settings;
+  settings.take_mesh(refine);
   Meters meters;
   CoupledSystem system(*problem, settings);
   State state = problem->initial_state();

@@ -68,6 +68,8 @@ struct LinearSettings {
   double memory_limit = 0;
   std::string dump;
   bool record_krylov = false, record_spectrum = false;
+  /// Gives its default to what depends on how often the mesh is refined.
+  void take_mesh(int refinements);
   /// Are the coarser meshes of a refined one of any use?
   bool wants_hierarchy() const { return method == "iterative" && (displacement == "auto" || displacement == "multigrid"); }
   template <class V>
