@@ -114,8 +114,9 @@ def beside_paper(report):
 
 def from_rest(report):
     """Runs of the working mesh and finer ones; of one that does not fit, what its memory would be."""
-    refused = lambda row: {k: row[k] for k in ("n", "unknowns", "method")} | {"peak_mb": f"{row['estimated_mb']:,.0f} (estimate: refused)"}
-    return [refused(row) if row.get("too_large") else row for row in report["rows"] if row["n"] >= 14]
+    rows = [row for row in report["rows"] if row["n"] >= 14]
+    return [row if not row.get("too_large") else
+            {**{k: row[k] for k in ("n", "unknowns", "method")}, "peak_mb": f"{row['estimated_mb']:,.0f} (estimate: refused)"} for row in rows]
 
 
 def by_direct_solver(report):

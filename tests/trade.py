@@ -35,7 +35,8 @@ def check(rows, folder):
     assert reference["converged"] == scene["converged"] == "true"
     assert float(scene["error"]) < 1e-4, scene["error"]
     by = {(r["knob"], r["value"]): r for r in rows}
-    assert {"eta_max", "newton", "gamma", "reuse", "smoothing", "method", "operator", "pressure patterns after", "underway", "increments", "penalty", "augmentation"} <= {k for k, _ in by}
+    assert {"eta_max", "newton", "gamma", "reuse", "smoothing", "method", "operator", "pressure patterns after", "underway", "increments",
+            "penalty", "augmentation"} <= {k for k, _ in by}
     assert float(by["newton", "1e-2"]["error"]) > float(by["newton", "1e-5"]["error"])
     assert int(by["newton", "1e-2"]["newton_iterations"]) < int(by["newton", "1e-5"]["newton_iterations"])
     assert float(by["penalty", "x 0.3"]["error"]) > 1e-4  # another penetration
