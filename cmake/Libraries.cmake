@@ -22,9 +22,10 @@ target_link_libraries(hypre INTERFACE ${HYPRE_LIBRARY} MPI::MPI_C)
 # Only the _ptscotch flavour has real orderings and the real MPI.
 find_path(MUMPS_INCLUDE dmumps_c.h REQUIRED)
 find_library(MUMPS_LIBRARY dmumps_ptscotch REQUIRED)
+find_library(MUMPS_SINGLE_LIBRARY smumps_ptscotch REQUIRED)
 add_library(mumps INTERFACE)
 target_include_directories(mumps SYSTEM INTERFACE ${MUMPS_INCLUDE})
-target_link_libraries(mumps INTERFACE ${MUMPS_LIBRARY} MPI::MPI_C)
+target_link_libraries(mumps INTERFACE ${MUMPS_LIBRARY} ${MUMPS_SINGLE_LIBRARY} MPI::MPI_C)
 
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)

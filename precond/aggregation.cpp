@@ -6,8 +6,8 @@
 
 namespace bulbus {
 
-AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes)
-    : lines(find_lines(system.problem())), rigid(system, nodes) {}
+AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes, Precision precision)
+    : lines(find_lines(system.problem())), rigid(system, nodes, precision) {}
 
 Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings, Precision smoothing)
     : block_(system, smoothing),

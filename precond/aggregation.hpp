@@ -9,7 +9,7 @@ namespace bulbus {
 /// What aggregation keeps from one linearisation to the next.
 struct AggregationPlan {
   /// Collective.
-  AggregationPlan(const CoupledSystem& system, int nodes);
+  AggregationPlan(const CoupledSystem& system, int nodes, Precision precision);
   Lines lines;
   RigidPlan rigid;
 };

@@ -60,9 +60,11 @@ void AssembledAmg::apply(std::span<const double> x, std::span<double> y) const {
   amg_->apply(x.first(nodal_), y.first(nodal_));
 }
 
-ExactBlock::ExactBlock(const CoupledSystem& system)
-    : nodal_(system.layout().nodal), jacobi_(system), mumps_(std::make_unique<Mumps>(system.problem().comm())) {
-  const FactorReport f = mumps_->factorise(assemble_displacement(system, system.problem().symmetric() ? Triangle::upper : Triangle::both), 3 * system.problem().mesh().all_nodes, system.problem().symmetric());
+ExactBlock::ExactBlock(const CoupledSystem& system, Precision precision)
+    : nodal_(system.layout().nodal), jacobi_(system), mumps_(std::make_unique<Mumps>(system.problem().comm(), MumpsOptions{.precision = precision})) {
+  const bool symmetric = system.problem().symmetric();
+  const FactorReport f =
+      mumps_->factorise(assemble_displacement(system, symmetric ? Triangle::upper : Triangle::both), 3 * system.problem().mesh().all_nodes, symmetric);
   bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
 

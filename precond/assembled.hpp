@@ -24,10 +24,10 @@ class AssembledAmg final : public Preconditioner {
   std::unique_ptr<BoomerAmg> amg_;
 };
 
-/// MUMPS on the assembled displacement block: the best that any preconditioner of it can do.
+/// MUMPS on the assembled displacement block: in full precision the best that any preconditioner of it can do.
 class ExactBlock final : public Preconditioner {
  public:
-  explicit ExactBlock(const CoupledSystem& system);
+  explicit ExactBlock(const CoupledSystem& system, Precision precision = Precision::full);
   int size() const override { return jacobi_.size(); }
   void apply(std::span<const double> x, std::span<double> y) const override;
   bool fixed() const override { return true; }

@@ -71,7 +71,7 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
     if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes);
     return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr, smoothing)};
   }
-  if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes);
+  if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes, smoothing);
   return with_lines(std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation, smoothing));
 }
 

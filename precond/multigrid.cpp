@@ -28,7 +28,7 @@ Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const Mul
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
   }
-  base_ = std::make_unique<ExactBlock>(*fine);
+  base_ = std::make_unique<ExactBlock>(*fine, smoothing);
 }
 
 Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings,

@@ -6,8 +6,8 @@
 
 namespace bulbus {
 
-RigidPlan::RigidPlan(const CoupledSystem& system, int nodes)
-    : groups(aggregate(system, nodes)), matrix(system.problem().symmetric()), factor(system.problem().comm()) {}
+RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision)
+    : groups(aggregate(system, nodes)), matrix(system.problem().symmetric()), factor(system.problem().comm(), {.precision = precision}) {}
 
 RigidCoarse::RigidCoarse(const CoupledSystem& system, RigidPlan& plan)
     : system_(system), plan_(plan), modes_(rigid_modes(system, plan.groups)) {

@@ -9,8 +9,8 @@ namespace bulbus {
 /// What the correction with rigid motions keeps from one linearisation to the next: the aggregates, the pattern of the coarse matrix
 /// and its analysis.
 struct RigidPlan {
-  /// Aggregates of about `nodes` nodes. Collective.
-  RigidPlan(const CoupledSystem& system, int nodes);
+  /// Aggregates of about `nodes` nodes, factors of this precision. Collective.
+  RigidPlan(const CoupledSystem& system, int nodes, Precision precision = Precision::full);
   Aggregates groups;
   CoarseMatrix matrix;
   Mumps factor;

@@ -1,12 +1,14 @@
 #include "core/solve/mumps.hpp"
 
 #include <dmumps_c.h>
+#include <smumps_c.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/base/clock.hpp"
 #include "core/base/error.hpp"
@@ -14,7 +16,8 @@
 namespace bulbus {
 namespace {
 
-constexpr double megabytes_per_entry = 1e-6 * (2 * sizeof(int) + sizeof(double));
+template <class Number>
+constexpr double megabytes_per_entry = 1e-6 * (2 * sizeof(int) + sizeof(Number));
 
 enum Job { start = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 };
 
@@ -85,18 +88,33 @@ void convert(Triplets& t, bool symmetric) {
   t.row.resize(kept), t.col.resize(kept), t.value.resize(kept);
 }
 
+void call(DMUMPS_STRUC_C& id) { dmumps_c(&id); }
+void call(SMUMPS_STRUC_C& id) { smumps_c(&id); }
+
 }  // namespace
 
 struct Mumps::Instance {
+  virtual ~Instance() = default;
+  virtual bool take(Triplets t, long long n, bool symmetric) = 0;
+  virtual FactorReport& analyse() = 0;
+  virtual FactorReport& factorise() = 0;
+  virtual bool solve(std::span<const double> b, std::span<double> x) = 0;
+  FactorReport report;
+};
+
+// Id: MUMPS's structure of one precision.
+template <class Id>
+struct Mumps::InstanceOf final : Instance {
+  using Number = std::remove_pointer_t<decltype(Id::a_loc)>;
   const Comm comm;
   const MumpsOptions options;
-  DMUMPS_STRUC_C id{};
-  Triplets matrix;
-  FactorReport report;
+  Id id{};
+  std::vector<int> row, col;
+  std::vector<Number> value;
   bool started = false, analysed = false, factorised = false;
 
-  Instance(const Comm& c, const MumpsOptions& o) : comm(c), options(o) {}
-  ~Instance() { stop(); }
+  InstanceOf(const Comm& c, const MumpsOptions& o) : comm(c), options(o) {}
+  ~InstanceOf() override { stop(); }
 
   int& control(int i) { return id.icntl[i - 1]; }
   int infog(int i) const { return id.infog[i - 1]; }
@@ -104,7 +122,7 @@ struct Mumps::Instance {
 
   bool run(Job job) {
     id.job = job;
-    dmumps_c(&id);
+    call(id);
     return infog(1) >= 0;
   }
 
@@ -142,25 +160,28 @@ struct Mumps::Instance {
   }
 
   /// True if the last analysis holds for it.
-  bool take(Triplets t, long long n, bool symmetric) {
+  bool take(Triplets t, long long n, bool symmetric) override {
     check(t, n, comm);
     convert(t, symmetric);
     bool same = analysed && id.n == n && (id.sym == 2) == symmetric;
-    same = comm.all(same && t.row == matrix.row && t.col == matrix.col);
-    matrix = std::move(t);
+    same = comm.all(same && t.row == row && t.col == col);
+    row = std::move(t.row);
+    col = std::move(t.col);
+    if constexpr (std::is_same_v<Number, double>) value = std::move(t.value);
+    else value.assign(t.value.begin(), t.value.end());
     factorised = false;
     if (!same) restart(symmetric);
     id.n = static_cast<MUMPS_INT>(n);
-    id.nnz_loc = static_cast<MUMPS_INT8>(matrix.row.size());
-    id.irn_loc = matrix.row.data();
-    id.jcn_loc = matrix.col.data();
-    id.a_loc = matrix.value.data();
+    id.nnz_loc = static_cast<MUMPS_INT8>(row.size());
+    id.irn_loc = row.data();
+    id.jcn_loc = col.data();
+    id.a_loc = value.data();
     return same;
   }
 
-  FactorReport& analyse() {
+  FactorReport& analyse() override {
     report = {};
-    report.matrix_entries = static_cast<double>(comm.sum(static_cast<long long>(matrix.row.size())));
+    report.matrix_entries = static_cast<double>(comm.sum(static_cast<long long>(row.size())));
     double begin = Clock::now();
     analysed = run(analysis);
     report.seconds_analysis = Clock::now() - begin;
@@ -174,14 +195,14 @@ struct Mumps::Instance {
     return report;
   }
 
-  FactorReport& factorise() {
+  FactorReport& factorise() override {
     report.ok = false;
     report.memory_mb = report.memory_max_mb = report.flops = report.factor_entries = 0;
     report.negative_pivots = report.relaxations = 0;
-    auto finite = [](double v) { return std::isfinite(v); };
-    if (!comm.all(std::all_of(matrix.value.begin(), matrix.value.end(), finite)))
+    auto finite = [](Number v) { return std::isfinite(v); };
+    if (!comm.all(std::all_of(value.begin(), value.end(), finite)))
       return fail("the matrix is not finite");
-    const double needed = report.estimated_mb + megabytes_per_entry * report.matrix_entries;
+    const double needed = report.estimated_mb + megabytes_per_entry<Number> * report.matrix_entries;
     report.too_large = options.memory_limit_mb > 0 && needed > options.memory_limit_mb;
     if (report.too_large)
       return fail("matrix and factors need about " + std::to_string(std::llround(needed)) +
@@ -206,9 +227,34 @@ struct Mumps::Instance {
     report.negative_pivots = id.sym == 2 ? infog(12) : 0;
     return report;
   }
+
+  bool solve(std::span<const double> b, std::span<double> x) override {
+    if (!factorised) return false;
+    if (comm.sum(static_cast<long long>(b.size())) != id.n || comm.any(b.size() != x.size()))
+      throw std::invalid_argument("Mumps: the vectors do not have the matrix's size");
+    const MPI_Datatype type = std::is_same_v<Number, double> ? MPI_DOUBLE : MPI_FLOAT;
+    int size = static_cast<int>(b.size()), ranks = comm.size();
+    std::vector<int> sizes(ranks), starts(ranks, 0);
+    MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, comm.raw());
+    std::partial_sum(sizes.begin(), sizes.end() - 1, starts.begin() + 1);
+    std::vector<Number> here(b.begin(), b.end()), whole(comm.rank() == 0 ? id.n : 0);
+    MPI_Gatherv(here.data(), size, type, whole.data(), sizes.data(), starts.data(), type, 0, comm.raw());
+    id.rhs = whole.data();
+    id.nrhs = 1;
+    id.lrhs = id.n;
+    const bool ok = run(solution);
+    id.rhs = nullptr;
+    if (!ok) return false;
+    MPI_Scatterv(whole.data(), sizes.data(), starts.data(), type, here.data(), size, type, 0, comm.raw());
+    std::ranges::copy(here, x.begin());
+    return true;
+  }
 };
 
-Mumps::Mumps(const Comm& comm, MumpsOptions options) : m_(std::make_unique<Instance>(comm, options)) {}
+Mumps::Mumps(const Comm& comm, MumpsOptions options) {
+  if (options.precision == Precision::full) m_ = std::make_unique<InstanceOf<DMUMPS_STRUC_C>>(comm, options);
+  else m_ = std::make_unique<InstanceOf<SMUMPS_STRUC_C>>(comm, options);
+}
 Mumps::~Mumps() = default;
 
 FactorReport Mumps::analyse(Triplets matrix, long long n, bool symmetric) {
@@ -223,27 +269,6 @@ FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric) {
   return m_->factorise();
 }
 
-bool Mumps::solve(std::span<const double> b, std::span<double> x) {
-  Instance& m = *m_;
-  if (!m.factorised) return false;
-  if (m.comm.sum(static_cast<long long>(b.size())) != m.id.n || m.comm.any(b.size() != x.size()))
-    throw std::invalid_argument("Mumps: the vectors do not have the matrix's size");
-  int size = static_cast<int>(b.size()), ranks = m.comm.size();
-  std::vector<int> sizes(ranks), starts(ranks, 0);
-  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, m.comm.raw());
-  std::partial_sum(sizes.begin(), sizes.end() - 1, starts.begin() + 1);
-  std::vector<double> whole(m.comm.rank() == 0 ? m.id.n : 0);
-  MPI_Gatherv(b.data(), size, MPI_DOUBLE, whole.data(), sizes.data(), starts.data(), MPI_DOUBLE, 0,
-              m.comm.raw());
-  m.id.rhs = whole.data();
-  m.id.nrhs = 1;
-  m.id.lrhs = m.id.n;
-  bool ok = m.run(solution);
-  m.id.rhs = nullptr;
-  if (ok)
-    MPI_Scatterv(whole.data(), sizes.data(), starts.data(), MPI_DOUBLE, x.data(), size, MPI_DOUBLE, 0,
-                 m.comm.raw());
-  return ok;
-}
+bool Mumps::solve(std::span<const double> b, std::span<double> x) { return m_->solve(b, x); }
 
 }  // namespace bulbus

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/parallel.hpp"
+#include "core/solve/linear_operator.hpp"
 #include "core/solve/triplets.hpp"
 
 namespace bulbus {
@@ -11,6 +12,7 @@ namespace bulbus {
 enum class MumpsOrdering { amd = 0, scotch = 3, pord = 4, metis = 5, qamd = 6, automatic = 7 };
 
 struct MumpsOptions {
+  Precision precision = Precision::full;  ///< of matrix, factors and solutions
   MumpsOrdering ordering = MumpsOrdering::scotch;
   int refinements = 0;  ///< most steps of iterative refinement in a solve
   int relaxations = 5;  ///< times that the workspace may be doubled when pivoting outgrows the estimate
@@ -54,6 +56,8 @@ class Mumps {
 
  private:
   struct Instance;
+  template <class Id>
+  struct InstanceOf;
   std::unique_ptr<Instance> m_;
 };
 

@@ -82,7 +82,7 @@ TEST(RigidModes, AreOrthonormalInEveryAggregate) {
 TEST(Aggregation, IsOneLinearMap) {
   for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, 0);
-    AggregationPlan plan(l.system, 20);
+    AggregationPlan plan(l.system, 20, Precision::single);
     const Aggregation M(l.system, plan, {});
     EXPECT_EQ(M.fault(), "");
     EXPECT_TRUE(M.fixed());
@@ -98,7 +98,7 @@ TEST(Aggregation, IsOneLinearMap) {
 // M A takes the rigid motions that the aggregates have, and all that is rough, for what they are.
 TEST(Aggregation, InvertsOnTheCoarseSpace) {
   Linearised l(thin_plate(), 0, 0);
-  AggregationPlan plan(l.system, 20);
+  AggregationPlan plan(l.system, 20, Precision::single);
   const Aggregation M(l.system, plan, {});
   const RigidModes modes = rigid_modes(l.system, plan.rigid.groups);
   std::vector<double> rigid(l.system.layout().primal()), A(rigid), MA(rigid);
@@ -114,14 +114,14 @@ TEST(Aggregation, InvertsOnTheCoarseSpace) {
 // What a new linearisation makes with an old plan is what it makes with its own.
 TEST(Aggregation, PlansServeEveryLinearisation) {
   Linearised l(filled_shell("octant"), 0, 0);
-  AggregationPlan plan(l.system, 20);
+  AggregationPlan plan(l.system, 20, Precision::single);
   { const Aggregation first(l.system, plan, {}); }
   l.state = shaken(l.problem, l.state, .001, 7);
   l.system.linearize(l.state, l.problem.residual(l.state));
   const auto b = noise_primal(l.problem, 1);
   std::vector<double> old(b.size()), own(b.size());
   Aggregation(l.system, plan, {}).apply(b, old);
-  AggregationPlan fresh(l.system, 20);
+  AggregationPlan fresh(l.system, 20, Precision::single);
   fresh.rigid.groups = plan.rigid.groups;
   Aggregation(l.system, fresh, {}).apply(b, own);
   EXPECT_LT(relative_difference(old, own), 1e-5);

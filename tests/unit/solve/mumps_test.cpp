@@ -71,6 +71,18 @@ TEST_F(MumpsTest, PositiveLaplacian) {
   EXPECT_LT(error_of_solve(mumps, c.mine, 1728, comm), 1e-11);
 }
 
+TEST_F(MumpsTest, SinglePrecisionTakesLessRoom) {
+  add_laplacian(c, 12);
+  Mumps whole(comm), single(comm, {.precision = Precision::single});
+  const FactorReport a = whole.factorise(c.mine, 1728, true), b = single.factorise(c.mine, 1728, true);
+  ASSERT_TRUE(b.ok) << b.reason;
+  EXPECT_NEAR(b.factor_entries, a.factor_entries, .05 * a.factor_entries);  // pivots differ
+  EXPECT_LE(b.memory_mb, a.memory_mb);
+  const double error = error_of_solve(single, c.mine, 1728, comm);
+  EXPECT_LT(error, 1e-4);
+  EXPECT_GT(error, 1e-9);
+}
+
 TEST_F(MumpsTest, InertiaOfAShiftedLaplacian) {
   const int n = 10;
   const double shift = 1.0;
