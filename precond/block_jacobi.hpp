@@ -7,12 +7,12 @@
 
 namespace bulbus {
 
-/// Inverse of a symmetric block, or of its diagonal's magnitude where it is not positive definite.
+/// Inverse of a symmetric block (N may be Eigen::Dynamic), or of its diagonal's magnitude where it is not positive definite.
 template <int N>
 Eigen::Matrix<double, N, N> safe_inverse(const Eigen::Matrix<double, N, N>& given) {
   const Eigen::Matrix<double, N, N> block = 0.5 * (given + given.transpose());
   const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(block);
-  if (factor.info() == Eigen::Success) return factor.solve(Eigen::Matrix<double, N, N>::Identity());
+  if (factor.info() == Eigen::Success) return factor.solve(Eigen::Matrix<double, N, N>::Identity(block.rows(), block.rows()));
   const double mean = block.diagonal().cwiseAbs().mean();
   return block.diagonal().cwiseAbs().cwiseMax(1e-3 * mean + 1e-300).cwiseInverse().asDiagonal();
 }

@@ -126,6 +126,20 @@ void LineJacobi::solve(const double* x, double* y, int stride) const {
   }
 }
 
+Eigen::MatrixXf LineJacobi::energy(int line, Rows& F) const {
+  const int first = lines_.start[line], last = lines_.start[line + 1] - 1;
+  Rows scaled(F.rows(), F.cols());
+  for (int i = first; i <= last; ++i) {
+    auto rows = F.middleRows<3>(3 * (i - first));
+    if (i > first)
+      rows -= Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(lower_[i - line - 1].data()).lazyProduct(F.middleRows<3>(3 * (i - first - 1)));
+    const auto& d = inverse_[i];
+    const Eigen::Matrix3f D{{d[0], d[1], d[2]}, {d[1], d[3], d[4]}, {d[2], d[4], d[5]}};
+    scaled.middleRows<3>(3 * (i - first)) = D.lazyProduct(rows);
+  }
+  return F.transpose() * scaled;
+}
+
 void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
   solve(x.data(), y.data(), 3);
   bodies_.apply(x, y);

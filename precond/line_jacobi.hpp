@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Dense>
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
@@ -36,6 +37,13 @@ class LineJacobi final : public Preconditioner {
   void apply(std::span<const double> x, std::span<double> y) const override;
   /// The nodes' part, in place; four numbers per owned node, the last one unused.
   void apply_nodal(std::span<double> v) const { solve(v.data(), v.data(), 4); }
+  int count() const { return lines_.count(); }
+  /// Of one line.
+  std::span<const int> nodes(int line) const { return std::span(lines_.nodes).subspan(lines_.start[line], lines_.start[line + 1] - lines_.start[line]); }
+  /// Three rows per node of a line.
+  using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  /// Fᵀ A⁻¹ F, A: the part on one line. F is used up.
+  Eigen::MatrixXf energy(int line, Rows& F) const;
   bool fixed() const override { return true; }
   std::size_t bytes() const override;
 

@@ -64,6 +64,9 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
 // of its residual is not true any more.
 constexpr double roundings = 1e-5;
 
+// Krylov iterations that a solve takes at least for every digit.
+constexpr double per_digit = 2;
+
 // What two solves in a row did, the second from where the first had come to.
 KrylovReport joined(KrylovReport first, KrylovReport then) {
   if (first.history.empty()) return then;
@@ -137,7 +140,7 @@ class KrylovSolver final : public LinearSolver {
     };
     const int patience = std::min(settings_.pressures.after, settings_.max_iterations);
     if (preconditioner_->holds_back()) {
-      if (!dragged_) go_on(patience);
+      if (!dragged_ && -per_digit * std::log10(tolerance) <= patience) go_on(patience);
       if (!report.converged) strengthen();
     }
     go_on(settings_.max_iterations - report.iterations);

@@ -1,3 +1,4 @@
+#include "precond/line_pressure_stiffness.hpp"
 #include "precond/pressure_schur.hpp"
 
 #include <random>
@@ -21,7 +22,7 @@ double product(const std::vector<double>& a, const std::vector<double>& b) { ret
 struct WithLines : Linearised {
   Lines lines = find_lines(problem);
   LineJacobi jacobi{system, lines};
-  explicit WithLines(const Scene& scene) : Linearised(scene, 0, .001) {}
+  explicit WithLines(const Scene& scene, int refine = 0) : Linearised(scene, refine, .001) {}
 };
 
 TEST(LinePressureStiffness, IsTheProductOfItsFactors) {
@@ -43,15 +44,32 @@ TEST(LinePressureStiffness, IsTheProductOfItsFactors) {
 }
 
 TEST(PressureSchur, IsSymmetricAndPositive) {
-  WithLines l(small_eye(8));
-  PressureSchur schur(l.system, &l.jacobi, {});
-  schur.strengthen();
-  const auto p = noise(schur.size(), 1), q = noise(schur.size(), 2);
-  std::vector<double> Sp(p.size()), Sq(p.size());
-  schur.apply(p, Sp);
-  schur.apply(q, Sq);
-  EXPECT_GT(product(p, Sp), 0);
-  EXPECT_NEAR(product(q, Sp), product(p, Sq), 1e-5 * product(p, Sp));
+  for (const auto& [scene, refine] : {std::pair(small_eye(8), 0), {filled_shell("half"), 1}, {filled_shell("octant"), 2}}) {
+    WithLines l(scene, refine);
+    PressureSchur schur(l.system, &l.jacobi, {});
+    schur.strengthen();
+    const auto p = noise(schur.size(), 1), q = noise(schur.size(), 2);
+    std::vector<double> Sp(p.size()), Sq(p.size());
+    schur.apply(p, Sp);
+    schur.apply(q, Sq);
+    EXPECT_GT(product(p, Sp), 0);
+    EXPECT_NEAR(product(q, Sp), product(p, Sq), 1e-5 * product(p, Sp));
+  }
+}
+
+TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
+  for (int refine : {0, 1, 2}) {
+    WithLines l(filled_shell("half"), refine);
+    PressureSchur schur(l.system, &l.jacobi, {});
+    const auto p = noise(schur.size(), 1);
+    std::vector<double> before(p.size()), after(p.size());
+    schur.apply(p, before);
+    schur.strengthen();
+    schur.apply(p, after);
+    EXPECT_NE(before, after);
+    ASSERT_FALSE(l.problem.solid().rigid_hexes().empty());
+    for (int e : l.problem.solid().rigid_hexes()) EXPECT_EQ(after[e], before[e]);
+  }
 }
 
 TEST(PressureSchur, HoldsBackUntilItIsAsked) {
@@ -69,8 +87,8 @@ TEST(PressureSchur, HoldsBackUntilItIsAsked) {
 
 // Noise is rich in the patterns that Q1/P0 leaves almost free.
 TEST(PressureSchur, TakesWeakPatternsOutOfNoise) {
-  const auto iterations = [](int after) {
-    Linearised l(small_eye(8), 0, 0);
+  const auto iterations = [](int after, int refine = 0) {
+    Linearised l(small_eye(8), refine, 0);
     l.settings.pressures.after = after;
     Meters meters;
     auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
@@ -83,7 +101,11 @@ TEST(PressureSchur, TakesWeakPatternsOutOfNoise) {
   };
   const int with = iterations(0), without = iterations(1000);
   EXPECT_LE(2 * with, without);
-  EXPECT_LE(with, 35);
+  EXPECT_LE(with, 25);
+  const int with_hierarchy = iterations(0, 1), without_patterns = iterations(1000, 1);
+  EXPECT_LE(2 * with_hierarchy, without_patterns);
+  EXPECT_LE(with_hierarchy, 30);
+  std::printf("%d iterations with, %d without; refined %d and %d\n", with, without, with_hierarchy, without_patterns);
 }
 
 }  // namespace

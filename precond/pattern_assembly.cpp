@@ -1,0 +1,120 @@
+#include "precond/pattern_assembly.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace bulbus {
+
+PatternMatrix::Assembly::Assembly(const Problem& problem, const LinePressureStiffness& K, PatternMatrix& to)
+    : problem_(problem), K_(K), to_(to), count_(to.patterns_.count()), coarser_(to.patterns_.coarser()), start_(problem.mesh().nodes() + 1) {
+  const auto& hexes = problem.mesh().hexes;
+  for (const Hex& h : hexes)
+    for (int n : h) ++start_[n + 1];
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  std::vector<int> at(start_.begin(), start_.end() - 1);
+  corners_.resize(start_.back());
+  for (int h = 0; h < static_cast<int>(hexes.size()); ++h)
+    for (int c = 0; c < 8; ++c) corners_[at[hexes[h][c]]++] = 8 * h + c;
+  exchange();
+}
+
+// use(coarser hexahedron, force on the node) of every hexahedron around it
+template <class Use>
+void PatternMatrix::Assembly::visit(int node, Use use) const {
+  for (int i = start_[node]; i < start_[node + 1]; ++i)
+    if (const int hex = corners_[i] / 8, coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
+      use(coarser, Force(K_.constraint(hex, corners_[i] % 8) * to_.patterns_.row(hex)));
+  for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node); f != foreign_.end() && f->node == node; ++f) use(f->coarse, f->force);
+}
+
+void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
+  const auto nodes = lines.nodes(line);
+  columns_.clear();
+  for (int n : nodes) visit(n, [&](int coarse, const Force&) { columns_.push_back(coarse); });
+  std::ranges::sort(columns_);
+  columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
+  F_.setZero(3 * nodes.size(), count_ * columns_.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    visit(nodes[i], [&](int coarse, const Force& f) {
+      F_.block(3 * i, count_ * (std::ranges::lower_bound(columns_, coarse) - columns_.begin()), 3, count_) += f;
+    });
+    if (problem_.dofs().held(nodes[i])) hold(nodes[i], 3 * i);
+  }
+  const Eigen::MatrixXf energy = lines.energy(line, F_);
+  for (std::size_t a = 0; a < columns_.size(); ++a)
+    for (std::size_t b = a; b < columns_.size(); ++b)
+      Eigen::Map<Eigen::MatrixXf>(block(columns_[a], columns_[b]), count_, count_) += energy.block(count_ * a, count_ * b, count_, count_);
+}
+
+void PatternMatrix::Assembly::hold(int node, Eigen::Index row) {
+  const Mat3<double> P = problem_.dofs().projector(node);
+  Eigen::Matrix3f projector;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) projector(i, j) = static_cast<float>(P(i, j));
+  F_.middleRows<3>(row) = (projector * F_.middleRows<3>(row)).eval();
+}
+
+// One for each coarser hexahedron that acts on a node.
+std::vector<PatternMatrix::Assembly::NodeForce> PatternMatrix::Assembly::sums(int node) const {
+  std::vector<NodeForce> all;
+  visit(node, [&](int coarse, const Force& f) {
+    const auto at = std::ranges::find(all, coarse, &NodeForce::coarse);
+    if (at == all.end()) all.push_back({node, coarse, f});
+    else at->force += f;
+  });
+  return all;
+}
+
+// Of every force: the node's place in the halo, the coarser hexahedron, the numbers.
+void PatternMatrix::Assembly::exchange() {
+  const LocalMesh& mesh = problem_.mesh();
+  std::vector<std::vector<long long>> out(mesh.comm.size());
+  std::vector<Halo::Neighbour> neighbours;
+  for (const auto& n : mesh.halo.neighbours()) {
+    std::vector<int> sent;
+    for (std::size_t place = 0; place < n.receive.size(); ++place)
+      for (const NodeForce& f : sums(n.receive[place])) {
+        sent.push_back(f.coarse);
+        out[n.rank].push_back(static_cast<long long>(place));
+        out[n.rank].push_back(to_.patterns_.labels()[f.coarse]);
+        for (float v : f.force.reshaped()) out[n.rank].push_back(std::bit_cast<int>(v));
+      }
+    std::ranges::sort(sent);
+    sent.erase(std::unique(sent.begin(), sent.end()), sent.end());
+    neighbours.push_back({n.rank, std::move(sent), {}});
+  }
+  const auto in = mesh.comm.exchange(out);
+  for (std::size_t k = 0; k < neighbours.size(); ++k) receive(in[neighbours[k].rank], mesh.halo.neighbours()[k].send, neighbours[k].receive);
+  std::ranges::stable_sort(foreign_, {}, &NodeForce::node);
+  to_.halo_ = std::make_unique<Halo>(mesh.comm, std::move(neighbours));
+}
+
+// Both sides have coarser hexahedra in the order of their labels.
+void PatternMatrix::Assembly::receive(std::span<const long long> data, std::span<const int> nodes, std::vector<int>& ghosts) {
+  const std::size_t size = 2 + 3 * count_;
+  std::vector<long long> labels;
+  for (std::size_t i = 0; i < data.size(); i += size) labels.push_back(data[i + 1]);
+  std::ranges::sort(labels);
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  const int first = coarser_;
+  coarser_ += static_cast<int>(labels.size());
+  ghosts.resize(labels.size());
+  std::iota(ghosts.begin(), ghosts.end(), first);
+  for (; !data.empty(); data = data.subspan(size)) {
+    NodeForce f{nodes[data[0]], first + static_cast<int>(std::ranges::lower_bound(labels, data[1]) - labels.begin()), Force(3, count_)};
+    for (int i = 0; i < f.force.size(); ++i) f.force.reshaped()[i] = std::bit_cast<float>(static_cast<int>(data[2 + i]));
+    foreign_.push_back(f);
+  }
+}
+
+float* PatternMatrix::Assembly::block(int row, int column) {
+  const auto [at, added] = at_.emplace((static_cast<long long>(row) << 32) + column, to_.blocks_.size());
+  if (added) {
+    to_.pairs_.push_back({row, column});
+    to_.blocks_.resize(to_.blocks_.size() + count_ * count_);
+  }
+  return &to_.blocks_[at->second];
+}
+
+}  // namespace bulbus

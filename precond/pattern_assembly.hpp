@@ -1,0 +1,43 @@
+#pragma once
+#include <unordered_map>
+
+#include "precond/pattern_matrix.hpp"
+
+namespace bulbus {
+
+/// Adds up Σ Fᵀ (L D Lᵀ)⁻¹ F over lines; F: the rows of B P of a line's nodes.
+class PatternMatrix::Assembly {
+ public:
+  /// Tells the owners of nodes what hexahedra of this rank do to them; coarser hexahedra of other ranks become ghosts. Collective.
+  Assembly(const Problem& problem, const LinePressureStiffness& K, PatternMatrix& to);
+  void add(int line, const LineJacobi& lines);
+  /// Of this rank, and ghosts.
+  int coarser() const { return coarser_; }
+
+ private:
+  using Force = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::ColMajor, 3, Patterns::most>;
+  // of a coarser hexahedron's patterns on a node
+  struct NodeForce {
+    int node, coarse;
+    Force force;
+  };
+  template <class Use>
+  void visit(int node, Use use) const;
+  std::vector<NodeForce> sums(int node) const;
+  void exchange();
+  void receive(std::span<const long long> data, std::span<const int> nodes, std::vector<int>& ghosts);
+  void hold(int node, Eigen::Index row);
+  float* block(int row, int column);
+
+  const Problem& problem_;
+  const LinePressureStiffness& K_;
+  PatternMatrix& to_;
+  int count_, coarser_;  // patterns, coarser hexahedra
+  std::vector<int> start_, corners_;  // of every local node: 8 × hexahedron + corner
+  std::vector<NodeForce> foreign_;    // of other ranks' hexahedra, by nodes
+  std::unordered_map<long long, std::size_t> at_;
+  std::vector<int> columns_;          // coarser hexahedra that act on a line
+  LineJacobi::Rows F_;
+};
+
+}  // namespace bulbus

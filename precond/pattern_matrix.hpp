@@ -1,0 +1,70 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/mesh/halo.hpp"
+#include "core/solve/linear_operator.hpp"
+#include "precond/line_pressure_stiffness.hpp"
+#include "precond/patterns.hpp"
+
+namespace bulbus {
+
+/// Pᵀ K P, blocks of pairs of coarser hexahedra; stored in single precision.
+class PatternMatrix final : public LinearOperator {
+ public:
+  /// Collective. Nothing but `patterns` has to outlive it.
+  PatternMatrix(const Problem& problem, const Patterns& patterns, const LinePressureStiffness& K, const LineJacobi& lines);
+  int size() const override { return patterns_.size(); }
+  /// Collective.
+  void apply(std::span<const double> x, std::span<double> y) const override;
+  /// Blocks of every coarser hexahedron with itself. Collective.
+  std::vector<double> diagonal() const;
+  std::size_t bytes() const;
+
+ private:
+  struct Pair {
+    int row, column;  // row ≤ column
+  };
+  class Assembly;
+  template <int N>
+  void add_products() const;
+
+  const Patterns& patterns_;
+  std::vector<Pair> pairs_;
+  std::vector<float> blocks_;   // of the pairs, by columns
+  std::unique_ptr<Halo> halo_;  // of coarser hexahedra, ghosts behind this rank's
+  mutable std::vector<float> in_, out_;
+  mutable std::vector<double> exchanged_;
+};
+
+/// Inverses of a PatternMatrix's diagonal blocks; zero where nothing moves.
+class PatternJacobi final : public Preconditioner {
+ public:
+  /// Collective.
+  PatternJacobi(const PatternMatrix& matrix, int patterns);
+  int size() const override { return size_; }
+  void apply(std::span<const double> r, std::span<double> z) const override;
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override;
+
+ private:
+  int patterns_, size_;
+  std::vector<float> inverse_;
+};
+
+/// Pᵀ K P as the product of its factors.
+class PatternProduct final : public LinearOperator {
+ public:
+  PatternProduct(const Patterns& patterns, const LinePressureStiffness& K) : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
+  int size() const override { return patterns_.size(); }
+  /// Collective.
+  void apply(std::span<const double> x, std::span<double> y) const override;
+  std::size_t bytes() const;
+
+ private:
+  const Patterns& patterns_;
+  const LinePressureStiffness& K_;
+  mutable std::vector<double> p_, q_;
+};
+
+}  // namespace bulbus

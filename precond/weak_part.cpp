@@ -1,0 +1,148 @@
+#include "precond/weak_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/memory.hpp"
+#include "precond/chebyshev.hpp"
+#include "precond/pattern_matrix.hpp"
+
+namespace bulbus {
+namespace {
+
+// (1 + γ) μ_e/V_e; zero of rigid hexahedra, which have no Schur complement.
+std::vector<double> inverse_diagonal(const CoupledSystem& system) {
+  std::vector<double> values = system.inverse_pressure_schur();
+  for (int e : system.problem().solid().rigid_hexes()) values[e] = 0;
+  return values;
+}
+
+// Of the four patterns of eight hexahedra: the mean of theirs, for columns of P are as long as √8.
+std::vector<double> inverse_diagonal(const CoupledSystem& system, const Patterns& patterns) {
+  const auto of_hexes = inverse_diagonal(system);
+  std::vector<double> values(patterns.size());
+  for (std::size_t h = 0; h < of_hexes.size(); ++h)
+    if (const int coarser = patterns.coarser_of(static_cast<int>(h)); coarser >= 0)
+      for (int k = 0; k < patterns.count(); ++k) values[patterns.count() * coarser + k] += of_hexes[h] / 64;
+  return values;
+}
+
+class Diagonal final : public Preconditioner {
+ public:
+  explicit Diagonal(std::vector<double> values) : values_(std::move(values)) {}
+  int size() const override { return static_cast<int>(values_.size()); }
+  void apply(std::span<const double> r, std::span<double> z) const override { std::ranges::transform(values_, r, z.begin(), std::multiplies{}); }
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override { return bytes_of(values_); }
+
+ private:
+  std::vector<double> values_;
+};
+
+// As many hexahedra as a mesh has in one direction, more or less, times `part`: halving them doubles it. Fewer than 16 gain little.
+int degree_for(double hexes, double part) { return std::max(16, static_cast<int>(std::lround(part * std::cbrt(hexes)))); }
+
+// A polynomial of degree d inverts eigenvalues above so much of the largest one to within a third.
+double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * degree); }
+
+// R p = p − E N⁻¹ Eᵀ p / 8, tissue by tissue: means over a hexahedron's nodes of the means over the hexahedra of its region around them.
+// Chessboards have none. Symmetric.
+class Rough {
+ public:
+  explicit Rough(const Problem& problem) : mesh_(problem.mesh()), regions_(problem.solid().regions()), nodal_(2 * mesh_.nodes()) {}
+  void apply(std::span<double> p) const {
+    for (const SolidRegion& r : regions_) {
+      std::ranges::fill(nodal_, 0.0);  // sum and number at every node
+      for (int h = r.first; h < r.first + r.count; ++h)
+        for (int n : mesh_.hexes[h]) nodal_[2 * n] += p[h], nodal_[2 * n + 1] += 1;
+      mesh_.halo.fold(nodal_, 2);
+      for (int n = 0; n < mesh_.owned; ++n)
+        if (nodal_[2 * n + 1] > 0) nodal_[2 * n] /= 8 * nodal_[2 * n + 1];
+      mesh_.halo.update(nodal_, 2);
+      for (int h = r.first; h < r.first + r.count; ++h)
+        for (int n : mesh_.hexes[h]) p[h] -= nodal_[2 * n];
+    }
+  }
+  std::size_t bytes() const { return bytes_of(nodal_); }
+
+ private:
+  const LocalMesh& mesh_;
+  std::span<const SolidRegion> regions_;
+  mutable std::vector<double> nodal_;
+};
+
+class OnAll final : public WeakPart {
+ public:
+  OnAll(const CoupledSystem& system, const LinePressureStiffness& K, int degree)
+      : rough_(system.problem()),
+        scale_(inverse_diagonal(system)),
+        inverse_(K, scale_, degree, smallest_for(degree), system.problem().comm()),
+        given_(K.size()),
+        correction_(K.size()) {}
+  void add(std::span<const double> r, double weight, std::span<double> z) override {
+    std::ranges::copy(r, given_.begin());
+    rough_.apply(given_);
+    inverse_.apply(given_, correction_);
+    rough_.apply(correction_);
+    for (std::size_t e = 0; e < z.size(); ++e) z[e] += weight * correction_[e];
+  }
+  std::size_t bytes() const override { return rough_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_); }
+
+ private:
+  Rough rough_;
+  Diagonal scale_;
+  Chebyshev inverse_;
+  std::vector<double> given_, correction_;
+};
+
+template <class Product, class Scale>
+class OnPatterns final : public WeakPart {
+ public:
+  // make_product(P), make_scale(P, product)
+  template <class MakeProduct, class MakeScale>
+  OnPatterns(const Problem& problem, int refinements, int degree, MakeProduct make_product, MakeScale make_scale)
+      : patterns_(problem, refinements),
+        K_(make_product(patterns_)),
+        scale_(make_scale(patterns_, K_)),
+        inverse_(K_, scale_, degree, smallest_for(degree), problem.comm()),
+        given_(K_.size()),
+        correction_(K_.size()) {}
+  void add(std::span<const double> r, double weight, std::span<double> z) override {
+    patterns_.restrict_pressures(r, given_);
+    inverse_.apply(given_, correction_);
+    patterns_.add_prolonged(correction_, weight, z);
+  }
+  std::size_t bytes() const override {
+    return patterns_.bytes() + K_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
+  }
+
+ private:
+  Patterns patterns_;
+  Product K_;
+  Scale scale_;
+  Chebyshev inverse_;
+  std::vector<double> given_, correction_;
+};
+
+}  // namespace
+
+std::unique_ptr<WeakPart> weak_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
+  return std::make_unique<OnAll>(system, K, degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
+}
+
+std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
+  return std::make_unique<OnPatterns<PatternProduct, Diagonal>>(
+      system.problem(), 1, degree > 0 ? degree : 16, [&](const Patterns& P) { return PatternProduct(P, K); },
+      [&](const Patterns& P, const PatternProduct&) { return Diagonal(inverse_diagonal(system, P)); });
+}
+
+std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, const LineJacobi& lines, int degree) {
+  const Problem& problem = system.problem();
+  const int refinements = std::min(2, problem.mesh().refinements);
+  const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
+  return std::make_unique<OnPatterns<PatternMatrix, PatternJacobi>>(
+      problem, refinements, degree > 0 ? degree : degree_for(hexes, refinements > 1 ? 3 : 2), [&](const Patterns& P) { return PatternMatrix(problem, P, K, lines); },
+      [](const Patterns& P, const PatternMatrix& matrix) { return PatternJacobi(matrix, P.count()); });
+}
+
+}  // namespace bulbus

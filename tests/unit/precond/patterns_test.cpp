@@ -1,0 +1,79 @@
+#include "precond/patterns.hpp"
+
+#include "precond/pattern_matrix.hpp"
+#include "tests/unit/precond/linearised.hpp"
+
+namespace bulbus {
+namespace {
+
+Scene one_hexahedron() {
+  Scene scene = stretched_block(1, ".1");
+  scene.mesh = generate(BlockShape{.upper = {1, 2, 3}, .nx = 1, .ny = 1, .nz = 1});
+  return scene;
+}
+
+TEST(Patterns, AreOrthogonal) {
+  for (int refinements : {1, 2}) {
+    const Linearised l(one_hexahedron(), refinements, 0);
+    const Patterns patterns(l.problem, refinements);
+    ASSERT_EQ(patterns.coarser(), 1);
+    const int hexes = 1 << (3 * refinements), n = patterns.count();
+    EXPECT_EQ(n, refinements == 1 ? 4 : 10);
+    for (int k = 0; k < n; ++k) {
+      std::vector<double> c(n), p(hexes), back(n);
+      c[k] = 1;
+      patterns.add_prolonged(c, 1, p);
+      patterns.restrict_pressures(p, back);
+      for (int j = 0; j < n; ++j) EXPECT_EQ(back[j], j == k ? hexes : 0);
+    }
+  }
+}
+
+// Within a hexahedron that was split no node feels them: the defect of Q1/P0.
+TEST(Patterns, PushNoNodeWithinTheHexahedron) {
+  for (int refinements : {1, 2}) {
+    const Linearised l(one_hexahedron(), refinements, 0);
+    const Patterns patterns(l.problem, refinements);
+    const auto& X = l.problem.mesh().X;
+    for (int k = 0; k < patterns.count(); ++k) {
+      std::vector<double> c(patterns.size()), p(l.problem.mesh().hexes.size()), force(l.system.layout().primal());
+      c[k] = 1;
+      patterns.add_prolonged(c, 1, p);
+      l.system.add_pressure_force(p, 1, force);
+      double within = 0, all = 0;
+      for (int n = 0; n < l.problem.mesh().owned; ++n) {
+        const bool inner = X[3 * n] > .1 && X[3 * n] < .9 && X[3 * n + 1] > .1 && X[3 * n + 1] < 1.9 && X[3 * n + 2] > .1 && X[3 * n + 2] < 2.9;
+        for (int i = 0; i < 3; ++i) (inner ? within : all) = std::max(inner ? within : all, std::abs(force[3 * n + i]));
+      }
+      EXPECT_GT(all, 1e-3);
+      EXPECT_LT(within, 1e-12);
+    }
+  }
+}
+
+TEST(Patterns, AreNoneOfRigidHexahedra) {
+  const Linearised l(filled_shell("half"), 1, 0);
+  const Patterns patterns(l.problem, 1);
+  ASSERT_FALSE(l.problem.solid().rigid_hexes().empty());
+  for (int h : l.problem.solid().rigid_hexes()) EXPECT_EQ(patterns.coarser_of(h), -1);
+  std::vector<double> c(patterns.size(), 1), p(l.problem.mesh().hexes.size());
+  patterns.add_prolonged(c, 1, p);
+  for (int h : l.problem.solid().rigid_hexes()) EXPECT_EQ(p[h], 0);
+}
+
+TEST(PatternJacobi, InvertsDiagonalBlocks) {
+  const Linearised l(one_hexahedron(), 2, 0);
+  const Lines lines = find_lines(l.problem);
+  const LineJacobi jacobi(l.system, lines);
+  const LinePressureStiffness K(l.system, jacobi);
+  const Patterns patterns(l.problem, 2);
+  const PatternMatrix matrix(l.problem, patterns, K, jacobi);
+  const PatternJacobi inverse(matrix, patterns.count());
+  std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
+  matrix.apply(c, r);
+  inverse.apply(r, back);
+  for (double v : back) EXPECT_NEAR(v, 1, 1e-4);
+}
+
+}  // namespace
+}  // namespace bulbus
