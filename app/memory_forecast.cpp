@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -13,6 +14,7 @@ namespace bulbus {
 namespace {
 
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
+constexpr int usual_basis = 20;  // Krylov vectors of a solve; only those that are needed become resident
 
 // Local numbers of one level, summed over ranks.
 struct Size {
@@ -41,11 +43,17 @@ double system_bytes(const Size& s, const LinearSettings& l) {
 // Line factors; Chebyshev's and the cycle's vectors; interpolation from a coarser level.
 double smoother_bytes(const Size& s) { return 15 * single * s.nodes + 8 * s.nodes + 6 * number * s.nodal() + (4 + 3.4 * 8) * s.nodes; }
 
-// Weak patterns of pressure: volume gradients, nodal room, four vectors; they are taken up late.
-double pressure_bytes(const Size& s) { return 7 * 3 * single * s.hexes + 4 * number * s.nodes + 6 * number * s.hexes; }
+// Volume gradients and nodal room of K; vectors. Of a refined mesh the matrix of slow patterns: pairs of coarser hexahedra, measured on
+// eyes, where lines run through five and more of them.
+double pressure_bytes(const Size& s, int refinements) {
+  const double K = 7 * 4 * single * s.hexes + 4 * number * s.nodes;
+  if (refinements == 0) return K + 6 * number * s.hexes + 2 * number * s.nodes;
+  const double coarser = s.hexes / (refinements == 1 ? 8 : 64), pairs = 33 * coarser * std::max(1.0, std::cbrt(coarser / 7350));
+  return refinements == 1 ? 72 * pairs : K + 54 * s.hexes + 408 * pairs;
+}
 
-// MUMPS on the displacement block of a base mesh, measured on eyes.
-double base_bytes(const Size& s) { return 178 * std::pow(s.nodal(), 4.0 / 3); }
+// MUMPS in single precision on the displacement block of a base mesh, measured on eyes.
+double base_bytes(const Size& s) { return 89 * std::pow(s.nodal(), 4.0 / 3); }
 
 void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vector<MemoryPart>& parts) {
   double levels = 0;
@@ -58,9 +66,9 @@ void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vec
   parts.push_back({"base factors", base_bytes(size_of(*p))});
 }
 
-// Aggregates' blocks of 6 x 6 with each of 27 neighbours and their factors; hypre's hierarchies; the nodes' blocks.
+// Aggregates' blocks of 6 x 6 with each of 27 neighbours and their factors, measured on eyes; hypre's hierarchies; the nodes' blocks.
 double coarse_bytes(const std::string& name, const Size& s, const LinearSettings& l) {
-  if (name == "aggregation") return 27 * 36 * 20 * s.nodes / l.aggregation.nodes;
+  if (name == "aggregation") return 27 * 36 * 28 * s.nodes / l.aggregation.nodes;
   if (name == "jacobi") return 9 * 12 * s.nodes;
   return (name == "boomeramg" || name == "boomeramg_nodal" ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes;
 }
@@ -75,8 +83,8 @@ void add_iterative(const Problem& problem, const Size& s, const LinearSettings& 
   const std::string name = chosen_displacement(l, problem);
   parts.push_back({"operator", system_bytes(s, l)});
   parts.push_back({"smoother", smoother_bytes(s) + (1 + s.liquids) * number * s.nodal()});
-  parts.push_back({"Krylov basis", (l.restart + 1) * single * s.unknowns() + 10 * number * s.unknowns()});
-  parts.push_back({"element pressures", pressure_bytes(s)});
+  parts.push_back({"Krylov basis", (std::min(l.restart, usual_basis) + 1) * single * s.unknowns() + 10 * number * s.unknowns()});
+  parts.push_back({"element pressures", pressure_bytes(s, problem.mesh().refinements)});
   if (name == "multigrid" && problem.coarser())
     add_coarser_levels(problem, l, parts);
   else
