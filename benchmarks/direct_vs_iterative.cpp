@@ -2,7 +2,7 @@
 // meshes; how time and memory grow; and what the direct solver would need where it does not fit. Each size and method runs as a process
 // of its own, so that peak memory is its own.
 //
-//     bench_direct_vs_iterative [-n CELLS,...] [-r REPETITIONS] [--memory MB] [-o FILE]      the limit of a factorisation
+//     bench_direct_vs_iterative [-n CELLS,...] [--refine TIMES] [-r REPETITIONS] [--memory MB] [-o FILE]      the limit of a factorisation
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,9 +24,11 @@ json run(const std::vector<std::string>& words) {
   const std::string& method = words.at(0);
   const int n = std::stoi(words.at(1));
   const Comm comm;
-  const SolverSettings settings = settings_of(method, std::stod(words.at(2)));
+  const int refine = std::stoi(words.at(3));
+  SolverSettings settings = settings_of(method, std::stod(words.at(2)));
+  if (method == "iterative") settings.linear.take_mesh(refine);
   Meters meters;
-  auto problem = half_eye(n, comm);
+  auto problem = half_eye(n, comm, refine);
   CoupledSystem system(*problem, settings.linear);
   TimedSolver solver(make_solver(settings.linear, meters));
   State state = problem->initial_state();
@@ -70,10 +72,10 @@ json run(const std::vector<std::string>& words) {
 }
 
 // Of several runs, the one with the median time of a linear solve; the others' figures are kept beside it.
-json median_run(const std::string& method, int n, int repetitions, double memory_mb) {
+json median_run(const std::string& method, int n, int refine, int repetitions, double memory_mb) {
   std::vector<json> rows;
   for (int r = 0; r < repetitions; ++r) {
-    rows.push_back(row_of_child({method, std::to_string(n), std::to_string(memory_mb)}));
+    rows.push_back(row_of_child({method, std::to_string(n), std::to_string(memory_mb), std::to_string(refine)}));
     rows.back().update({{"n", n}, {"method", method}});
   }
   std::ranges::sort(rows, {}, [](const json& row) { return row.value("linear_s", 0.); });
@@ -141,8 +143,8 @@ int main(int argc, char** argv) {
                     "in the run that is the median of the repetitions; peak_mb: VmHWM of the process; estimated: by MUMPS's analysis; "
                     "growth: p of unknowns^p by least squares, from size n on";
   for (int n : o.sizes) {
-    const int repetitions = n > 20 ? 1 : o.repetitions;
-    const json iterative = median_run("iterative", n, repetitions, memory_mb), direct = median_run("direct", n, repetitions, memory_mb);
+    const int repetitions = n > 20 || o.refine > 0 ? 1 : o.repetitions;
+    const json iterative = median_run("iterative", n, o.refine, repetitions, memory_mb), direct = median_run("direct", n, o.refine, repetitions, memory_mb);
     report["rows"].push_back(iterative);
     report["rows"].push_back(direct);
     if (!failed(iterative) && !failed(direct)) report["ratios"].push_back(ratio(iterative, direct));
