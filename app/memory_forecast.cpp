@@ -14,7 +14,7 @@ namespace bulbus {
 namespace {
 
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
-constexpr int usual_basis = 20;  // Krylov vectors of a solve; only those that are needed become resident
+constexpr int usual_basis = 20;  // Krylov vectors of a solve: only those that it needs are made
 
 // Local numbers of one level, summed over ranks.
 struct Size {
@@ -52,8 +52,8 @@ double pressure_bytes(const Size& s, int refinements) {
   return refinements == 1 ? 72 * pairs : K + 54 * s.hexes + 408 * pairs;
 }
 
-// MUMPS in single precision on the displacement block of a base mesh, measured on eyes.
-double base_bytes(const Size& s) { return 89 * std::pow(s.nodal(), 4.0 / 3); }
+// MUMPS on the displacement block of a base mesh, measured on eyes.
+double base_bytes(const Size& s, const LinearSettings& l) { return (l.smoothing == "double" ? 178 : 89) * std::pow(s.nodal(), 4.0 / 3); }
 
 void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vector<MemoryPart>& parts) {
   double levels = 0;
@@ -63,12 +63,12 @@ void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vec
     levels += system_bytes(s, l) + smoother_bytes(s) + 3 * number * s.unknowns();
   }
   parts.push_back({"coarser levels", levels});
-  parts.push_back({"base factors", base_bytes(size_of(*p))});
+  parts.push_back({"base factors", base_bytes(size_of(*p), l)});
 }
 
 // Aggregates' blocks of 6 x 6 with each of 27 neighbours and their factors, measured on eyes; hypre's hierarchies; the nodes' blocks.
 double coarse_bytes(const std::string& name, const Size& s, const LinearSettings& l) {
-  if (name == "aggregation") return 27 * 36 * 28 * s.nodes / l.aggregation.nodes;
+  if (name == "aggregation") return 27 * 36 * (l.smoothing == "double" ? 40 : 28) * s.nodes / l.aggregation.nodes;
   if (name == "jacobi") return 9 * 12 * s.nodes;
   return (name == "boomeramg" || name == "boomeramg_nodal" ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes;
 }
@@ -124,7 +124,7 @@ void refuse_what_cannot_fit(const std::vector<MemoryPart>& parts, const LinearSe
   throw scene_error("mesh",
                     fmt::format("the run would need {:.0f} MB of memory, more than the {:.0f} MB {} ({})", total / megabyte, limit / megabyte,
                                 l.memory_limit > 0 ? "that solver.linear.memory_limit allows" : "that this machine has", list),
-                    "Refine once less (an eighth of the memory), lower solver.linear.restart, take solver.linear.operator: recompute, or "
+                    "Refine once less (an eighth of the memory), take solver.linear.operator: recompute, or "
                     "spread the run over more machines and say in solver.linear.memory_limit what they have.");
 }
 

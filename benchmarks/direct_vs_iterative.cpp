@@ -2,7 +2,9 @@
 // meshes; how time and memory grow; and what the direct solver would need where it does not fit. Each size and method runs as a process
 // of its own, so that peak memory is its own.
 //
-//     bench_direct_vs_iterative [-n CELLS,...] [--refine TIMES] [-r REPETITIONS] [--memory MB] [-o FILE]      the limit of a factorisation
+//     bench_direct_vs_iterative [-n CELLS,...] [--refine TIMES] [-r REPETITIONS] [--memory MB] [-o FILE]
+//
+// --memory: the limit of a factorisation.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,7 +34,7 @@ json run(const std::vector<std::string>& words) {
   CoupledSystem system(*problem, settings.linear);
   TimedSolver solver(make_solver(settings.linear, meters));
   State state = problem->initial_state();
-  json row{{"n", n}, {"method", method}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)}};
+  json row{{"n", n}, {"refined", refine}, {"method", method}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)}};
   for (auto [step, progress] : {std::pair{0, 1.}, {1, .25}}) {
     problem->begin_step(step, state);
     const NewtonReport report = newton(*problem, system, solver, state, progress, settings.newton, meters);

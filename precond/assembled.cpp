@@ -60,11 +60,14 @@ void AssembledAmg::apply(std::span<const double> x, std::span<double> y) const {
   amg_->apply(x.first(nodal_), y.first(nodal_));
 }
 
-ExactBlock::ExactBlock(const CoupledSystem& system, Precision precision)
-    : nodal_(system.layout().nodal), jacobi_(system), mumps_(std::make_unique<Mumps>(system.problem().comm(), MumpsOptions{.precision = precision})) {
+ExactBlock::ExactBlock(const CoupledSystem& system) : ExactBlock(system, std::make_shared<Mumps>(system.problem().comm())) {}
+
+ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps)
+    : nodal_(system.layout().nodal), jacobi_(system), mumps_(std::move(mumps)) {
   const bool symmetric = system.problem().symmetric();
   const FactorReport f =
       mumps_->factorise(assemble_displacement(system, symmetric ? Triangle::upper : Triangle::both), 3 * system.problem().mesh().all_nodes, symmetric);
+  if (!f.ok) fault_ = "displacement block: " + f.reason;
   bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
 

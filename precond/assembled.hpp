@@ -27,16 +27,20 @@ class AssembledAmg final : public Preconditioner {
 /// MUMPS on the assembled displacement block: in full precision the best that any preconditioner of it can do.
 class ExactBlock final : public Preconditioner {
  public:
-  explicit ExactBlock(const CoupledSystem& system, Precision precision = Precision::full);
+  explicit ExactBlock(const CoupledSystem& system);
+  /// With a solver that may know the matrix's pattern from an earlier linearisation, and gives up that one's factors.
+  ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps);
   int size() const override { return jacobi_.size(); }
   void apply(std::span<const double> x, std::span<double> y) const override;
   bool fixed() const override { return true; }
+  std::string fault() const override { return fault_; }
   std::size_t bytes() const override { return bytes_; }
 
  private:
   int nodal_;
   BlockJacobi jacobi_;
-  std::unique_ptr<Mumps> mumps_;
+  std::shared_ptr<Mumps> mumps_;
+  std::string fault_;
   std::size_t bytes_ = 0;
 };
 

@@ -68,7 +68,7 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
   }
   if (name == "hybrid") {
     const int nodes = settings_.aggregates > 0 ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates)) : 0;
-    if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes);
+    if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes, smoothing);
     return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr, smoothing)};
   }
   if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes, smoothing);

@@ -13,6 +13,11 @@ MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settin
   }
 }
 
+std::shared_ptr<Mumps> MultigridPlan::base(Precision precision) {
+  if (!base_) base_ = std::make_shared<Mumps>(problem_.comm(), MumpsOptions{.precision = precision});
+  return base_;
+}
+
 Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing)
     : visits_(settings.visits) {
   const CoupledSystem* fine = &finest;
@@ -28,7 +33,7 @@ Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const Mul
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
   }
-  base_ = std::make_unique<ExactBlock>(*fine, smoothing);
+  base_ = std::make_unique<ExactBlock>(*fine, plan.base(smoothing));
 }
 
 Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings,

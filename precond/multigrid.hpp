@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
+#include "core/solve/mumps.hpp"
 #include "core/solve/settings.hpp"
 #include "precond/chebyshev.hpp"
 #include "precond/displacement.hpp"
@@ -11,7 +12,8 @@
 
 namespace bulbus {
 
-/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, and the lines of every refined level.
+/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every refined level, and the base
+/// matrix's analysis.
 class MultigridPlan {
  public:
   /// Adds a ProjectedTerm to every coarser problem. Collective.
@@ -25,8 +27,11 @@ class MultigridPlan {
   };
   const Problem& problem() const { return problem_; }
   std::vector<Level>& levels() { return levels_; }
+  /// Of the base level; in single precision, which costs no iteration, unless all is wanted in double.
+  std::shared_ptr<Mumps> base(Precision precision);
 
  private:
+  std::shared_ptr<Mumps> base_;
   const Problem& problem_;
   std::vector<Level> levels_;  // finest first; without the base
 };
@@ -42,6 +47,7 @@ class Multigrid final : public Preconditioner {
   void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
   bool fixed() const override { return true; }
   bool follow() override { return levels_.front()->smoother.follow(); }
+  std::string fault() const override { return base_->fault(); }
   std::size_t bytes() const override;
   /// Of the finest level.
   const LineJacobi& lines() const { return levels_.front()->jacobi; }

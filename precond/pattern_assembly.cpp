@@ -5,6 +5,11 @@
 #include <numeric>
 
 namespace bulbus {
+namespace {
+
+long long key(int row, int column) { return (static_cast<long long>(row) << 32) + column; }
+
+}  // namespace
 
 PatternMatrix::Assembly::Assembly(const Problem& problem, const LinePressureStiffness& K, PatternMatrix& to)
     : problem_(problem), K_(K), to_(to), count_(to.patterns_.count()), coarser_(to.patterns_.coarser()), start_(problem.mesh().nodes() + 1) {
@@ -28,12 +33,34 @@ void PatternMatrix::Assembly::visit(int node, Use use) const {
   for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node); f != foreign_.end() && f->node == node; ++f) use(f->coarse, f->force);
 }
 
-void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
-  const auto nodes = lines.nodes(line);
+void PatternMatrix::Assembly::add_lines(const LineJacobi& lines) {
+  for (int line = 0; line < lines.count(); ++line) couple(lines.nodes(line));
+  to_.pairs_.resize(at_.size());
+  to_.blocks_.resize(at_.size() * count_ * count_);
+  for (const auto& [key, at] : at_) to_.pairs_[at] = {static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffff)};
+  for (int line = 0; line < lines.count(); ++line) add(line, lines);
+}
+
+void PatternMatrix::Assembly::find_columns(std::span<const int> nodes) {
   columns_.clear();
-  for (int n : nodes) visit(n, [&](int coarse, const Force&) { columns_.push_back(coarse); });
+  for (int n : nodes) {
+    for (int i = start_[n]; i < start_[n + 1]; ++i)
+      if (const int coarser = to_.patterns_.coarser_of(corners_[i] / 8); coarser >= 0) columns_.push_back(coarser);
+    for (auto f = std::ranges::lower_bound(foreign_, n, {}, &NodeForce::node); f != foreign_.end() && f->node == n; ++f) columns_.push_back(f->coarse);
+  }
   std::ranges::sort(columns_);
   columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
+}
+
+void PatternMatrix::Assembly::couple(std::span<const int> nodes) {
+  find_columns(nodes);
+  for (std::size_t a = 0; a < columns_.size(); ++a)
+    for (std::size_t b = a; b < columns_.size(); ++b) at_.emplace(key(columns_[a], columns_[b]), at_.size());
+}
+
+void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
+  const auto nodes = lines.nodes(line);
+  find_columns(nodes);
   F_.setZero(3 * nodes.size(), count_ * columns_.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     visit(nodes[i], [&](int coarse, const Force& f) {
@@ -44,14 +71,15 @@ void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
   const Eigen::MatrixXf energy = lines.energy(line, F_);
   for (std::size_t a = 0; a < columns_.size(); ++a)
     for (std::size_t b = a; b < columns_.size(); ++b)
-      Eigen::Map<Eigen::MatrixXf>(block(columns_[a], columns_[b]), count_, count_) += energy.block(count_ * a, count_ * b, count_, count_);
+      Eigen::MatrixXf::Map(&to_.blocks_[count_ * count_ * at_.at(key(columns_[a], columns_[b]))], count_, count_) +=
+          energy.block(count_ * a, count_ * b, count_, count_);
 }
 
 void PatternMatrix::Assembly::hold(int node, Eigen::Index row) {
-  const Mat3<double> P = problem_.dofs().projector(node);
+  const Mat3<double> given = problem_.dofs().projector(node);
   Eigen::Matrix3f projector;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) projector(i, j) = static_cast<float>(P(i, j));
+    for (int j = 0; j < 3; ++j) projector(i, j) = static_cast<float>(given(i, j));
   F_.middleRows<3>(row) = (projector * F_.middleRows<3>(row)).eval();
 }
 
@@ -106,15 +134,6 @@ void PatternMatrix::Assembly::receive(std::span<const long long> data, std::span
     for (int i = 0; i < f.force.size(); ++i) f.force.reshaped()[i] = std::bit_cast<float>(static_cast<int>(data[2 + i]));
     foreign_.push_back(f);
   }
-}
-
-float* PatternMatrix::Assembly::block(int row, int column) {
-  const auto [at, added] = at_.emplace((static_cast<long long>(row) << 32) + column, to_.blocks_.size());
-  if (added) {
-    to_.pairs_.push_back({row, column});
-    to_.blocks_.resize(to_.blocks_.size() + count_ * count_);
-  }
-  return &to_.blocks_[at->second];
 }
 
 }  // namespace bulbus

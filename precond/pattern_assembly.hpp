@@ -10,7 +10,8 @@ class PatternMatrix::Assembly {
  public:
   /// Tells the owners of nodes what hexahedra of this rank do to them; coarser hexahedra of other ranks become ghosts. Collective.
   Assembly(const Problem& problem, const LinePressureStiffness& K, PatternMatrix& to);
-  void add(int line, const LineJacobi& lines);
+  /// All lines. A first pass finds what they couple, so that no block is ever moved.
+  void add_lines(const LineJacobi& lines);
   /// Of this rank, and ghosts.
   int coarser() const { return coarser_; }
 
@@ -26,8 +27,10 @@ class PatternMatrix::Assembly {
   std::vector<NodeForce> sums(int node) const;
   void exchange();
   void receive(std::span<const long long> data, std::span<const int> nodes, std::vector<int>& ghosts);
+  void find_columns(std::span<const int> nodes);
+  void couple(std::span<const int> nodes);
+  void add(int line, const LineJacobi& lines);
   void hold(int node, Eigen::Index row);
-  float* block(int row, int column);
 
   const Problem& problem_;
   const LinePressureStiffness& K_;
@@ -35,7 +38,7 @@ class PatternMatrix::Assembly {
   int count_, coarser_;  // patterns, coarser hexahedra
   std::vector<int> start_, corners_;  // of every local node: 8 × hexahedron + corner
   std::vector<NodeForce> foreign_;    // of other ranks' hexahedra, by nodes
-  std::unordered_map<long long, std::size_t> at_;
+  std::unordered_map<long long, std::size_t> at_;  // of a pair
   std::vector<int> columns_;          // coarser hexahedra that act on a line
   LineJacobi::Rows F_;
 };

@@ -11,9 +11,7 @@ namespace bulbus {
 PatternMatrix::PatternMatrix(const Problem& problem, const Patterns& patterns, const LinePressureStiffness& K, const LineJacobi& lines)
     : patterns_(patterns) {
   Assembly assembly(problem, K, *this);
-  for (int line = 0; line < lines.count(); ++line) assembly.add(line, lines);
-  pairs_.shrink_to_fit();
-  blocks_.shrink_to_fit();
+  assembly.add_lines(lines);
   in_.resize(patterns.count() * assembly.coarser());
   out_.resize(in_.size());
   exchanged_.resize(in_.size());
@@ -54,7 +52,8 @@ std::vector<double> PatternMatrix::diagonal() const {
 
 std::size_t PatternMatrix::bytes() const { return bytes_of(pairs_) + bytes_of(blocks_) + bytes_of(in_) + bytes_of(out_) + bytes_of(exchanged_); }
 
-PatternJacobi::PatternJacobi(const PatternMatrix& matrix, int patterns) : patterns_(patterns), size_(matrix.size()) {
+PatternJacobi::PatternJacobi(const PatternMatrix& matrix) : patterns_(matrix.patterns()), size_(matrix.size()) {
+  const int patterns = patterns_;
   const auto diagonal = matrix.diagonal();
   inverse_.resize(diagonal.size());
   for (std::size_t at = 0; at < diagonal.size(); at += patterns * patterns) {

@@ -17,6 +17,8 @@ class PatternMatrix final : public LinearOperator {
   int size() const override { return patterns_.size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
+  /// Of a coarser hexahedron.
+  int patterns() const { return patterns_.count(); }
   /// Blocks of every coarser hexahedron with itself. Collective.
   std::vector<double> diagonal() const;
   std::size_t bytes() const;
@@ -41,7 +43,7 @@ class PatternMatrix final : public LinearOperator {
 class PatternJacobi final : public Preconditioner {
  public:
   /// Collective.
-  PatternJacobi(const PatternMatrix& matrix, int patterns);
+  explicit PatternJacobi(const PatternMatrix& matrix);
   int size() const override { return size_; }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return true; }

@@ -41,6 +41,8 @@ Patterns::Patterns(const Problem& problem, int refinements) {
   std::ranges::sort(label_);
   label_.erase(std::unique(label_.begin(), label_.end()), label_.end());
   label_.shrink_to_fit();
+  of_.reserve(hexes);
+  part_.reserve(hexes);
   for (int h = 0; h < hexes; ++h) {
     of_.push_back(rigid[h] ? -1 : static_cast<int>(std::ranges::lower_bound(label_, mesh.input_hex[h] >> shift) - label_.begin()));
     part_.push_back(mesh.input_hex[h] & ((1 << shift) - 1));

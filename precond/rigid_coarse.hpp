@@ -10,7 +10,7 @@ namespace bulbus {
 /// and its analysis.
 struct RigidPlan {
   /// Aggregates of about `nodes` nodes, factors of this precision. Collective.
-  RigidPlan(const CoupledSystem& system, int nodes, Precision precision = Precision::full);
+  RigidPlan(const CoupledSystem& system, int nodes, Precision precision);
   Aggregates groups;
   CoarseMatrix matrix;
   Mumps factor;

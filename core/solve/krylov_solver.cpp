@@ -64,8 +64,8 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
 // of its residual is not true any more.
 constexpr double roundings = 1e-5;
 
-// Krylov iterations that a solve takes at least for every digit.
-constexpr double per_digit = 2;
+// Krylov iterations that a digit costs where solves are easy.
+constexpr double per_digit = 1.5;
 
 // What two solves in a row did, the second from where the first had come to.
 KrylovReport joined(KrylovReport first, KrylovReport then) {
@@ -126,7 +126,7 @@ class KrylovSolver final : public LinearSolver {
   void increment_begins() override { dragged_ = false; }
 
  private:
-  // As it is, unless the solve before dragged; then with the strengthened preconditioner; where plain GMRES, which needs one basis only,
+  // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with the strengthened preconditioner; where plain GMRES, which needs one basis only,
   // still fails, the flexible one, anew from where it has come to as long as rounding ends it and each time gains a digit.
   KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
                                double tolerance, const Comm& comm, const KrylovObserver& observer) {

@@ -55,7 +55,7 @@ class CoupledPreconditioner : public Preconditioner {
  public:
   /// Is there a part that is too dear for easy solves?
   virtual bool holds_back() const = 0;
-  /// A solve drags: takes that part up, until the next linearisation. Collective.
+  /// A solve drags or is bound to: takes that part up, until the next linearisation. Collective.
   virtual void strengthen() = 0;
   /// Extreme eigenvalues of Â⁻¹ A on displacements, estimated by a few Lanczos steps. Collective.
   virtual std::array<double, 2> displacement_spectrum() const = 0;

@@ -45,8 +45,8 @@ struct PressureSettings {
   template <class V>
   void describe(V&& v) {
     v("after", after,
-      About{"Krylov iterations after which that part is taken up; solves after one that waited in vain, and solves to less than 1e-4, take it "
-            "up at once"}.between(0, 100000));
+      About{"Krylov iterations after which that part is taken up; solves after one that waited in vain, and those for more digits than two thirds "
+            "of it (6: to less than 1e-4), take it up at once"}.between(0, 100000));
     v("degree", degree,
       About{"degree of the polynomial that inverts what weak patterns meet, those of the finest hexahedra; 0: from the mesh"}.between(0, 1000));
     v("weight", weight, About{"weight beside the part that knows strains only"}.between(0, 1));
@@ -84,7 +84,7 @@ struct LinearSettings {
     v("operator", op,
       About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.one_of({"recompute", "cache", "assembled"}));
     v("gamma", gamma, About{"augmentation of the incompressibility in the linear system; on refined meshes the default is 10"}.between(0, 1e4));
-    v("smoothing", smoothing, About{"precision of the smoother and of the factors in the preconditioner of the displacement block"}.one_of({"single", "double"}));
+    v("smoothing", smoothing, About{"precision of smoother and factors in the preconditioner of the displacement block"}.one_of({"single", "double"}));
     v("reuse", reuse,
       About{"a preconditioner is kept for later linearisations of its step as long as these take no more than so many times the Krylov "
             "iterations per digit of its own; 0: each has its own"}.between(0, 100));

@@ -36,6 +36,11 @@ TEST(Memory, OfAnEyeIsForecast) {
   EXPECT_NEAR(m.forecast, m.peak, .15 * m.peak);
 }
 
+TEST(Memory, OfAnEyeRefinedTwiceIsForecast) {
+  const Memory m = of_half_eye({"mesh.eye.n=8", "mesh.refine=2"});
+  EXPECT_NEAR(m.forecast, m.peak, .15 * m.peak);
+}
+
 TEST(Memory, OfARefinedEyeIsForecast) {
   const Memory m = of_half_eye({"mesh.eye.n=10", "mesh.refine=1"});
   EXPECT_NEAR(m.forecast, m.peak, .15 * m.peak);

@@ -34,7 +34,7 @@ TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
 TEST(CoarseMatrix, IsTheGalerkinProjection) {
   for (const Scene& scene : {thin_plate(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, .001);
-    RigidPlan plan(l.system, 20);
+    RigidPlan plan(l.system, 20, Precision::full);
     const RigidModes modes = rigid_modes(l.system, plan.groups);
     plan.matrix.clear();
     visit_reduced(l.problem, l.state, true, [&](std::span<const int> d, std::span<const double> K) { plan.matrix.add(plan.groups, modes.of, d, K); });

@@ -68,7 +68,7 @@ TEST(PatternJacobi, InvertsDiagonalBlocks) {
   const LinePressureStiffness K(l.system, jacobi);
   const Patterns patterns(l.problem, 2);
   const PatternMatrix matrix(l.problem, patterns, K, jacobi);
-  const PatternJacobi inverse(matrix, patterns.count());
+  const PatternJacobi inverse(matrix);
   std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);
   inverse.apply(r, back);

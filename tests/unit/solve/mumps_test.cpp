@@ -72,13 +72,13 @@ TEST_F(MumpsTest, PositiveLaplacian) {
 }
 
 TEST_F(MumpsTest, SinglePrecisionTakesLessRoom) {
-  add_laplacian(c, 12);
+  const int n = 24 * 24 * 24;
+  add_laplacian(c, 24);
   Mumps whole(comm), single(comm, {.precision = Precision::single});
-  const FactorReport a = whole.factorise(c.mine, 1728, true), b = single.factorise(c.mine, 1728, true);
+  const FactorReport a = whole.factorise(c.mine, n, true), b = single.factorise(c.mine, n, true);
   ASSERT_TRUE(b.ok) << b.reason;
-  EXPECT_NEAR(b.factor_entries, a.factor_entries, .05 * a.factor_entries);  // pivots differ
-  EXPECT_LE(b.memory_mb, a.memory_mb);
-  const double error = error_of_solve(single, c.mine, 1728, comm);
+  EXPECT_LT(b.memory_mb, .75 * a.memory_mb);
+  const double error = error_of_solve(single, c.mine, n, comm);
   EXPECT_LT(error, 1e-4);
   EXPECT_GT(error, 1e-9);
 }
