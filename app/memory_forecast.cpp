@@ -14,7 +14,7 @@ namespace bulbus {
 namespace {
 
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
-constexpr int usual_basis = 20;  // Krylov vectors of a solve: only those that it needs are made
+constexpr int usual_basis = 30;  // Krylov vectors of a solve: only those that it needs are made
 
 // Local numbers of one level, summed over ranks.
 struct Size {

@@ -13,7 +13,7 @@ struct MemoryPart {
 };
 
 /// What the run of a prepared scene will hold at its peak: what is resident already and what states, operator, preconditioner and
-/// Krylov method (a basis of 20) add, counted number by number; factorisations are estimated from measured ones. Collective.
+/// Krylov method (a basis of 30) add, counted number by number; factorisations are estimated from measured ones. Collective.
 std::vector<MemoryPart> forecast_memory(const Prepared& prepared, const Scene& scene);
 
 double sum_of(const std::vector<MemoryPart>& parts);

@@ -37,7 +37,7 @@ TEST(Memory, OfAnEyeIsForecast) {
 }
 
 TEST(Memory, OfAnEyeRefinedTwiceIsForecast) {
-  const Memory m = of_half_eye({"mesh.eye.n=8", "mesh.refine=2"});
+  const Memory m = of_half_eye({"mesh.eye.n=6", "mesh.refine=2"});
   EXPECT_NEAR(m.forecast, m.peak, .15 * m.peak);
 }
 
