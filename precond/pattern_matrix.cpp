@@ -23,8 +23,8 @@ void PatternMatrix::add_products() const {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const auto [row, column] = pairs_[k];
     const auto B = Eigen::Matrix<float, N, N>::Map(&blocks_[N * N * k]);
-    Vector::Map(&out_[N * row]).noalias() += B * Vector::Map(&in_[N * column]);
-    if (row != column) Vector::Map(&out_[N * column]).noalias() += B.transpose() * Vector::Map(&in_[N * row]);
+    Vector::Map(&out_[N * row]).noalias() += B.lazyProduct(Vector::Map(&in_[N * column]));
+    if (row != column) Vector::Map(&out_[N * column]).noalias() += B.transpose().lazyProduct(Vector::Map(&in_[N * row]));
   }
 }
 
