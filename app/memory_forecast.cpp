@@ -53,7 +53,7 @@ double pressure_bytes(const Size& s, int refinements) {
 }
 
 // MUMPS on the displacement block of a base mesh, measured on eyes.
-double base_bytes(const Size& s, const LinearSettings& l) { return (l.smoothing == "double" ? 178 : 89) * std::pow(s.nodal(), 4.0 / 3); }
+double base_bytes(const Size& s, const LinearSettings& l) { return (chosen_precision(l) == Precision::full ? 178 : 89) * std::pow(s.nodal(), 4.0 / 3); }
 
 void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vector<MemoryPart>& parts) {
   double levels = 0;
@@ -68,7 +68,7 @@ void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vec
 
 // Aggregates' blocks of 6 x 6 with each of 27 neighbours and their factors, measured on eyes; hypre's hierarchies; the nodes' blocks.
 double coarse_bytes(const std::string& name, const Size& s, const LinearSettings& l) {
-  if (name == "aggregation") return 27 * 36 * (l.smoothing == "double" ? 40 : 28) * s.nodes / l.aggregation.nodes;
+  if (name == "aggregation") return 27 * 36 * (chosen_precision(l) == Precision::full ? 40 : 28) * s.nodes / l.aggregation.nodes;
   if (name == "jacobi") return 9 * 12 * s.nodes;
   return (name == "boomeramg" || name == "boomeramg_nodal" ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes;
 }

@@ -41,6 +41,8 @@ std::string chosen_displacement(const LinearSettings& settings, const Problem& p
   return problem.coarser() ? "multigrid" : "aggregation";
 }
 
+Precision chosen_precision(const LinearSettings& settings) { return settings.smoothing == "double" ? Precision::full : Precision::single; }
+
 struct DisplacementFactory::Plans {
   const Problem* problem;
   std::optional<MultigridPlan> multigrid;
@@ -55,7 +57,7 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
   const Problem& problem = system.problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const std::string name = chosen_displacement(settings_, problem);
-  const Precision smoothing = settings_.smoothing == "double" ? Precision::full : Precision::single;
+  const Precision smoothing = chosen_precision(settings_);
   if (name == "jacobi") return {std::make_unique<BlockJacobi>(system)};
   if (name == "scalar_amg") return {std::make_unique<ScalarAmgAlone>(system)};
   if (name == "boomeramg" || name == "boomeramg_nodal") return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};

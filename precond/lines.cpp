@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/mesh/corners.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -59,26 +61,9 @@ std::vector<double> thirds(const std::vector<Edge>& edges, int owned) {
   return third;
 }
 
-// Which nodes share a hexahedron.
-class Neighbours {
- public:
-  explicit Neighbours(const LocalMesh& mesh) : hexes_(mesh.hexes), start_(mesh.nodes() + 1) {
-    for (const Hex& h : hexes_)
-      for (int n : h) ++start_[n + 1];
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    std::vector<int> at(start_.begin(), start_.end() - 1);
-    of_.resize(start_.back());
-    for (int h = 0; h < static_cast<int>(hexes_.size()); ++h)
-      for (int n : hexes_[h]) of_[at[n]++] = h;
-  }
-  bool together(int a, int b) const {
-    return std::any_of(of_.begin() + start_[a], of_.begin() + start_[a + 1], [&](int h) { return std::ranges::find(hexes_[h], b) != hexes_[h].end(); });
-  }
-
- private:
-  const std::vector<Hex>& hexes_;
-  std::vector<int> start_, of_;
-};
+bool share_hexahedron(const LocalMesh& mesh, const Corners& corners, int a, int b) {
+  return std::ranges::any_of(corners.at(a), [&](const auto& c) { return std::ranges::find(mesh.hexes[c.hex], b) != mesh.hexes[c.hex].end(); });
+}
 
 int root(std::vector<int>& parent, int n) {
   while (parent[n] != n) n = parent[n] = parent[parent[n]];
@@ -89,7 +74,7 @@ int root(std::vector<int>& parent, int n) {
 std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& mesh) {
   constexpr double strong = 2;
   const int owned = mesh.owned;
-  const Neighbours neighbours(mesh);
+  const Corners corners(mesh.hexes, mesh.nodes());
   const auto third = thirds(edges, owned);
   for (Edge& e : edges) e.strength /= std::max(1e-300, std::min(third[e.a], third[e.b]));
   std::erase_if(edges, [](const Edge& e) { return e.strength < strong; });
@@ -97,7 +82,7 @@ std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& m
   std::vector<std::array<int, 2>> next(owned, {-1, -1});
   std::vector<int> parent(owned);
   std::iota(parent.begin(), parent.end(), 0);
-  const auto turns = [&](int end, int beyond) { return next[end][0] >= 0 && neighbours.together(next[end][0], beyond); };
+  const auto turns = [&](int end, int beyond) { return next[end][0] >= 0 && share_hexahedron(mesh, corners, next[end][0], beyond); };
   for (const Edge& e : edges) {
     if (next[e.a][1] >= 0 || next[e.b][1] >= 0 || root(parent, e.a) == root(parent, e.b) || turns(e.a, e.b) || turns(e.b, e.a)) continue;
     parent[root(parent, e.a)] = root(parent, e.b);

@@ -6,16 +6,12 @@
 
 namespace bulbus {
 
-MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings) : problem_(finest) {
+MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
+    : problem_(finest), base_(std::make_shared<Mumps>(finest.comm(), MumpsOptions{.precision = chosen_precision(settings)})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
     levels_.push_back({find_lines(*p), std::make_shared<ProjectedTerm>(), std::make_unique<CoupledSystem>(*p->coarser(), settings), {}});
     p->coarser()->add(levels_.back().projected);
   }
-}
-
-std::shared_ptr<Mumps> MultigridPlan::base(Precision precision) {
-  if (!base_) base_ = std::make_shared<Mumps>(problem_.comm(), MumpsOptions{.precision = precision});
-  return base_;
 }
 
 Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing)
@@ -33,7 +29,7 @@ Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const Mul
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
   }
-  base_ = std::make_unique<ExactBlock>(*fine, plan.base(smoothing));
+  base_ = std::make_unique<ExactBlock>(*fine, plan.base());
 }
 
 Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings,

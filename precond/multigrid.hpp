@@ -27,13 +27,13 @@ class MultigridPlan {
   };
   const Problem& problem() const { return problem_; }
   std::vector<Level>& levels() { return levels_; }
-  /// Of the base level; in single precision, which costs no iteration, unless all is wanted in double.
-  std::shared_ptr<Mumps> base(Precision precision);
+  /// Of the base level.
+  std::shared_ptr<Mumps> base() const { return base_; }
 
  private:
-  std::shared_ptr<Mumps> base_;
   const Problem& problem_;
   std::vector<Level> levels_;  // finest first; without the base
+  std::shared_ptr<Mumps> base_;
 };
 
 /// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1) or W(1,1), every refined level applied on the fly and

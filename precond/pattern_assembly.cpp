@@ -12,25 +12,18 @@ long long key(int row, int column) { return (static_cast<long long>(row) << 32) 
 }  // namespace
 
 PatternMatrix::Assembly::Assembly(const Problem& problem, const LinePressureStiffness& K, PatternMatrix& to)
-    : problem_(problem), K_(K), to_(to), count_(to.patterns_.count()), coarser_(to.patterns_.coarser()), start_(problem.mesh().nodes() + 1) {
-  const auto& hexes = problem.mesh().hexes;
-  for (const Hex& h : hexes)
-    for (int n : h) ++start_[n + 1];
-  std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  std::vector<int> at(start_.begin(), start_.end() - 1);
-  corners_.resize(start_.back());
-  for (int h = 0; h < static_cast<int>(hexes.size()); ++h)
-    for (int c = 0; c < 8; ++c) corners_[at[hexes[h][c]]++] = 8 * h + c;
+    : problem_(problem), K_(K), to_(to), count_(to.patterns_.count()), coarser_(to.patterns_.coarser()), corners_(problem.mesh().hexes, problem.mesh().nodes()) {
   exchange();
 }
 
-// use(coarser hexahedron, force on the node) of every hexahedron around it
+// use(coarser hexahedron, force) of every hexahedron around a node; force() makes the force on it
 template <class Use>
 void PatternMatrix::Assembly::visit(int node, Use use) const {
-  for (int i = start_[node]; i < start_[node + 1]; ++i)
-    if (const int hex = corners_[i] / 8, coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
-      use(coarser, Force(K_.constraint(hex, corners_[i] % 8) * to_.patterns_.row(hex)));
-  for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node); f != foreign_.end() && f->node == node; ++f) use(f->coarse, f->force);
+  for (const auto& [hex, corner] : corners_.at(node))
+    if (const int coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
+      use(coarser, [&] { return Force(K_.constraint(hex, corner) * to_.patterns_.row(hex)); });
+  for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node); f != foreign_.end() && f->node == node; ++f)
+    use(f->coarse, [&]() -> const Force& { return f->force; });
 }
 
 void PatternMatrix::Assembly::add_lines(const LineJacobi& lines) {
@@ -43,11 +36,7 @@ void PatternMatrix::Assembly::add_lines(const LineJacobi& lines) {
 
 void PatternMatrix::Assembly::find_columns(std::span<const int> nodes) {
   columns_.clear();
-  for (int n : nodes) {
-    for (int i = start_[n]; i < start_[n + 1]; ++i)
-      if (const int coarser = to_.patterns_.coarser_of(corners_[i] / 8); coarser >= 0) columns_.push_back(coarser);
-    for (auto f = std::ranges::lower_bound(foreign_, n, {}, &NodeForce::node); f != foreign_.end() && f->node == n; ++f) columns_.push_back(f->coarse);
-  }
+  for (int n : nodes) visit(n, [&](int coarse, const auto&) { columns_.push_back(coarse); });
   std::ranges::sort(columns_);
   columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
 }
@@ -63,8 +52,8 @@ void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
   find_columns(nodes);
   F_.setZero(3 * nodes.size(), count_ * columns_.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    visit(nodes[i], [&](int coarse, const Force& f) {
-      F_.block(3 * i, count_ * (std::ranges::lower_bound(columns_, coarse) - columns_.begin()), 3, count_) += f;
+    visit(nodes[i], [&](int coarse, const auto& force) {
+      F_.block(3 * i, count_ * (std::ranges::lower_bound(columns_, coarse) - columns_.begin()), 3, count_) += force();
     });
     if (problem_.dofs().held(nodes[i])) hold(nodes[i], 3 * i);
   }
@@ -86,10 +75,10 @@ void PatternMatrix::Assembly::hold(int node, Eigen::Index row) {
 // One for each coarser hexahedron that acts on a node.
 std::vector<PatternMatrix::Assembly::NodeForce> PatternMatrix::Assembly::sums(int node) const {
   std::vector<NodeForce> all;
-  visit(node, [&](int coarse, const Force& f) {
+  visit(node, [&](int coarse, const auto& force) {
     const auto at = std::ranges::find(all, coarse, &NodeForce::coarse);
-    if (at == all.end()) all.push_back({node, coarse, f});
-    else at->force += f;
+    if (at == all.end()) all.push_back({node, coarse, force()});
+    else at->force += force();
   });
   return all;
 }

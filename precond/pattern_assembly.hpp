@@ -1,6 +1,7 @@
 #pragma once
 #include <unordered_map>
 
+#include "core/mesh/corners.hpp"
 #include "precond/pattern_matrix.hpp"
 
 namespace bulbus {
@@ -36,7 +37,7 @@ class PatternMatrix::Assembly {
   const LinePressureStiffness& K_;
   PatternMatrix& to_;
   int count_, coarser_;  // patterns, coarser hexahedra
-  std::vector<int> start_, corners_;  // of every local node: 8 × hexahedron + corner
+  Corners corners_;
   std::vector<NodeForce> foreign_;    // of other ranks' hexahedra, by nodes
   std::unordered_map<long long, std::size_t> at_;  // of a pair
   std::vector<int> columns_;          // coarser hexahedra that act on a line

@@ -126,8 +126,9 @@ class KrylovSolver final : public LinearSolver {
   void increment_begins() override { dragged_ = false; }
 
  private:
-  // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with the strengthened preconditioner; where plain GMRES, which needs one basis only,
-  // still fails, the flexible one, anew from where it has come to as long as rounding ends it and each time gains a digit.
+  // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with the strengthened
+  // preconditioner; where plain GMRES, which needs one basis only, still fails, the flexible one, anew from where it has come to as long as
+  // rounding ends it and each time gains a digit.
   KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
                                double tolerance, const Comm& comm, const KrylovObserver& observer) {
     KrylovReport report;

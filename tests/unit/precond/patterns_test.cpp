@@ -43,6 +43,7 @@ TEST(Patterns, PushNoNodeWithinTheHexahedron) {
       double within = 0, all = 0;
       for (int n = 0; n < l.problem.mesh().owned; ++n) {
         const bool inner = X[3 * n] > .1 && X[3 * n] < .9 && X[3 * n + 1] > .1 && X[3 * n + 1] < 1.9 && X[3 * n + 2] > .1 && X[3 * n + 2] < 2.9;
+        for (int i = 0; i < 3; ++i) ASSERT_TRUE(std::isfinite(force[3 * n + i]));
         for (int i = 0; i < 3; ++i) (inner ? within : all) = std::max(inner ? within : all, std::abs(force[3 * n + i]));
       }
       EXPECT_GT(all, 1e-3);
