@@ -17,16 +17,16 @@ class DumpingSolver final : public LinearSolver {
   void renew() override { solver_->renew(); }
   void increment_begins() override { solver_->increment_begins(); }
 
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
     SystemDump dump;
     dump.matrix = assemble(system, true);
-    dump.rhs.assign(b.begin(), b.end());
+    dump.rhs = b;
     dump.kind = unknown_kinds(system.layout());
     dump.scaling = system.scaling();
     dump.attributes = {{"gamma", system.gamma()}, {"increment", increment_()}, {"tolerance", tolerance}};
     write_system(fmt::format("{}/system_{:04d}.h5", folder_, ++count_), dump, system.problem().comm());
-    return solver_->solve(system, b, x, tolerance);
+    return solver_->solve(system, std::move(b), x, tolerance);
   }
 
  private:

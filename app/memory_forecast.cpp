@@ -34,19 +34,23 @@ double resident(const Comm& comm) {
   return comm.sum(static_cast<double>(resident_bytes()));
 }
 
-// Blocks, scaling, liquid columns and the room of a product; moduli and penalties; strain and places in single precision.
+// Scaling, liquid columns and the room of a product; moduli and penalties; strain, or mean tangents and places in single precision.
 double system_bytes(const Size& s, const LinearSettings& l) {
   const double cache = l.op == "cache" ? 7 * 8 * single * s.hexes : l.op == "assembled" ? 27 * 9 * number * s.nodes : 0;
-  return number * (9 * s.nodes + s.unknowns() + (3 + s.liquids) * s.nodal() + 2 * s.hexes) + 2 * single * s.nodal() + cache;
+  const double smoothed = chosen_precision(l) == Precision::full ? 0 : sizeof(SingleTangent) / 16. * s.hexes + sizeof(NodeSingle) * s.nodes;
+  return number * (s.unknowns() + (2 + s.liquids) * s.nodal() + 2 * s.hexes) + smoothed + cache;
 }
 
 // Line factors; Chebyshev's and the cycle's vectors; interpolation from a coarser level.
-double smoother_bytes(const Size& s) { return 15 * single * s.nodes + 8 * s.nodes + 6 * number * s.nodal() + (4 + 3.4 * 8) * s.nodes; }
+double smoother_bytes(const Size& s, const LinearSettings& l) {
+  const double vectors = chosen_precision(l) == Precision::full ? 5 * 3 * number : 4 * sizeof(NodeSingle);
+  return (15 * single + 8 + vectors + 3 * number + 4 + 3.4 * 8) * s.nodes;
+}
 
-// Volume gradients and nodal room of K; vectors. Of a refined mesh the matrix of slow patterns: pairs of coarser hexahedra, measured on
-// eyes, where lines run through five and more of them.
+// Nodal room of K; vectors. Of a refined mesh the matrix of slow patterns: pairs of coarser hexahedra, measured on eyes, where lines run
+// through five and more of them. What setting it up needs besides is less than a Krylov basis that is still short.
 double pressure_bytes(const Size& s, int refinements) {
-  const double K = 7 * 4 * single * s.hexes + 4 * number * s.nodes;
+  const double K = sizeof(NodeSingle) * s.nodes;
   if (refinements == 0) return K + 6 * number * s.hexes + 2 * number * s.nodes;
   const double coarser = s.hexes / (refinements == 1 ? 8 : 64), pairs = 33 * coarser * std::max(1.0, std::cbrt(coarser / 7350));
   return refinements == 1 ? 72 * pairs : K + 54 * s.hexes + 408 * pairs;
@@ -60,7 +64,7 @@ void add_coarser_levels(const Problem& finest, const LinearSettings& l, std::vec
   const Problem* p = finest.coarser();
   for (; p->coarser(); p = p->coarser()) {
     const Size s = size_of(*p);
-    levels += system_bytes(s, l) + smoother_bytes(s) + 3 * number * s.unknowns();
+    levels += system_bytes(s, l) + smoother_bytes(s, l) + 3 * number * s.unknowns();
   }
   parts.push_back({"coarser levels", levels});
   parts.push_back({"base factors", base_bytes(size_of(*p), l)});
@@ -82,8 +86,8 @@ void add_direct(const Size& s, std::vector<MemoryPart>& parts) {
 void add_iterative(const Problem& problem, const Size& s, const LinearSettings& l, std::vector<MemoryPart>& parts) {
   const std::string name = chosen_displacement(l, problem);
   parts.push_back({"operator", system_bytes(s, l)});
-  parts.push_back({"smoother", smoother_bytes(s) + (1 + s.liquids) * number * s.nodal()});
-  parts.push_back({"Krylov basis", (std::min(l.restart, usual_basis) + 1) * single * s.unknowns() + 10 * number * s.unknowns()});
+  parts.push_back({"smoother", smoother_bytes(s, l) + (1 + s.liquids) * number * s.nodal()});
+  parts.push_back({"Krylov basis", (std::min(l.restart, usual_basis) + 1) * single * s.unknowns() + 6 * number * s.unknowns()});
   parts.push_back({"element pressures", pressure_bytes(s, problem.mesh().refinements)});
   if (name == "multigrid" && problem.coarser())
     add_coarser_levels(problem, l, parts);
@@ -99,8 +103,8 @@ std::vector<MemoryPart> forecast_memory(const Prepared& prepared, const Scene& s
   std::vector<MemoryPart> parts{{"program, mesh and problem", resident(problem.comm())}};
   // their code and buffers become resident when they are first called
   parts.push_back({"libraries at work", 15 * megabyte * problem.comm().size()});
-  // states at rest, on trial and under guard, residual, step, right-hand side and solution
-  parts.push_back({"states and residuals", number * (6 * (s.nodal() + s.hexes) + 4 * s.nodal() + 2 * s.unknowns())});
+  // states at rest, on trial and of a probe's beginning, right-hand side and solution
+  parts.push_back({"states and residuals", number * 5 * s.unknowns()});
   if (scene.output.checkpoint > 0) parts.push_back({"checkpoints", 90 * s.nodes + 32 * s.hexes});
   if (scene.solver.linear.method == "direct")
     add_direct(s, parts);
@@ -124,8 +128,7 @@ void refuse_what_cannot_fit(const std::vector<MemoryPart>& parts, const LinearSe
   throw scene_error("mesh",
                     fmt::format("the run would need {:.0f} MB of memory, more than the {:.0f} MB {} ({})", total / megabyte, limit / megabyte,
                                 l.memory_limit > 0 ? "that solver.linear.memory_limit allows" : "that this machine has", list),
-                    "Refine once less (an eighth of the memory), take solver.linear.operator: recompute, or "
-                    "spread the run over more machines and say in solver.linear.memory_limit what they have.");
+                    "Refine once less (an eighth of the memory), or spread the run over more machines and say in solver.linear.memory_limit what they have.");
 }
 
 }  // namespace bulbus

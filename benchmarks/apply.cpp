@@ -23,6 +23,7 @@ constexpr double flops_strain = 27 + 5 + 45 + 36 + 23;  // cofactor, determinant
 constexpr double flops_stress = 7 + 3 + 45 + 30 + 54;  // neo-Hookean tangent: weighted b, (l − e I), product, the rest; flux
 constexpr double flops_cache = 2 * flops_gradient + flops_volume + 8 * (flops_kinematics + flops_stress) + flops_transposed + flops_scatter;
 constexpr double flops_recompute = flops_cache + flops_gradient + 8 * flops_strain;
+constexpr double flops_mean = 2 * 3 * 34 + flops_volume + 2 * (2 * 63 + 18) + 2 * 216 + 12 + 3 * 31 + flops_scatter;
 
 struct Case {
   Mesh mesh;
@@ -62,14 +63,17 @@ void measure(int n, const Options& o, double triad, double peak, json& rows) {
   const Case c = deformed_block(n);
   const int hexes = static_cast<int>(c.mesh.hexes.size()), nodes = static_cast<int>(c.mesh.points.size());
   const std::vector<SolidRegion> region{{"block", NeoHooke{.5}, 0, hexes}};
-  Solid recompute(c.X, c.mesh.hexes, region), cache(c.X, c.mesh.hexes, region);
+  Solid recompute(c.X, c.mesh.hexes, region), cache(c.X, c.mesh.hexes, region), mean(c.X, c.mesh.hexes, region);
   recompute.linearize(c.x, c.lambda, 5, StrainSource::recompute);
   cache.linearize(c.x, c.lambda, 5, StrainSource::cache);
+  mean.linearize(c.x, c.lambda, 5, StrainSource::recompute);
   const auto visit = [&](const ContributionVisitor& v) { recompute.visit(v, true); };
   const BlockCsr blocks(nodes, visit);
   const ScalarCsr scalar(nodes, visit);
 
-  std::vector<float> single_dx(c.dx.begin(), c.dx.end()), single_y(c.dx.size());
+  std::vector<NodeSingle> single_dx(nodes), single_y(nodes);
+  for (int i = 0; i < 3 * nodes; ++i) single_dx[i / 3][i % 3] = static_cast<float>(c.dx[i]);
+  mean.apply_single(single_dx, single_y);
   const double places = 3. * nodes * sizeof(double), vectors = 3 * places;  // dx read, force read and written
   std::vector<double> change(hexes);
   const double lean = recompute.bytes() + places + 8. * hexes;  // with x and λ
@@ -77,8 +81,8 @@ void measure(int n, const Options& o, double triad, double peak, json& rows) {
       {"recompute", lean, lean + vectors, flops_recompute, [&](std::span<double> y) { recompute.apply(c.dx, {}, y, change); }, {}},
       {"cache", lean + cache.cache_bytes(), lean - places + cache.cache_bytes() + vectors, flops_cache,
        [&](std::span<double> y) { cache.apply(c.dx, {}, y, change); }, {}},
-      {"cache, single", lean + cache.cache_bytes() + places / 2, lean - 1.5 * places + cache.cache_bytes() + vectors / 2, flops_cache,
-       [&](std::span<double>) { cache.apply_single(single_dx, single_y); }, {}},
+      {"mean, single", 1. * mean.bytes() + mean.cache_bytes(), mean.cache_bytes() + 32. * hexes + 4. * sizeof(NodeSingle) * nodes, flops_mean,
+       [&](std::span<double>) { mean.apply_single(single_dx, single_y); }, {}},
       {"3x3 BCSR", 1. * blocks.bytes(), blocks.bytes() + vectors, 0, [&](std::span<double> y) { blocks.apply(c.dx, y); }, {}},
       {"CSR", 1. * scalar.bytes(), scalar.bytes() + vectors, 0, [&](std::span<double> y) { scalar.apply(c.dx, y); }, {}}};
   std::vector<double> y(c.dx.size()), reference(c.dx.size());
@@ -86,11 +90,12 @@ void measure(int n, const Options& o, double triad, double peak, json& rows) {
   for (int r = 0; r <= o.repetitions; ++r)  // taken in turns; the first round warms up
     for (Variant& v : variants) {
       std::fill(y.begin(), y.end(), 0.);
-      std::fill(single_y.begin(), single_y.end(), 0.f);
+      std::ranges::fill(single_y, NodeSingle{});
       const double start = cpu_seconds();
       v.apply(y);
       const double seconds = cpu_seconds() - start;
-      if (v.name == "cache, single") std::copy(single_y.begin(), single_y.end(), y.begin());
+      if (v.name == "mean, single")
+        for (int i = 0; i < 3 * nodes; ++i) y[i] = single_y[i / 3][i % 3];
       if (r > 0) v.seconds.push_back(seconds);
       else v.difference = distance(y, reference);
     }

@@ -24,9 +24,9 @@ class TimedSolver final : public LinearSolver {
     if (report.factor) factor = report.factor;
     return report;
   }
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double tolerance) override {
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) override {
     const double start = cpu_seconds();
-    const LinearReport report = inner_->solve(system, b, x, tolerance);
+    const LinearReport report = inner_->solve(system, std::move(b), x, tolerance);
     solution.push_back(cpu_seconds() - start);
     iterations.push_back(report.iterations);
     reductions.push_back(report.reduction);

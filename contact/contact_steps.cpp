@@ -36,13 +36,18 @@ void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
   for (const Touch& t : find(state, limits_, Search::remembering).touches) current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
+  committed_changes_ = changes_;
+  committed_held_ = held_;
   found_.key.clear();
   leave_places();
 }
 
+// With the smoothing that the last increment has ended with: without it, that one's state is out of balance.
 void ContactTerm::roll_back() {
   current_ = committed_;
   begin_increment();
+  changes_ = committed_changes_;
+  held_ = committed_held_;
 }
 
 void ContactTerm::remember(Keeper& keeper) {
@@ -77,6 +82,8 @@ void ContactTerm::recall(std::span<const double> rows) {
   }
   if (std::ranges::count(current_.overlap, 0.) == std::ssize(current_.overlap)) current_.overlap.clear();
   committed_ = current_;
+  committed_changes_ = changes_;
+  committed_held_ = held_;
   soft_ = false;
   found_.key.clear();
   leave_places();

@@ -46,6 +46,8 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
   current_.pressure.assign(slots, 0);
   committed_ = current_;
   begin_increment();
+  committed_changes_ = changes_;
+  committed_held_ = held_;
 }
 
 std::vector<double> ContactTerm::surfaces(const State& state) const {

@@ -1,8 +1,7 @@
 #pragma once
-#include "precond/chebyshev.hpp"
-#include "precond/displacement.hpp"
 #include "precond/line_jacobi.hpp"
 #include "precond/rigid_coarse.hpp"
+#include "precond/smoother.hpp"
 
 namespace bulbus {
 
@@ -21,22 +20,21 @@ class Aggregation final : public Preconditioner {
  public:
   /// Collective.
   Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings, Precision smoothing = Precision::single);
-  int size() const override { return block_.size(); }
+  int size() const override { return static_cast<int>(correction_.size()); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }
-  bool follow() override { return smoother_.follow(); }
+  bool follow() override { return smoother_->follow(); }
   std::string fault() const override { return coarse_.fault(); }
   std::size_t bytes() const override;
   const LineJacobi& lines() const { return jacobi_; }
 
  private:
-  LineJacobi set_up(const CoupledSystem& system, const Lines& lines);
+  LineJacobi set_up(const CoupledSystem& system, const Lines& lines, Precision precision);
 
-  DisplacementBlock block_;
   RigidCoarse coarse_;
   LineJacobi jacobi_;
-  Chebyshev smoother_;
-  mutable std::vector<double> residual_, correction_;
+  std::unique_ptr<Smoother> smoother_;
+  mutable std::vector<double> correction_;
 };
 
 }  // namespace bulbus

@@ -63,7 +63,7 @@ void AssembledAmg::apply(std::span<const double> x, std::span<double> y) const {
 ExactBlock::ExactBlock(const CoupledSystem& system) : ExactBlock(system, std::make_shared<Mumps>(system.problem().comm())) {}
 
 ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps)
-    : nodal_(system.layout().nodal), jacobi_(system), mumps_(std::move(mumps)) {
+    : size_(system.layout().primal()), nodal_(system.layout().nodal), bodies_(system), mumps_(std::move(mumps)) {
   const bool symmetric = system.problem().symmetric();
   const FactorReport f =
       mumps_->factorise(assemble_displacement(system, symmetric ? Triangle::upper : Triangle::both), 3 * system.problem().mesh().all_nodes, symmetric);
@@ -72,7 +72,7 @@ ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps
 }
 
 void ExactBlock::apply(std::span<const double> x, std::span<double> y) const {
-  jacobi_.apply(x, y);
+  bodies_.apply(x.subspan(nodal_), y.subspan(nodal_));
   mumps_->solve(x.first(nodal_), y.first(nodal_));
 }
 

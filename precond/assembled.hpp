@@ -30,15 +30,15 @@ class ExactBlock final : public Preconditioner {
   explicit ExactBlock(const CoupledSystem& system);
   /// With a solver that may know the matrix's pattern from an earlier linearisation, and gives up that one's factors.
   ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps);
-  int size() const override { return jacobi_.size(); }
+  int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
   bool fixed() const override { return true; }
   std::string fault() const override { return fault_; }
   std::size_t bytes() const override { return bytes_; }
 
  private:
-  int nodal_;
-  BlockJacobi jacobi_;
+  int size_, nodal_;
+  BodyBlocks bodies_;
   std::shared_ptr<Mumps> mumps_;
   std::string fault_;
   std::size_t bytes_ = 0;

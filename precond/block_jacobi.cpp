@@ -6,7 +6,7 @@
 
 namespace bulbus {
 
-BodyBlocks::BodyBlocks(const CoupledSystem& system) : first_(system.layout().nodal) {
+BodyBlocks::BodyBlocks(const CoupledSystem& system) {
   if (system.layout().bodies == 0) return;
   for (const auto& block : system.body_blocks()) {
     const auto inverse = safe_inverse<6>(Eigen::Map<const Eigen::Matrix<double, 6, 6>>(block.data()));
@@ -16,10 +16,9 @@ BodyBlocks::BodyBlocks(const CoupledSystem& system) : first_(system.layout().nod
 
 void BodyBlocks::apply(std::span<const double> x, std::span<double> y) const {
   for (std::size_t k = 0; k < inverse_.size() / 6; ++k) {
-    const std::size_t body = first_ + 6 * (k / 6);
     double sum = 0;
-    for (int j = 0; j < 6; ++j) sum += inverse_[6 * k + j] * x[body + j];
-    y[first_ + k] = sum;
+    for (int j = 0; j < 6; ++j) sum += inverse_[6 * k + j] * x[k / 6 * 6 + j];
+    y[k] = sum;
   }
 }
 
@@ -27,7 +26,7 @@ std::size_t BodyBlocks::bytes() const { return bytes_of(inverse_); }
 
 BlockJacobi::BlockJacobi(const CoupledSystem& system)
     : size_(system.layout().primal()), nodal_(system.layout().nodal), bodies_(system) {
-  const auto& blocks = system.nodal_blocks();
+  const auto blocks = system.nodal_blocks();
   nodes_.reserve(2 * nodal_);
   for (int n = 0; n < nodal_ / 3; ++n) {
     const Eigen::Matrix3d inverse = safe_inverse<3>(Eigen::Map<const Eigen::Matrix3d>(&blocks[9 * n]));
@@ -44,7 +43,7 @@ void BlockJacobi::apply(std::span<const double> x, std::span<double> y) const {
     y[3 * n + 1] = b[1] * p + b[3] * q + b[4] * r;
     y[3 * n + 2] = b[2] * p + b[4] * q + b[5] * r;
   }
-  bodies_.apply(x, y);
+  bodies_.apply(x.subspan(nodal_), y.subspan(nodal_));
 }
 
 std::size_t BlockJacobi::bytes() const { return bytes_of(nodes_) + bodies_.bytes(); }

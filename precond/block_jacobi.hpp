@@ -21,12 +21,11 @@ Eigen::Matrix<double, N, N> safe_inverse(const Eigen::Matrix<double, N, N>& give
 class BodyBlocks {
  public:
   explicit BodyBlocks(const CoupledSystem& system);
-  /// Writes the bodies' part of the primal vector y.
+  /// Of the bodies' parts of primal vectors.
   void apply(std::span<const double> x, std::span<double> y) const;
   std::size_t bytes() const;
 
  private:
-  std::size_t first_;
   std::vector<double> inverse_;  // 36 per body
 };
 
@@ -34,6 +33,7 @@ class BodyBlocks {
 /// replaced by its diagonal's magnitude, so that the result is symmetric positive.
 class BlockJacobi final : public Preconditioner {
  public:
+  /// Collective.
   explicit BlockJacobi(const CoupledSystem& system);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;

@@ -1,6 +1,7 @@
 #include "precond/chebyshev.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -51,40 +52,37 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   return {e.minCoeff(), e.maxCoeff()};
 }
 
-Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm)
-    : A_(A), D_(D), degree_(degree), smoothed_part_(smoothed_part), own_(0), comm_(comm), r_(A.size()), z_(A.size()), d_(A.size()) {
+DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm)
+    : A_(A), D_(D), part_(lowest), comm_(comm) {
   follow();
   own_ = largest_;
 }
 
-bool Chebyshev::follow() {
+bool DampedSpectrum::follow() {
   const double estimate = lanczos(A_, D_, 10, comm_).largest;
   largest_ = 1.1 * (estimate > 0 ? estimate : 1);
-  lowest_ = smoothed_part_ * largest_;
   return largest_ < growth * own_;
 }
 
+Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm)
+    : A_(A), D_(D), degree_(degree), spectrum_(A, D, smoothed_part, comm), r_(A.size()), z_(A.size()), d_(A.size()) {}
+
 void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
-  const double center = 0.5 * (largest_ + lowest_), radius = 0.5 * (largest_ - lowest_);
-  const std::size_t n = b.size();
-  D_.apply(b, z_);
-  double rho = radius / center;
-  for (std::size_t i = 0; i < n; ++i) {
-    d_[i] = z_[i] / center;
-    x[i] = d_[i];
-    r_[i] = b[i];
-  }
-  for (int k = 1; k < degree_; ++k) {
-    A_.apply(d_, z_);
-    for (std::size_t i = 0; i < n; ++i) r_[i] -= z_[i];
+  auto steps = spectrum_.steps();
+  std::ranges::copy(b, r_.begin());
+  std::ranges::fill(x, 0);
+  std::ranges::fill(d_, 0);
+  for (int k = 0; k < degree_; ++k) {
+    if (k > 0) {
+      A_.apply(d_, z_);
+      for (std::size_t i = 0; i < r_.size(); ++i) r_[i] -= z_[i];
+    }
     D_.apply(r_, z_);
-    const double next = 1 / (2 * center / radius - rho);
-    const double keep = next * rho, add = 2 * next / radius;
-    for (std::size_t i = 0; i < n; ++i) {
+    const auto [keep, add] = steps.next();
+    for (std::size_t i = 0; i < d_.size(); ++i) {
       d_[i] = keep * d_[i] + add * z_[i];
       x[i] += d_[i];
     }
-    rho = next;
   }
 }
 

@@ -6,35 +6,66 @@
 
 namespace bulbus {
 
-/// Chebyshev polynomial in D⁻¹A on [lowest, 1.1]·λ_max from a zero guess: a fixed symmetric linear map that damps the upper
-/// part of the spectrum.
-class Chebyshev final : public Preconditioner {
- public:
-  /// Estimates λ_max(D⁻¹A) by a few Lanczos steps. `A` and `D` must outlive this. Collective.
-  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm);
-  int size() const override { return A_.size(); }
-  void apply(std::span<const double> b, std::span<double> x) const override;
-  bool fixed() const override { return true; }
-  /// Estimates the largest eigenvalue of the present A; D fits as long as it has not grown much: stiffness that is new, of a contact, D
-  /// knows nothing of.
-  bool follow() override;
-  std::size_t bytes() const override;
-  double largest_eigenvalue() const { return largest_; }
-
- private:
-  const LinearOperator& A_;
-  const Preconditioner& D_;
-  int degree_;
-  double smoothed_part_, own_, lowest_ = 0, largest_ = 0;
-  Comm comm_;
-  mutable std::vector<double> r_, z_, d_;
-};
-
 /// Extreme real parts of the eigenvalues of D⁻¹A as Lanczos sees them after `steps` steps from a fixed random vector; neither A nor
 /// D needs to be definite. Collective.
 struct Spectrum {
   double smallest, largest;
 };
 Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, const Comm& comm);
+
+/// The part [lowest, 1.1]·λ_max of the spectrum of D⁻¹A that a Chebyshev polynomial damps.
+class DampedSpectrum {
+ public:
+  /// Estimates λ_max by a few Lanczos steps. `A` and `D` must outlive this. Collective.
+  DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm);
+  /// Estimates the largest eigenvalue of the present A; false if it has grown so much that D does not fit any more: of stiffness that is
+  /// new, of a contact, D knows nothing.
+  bool follow();
+  double largest_eigenvalue() const { return largest_; }
+
+  /// The polynomial's recurrence: d ← keep d + add D⁻¹ r, x += d, with r = b − A x.
+  class Steps {
+   public:
+    Steps(double lowest, double largest) : center_(.5 * (largest + lowest)), radius_(.5 * (largest - lowest)) {}
+    struct Step {
+      double keep, add;
+    };
+    Step next() {
+      const double before = rho_;
+      rho_ = before == 0 ? radius_ / center_ : 1 / (2 * center_ / radius_ - before);
+      return before == 0 ? Step{0, 1 / center_} : Step{rho_ * before, 2 * rho_ / radius_};
+    }
+
+   private:
+    double center_, radius_, rho_ = 0;
+  };
+  Steps steps() const { return {part_ * largest_, largest_}; }
+
+ private:
+  const LinearOperator& A_;
+  const Preconditioner& D_;
+  double part_, own_ = 0, largest_ = 0;
+  Comm comm_;
+};
+
+/// Chebyshev polynomial in D⁻¹A from a zero guess: a fixed symmetric linear map that damps the upper part of the spectrum.
+class Chebyshev final : public Preconditioner {
+ public:
+  /// `A` and `D` must outlive this. Collective.
+  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm);
+  int size() const override { return A_.size(); }
+  void apply(std::span<const double> b, std::span<double> x) const override;
+  bool fixed() const override { return true; }
+  bool follow() override { return spectrum_.follow(); }
+  std::size_t bytes() const override;
+  double largest_eigenvalue() const { return spectrum_.largest_eigenvalue(); }
+
+ private:
+  const LinearOperator& A_;
+  const Preconditioner& D_;
+  int degree_;
+  DampedSpectrum spectrum_;
+  mutable std::vector<double> r_, z_, d_;
+};
 
 }  // namespace bulbus

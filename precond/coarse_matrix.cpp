@@ -18,7 +18,7 @@ CoarseMatrix::Block& CoarseMatrix::block(int row, int column) {
   return blocks_[at->second];
 }
 
-void CoarseMatrix::find_parts(const Aggregates& groups, std::span<const Modes> modes, std::span<const int> dofs) {
+void CoarseMatrix::find_parts(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs) {
   const int nodal = 3 * static_cast<int>(groups.of.size());
   parts_.clear();
   for (std::size_t i = 0; i < dofs.size();) {
@@ -54,7 +54,7 @@ void CoarseMatrix::gather(const Part& row, int column) {
         for (int c = 0; c < 8; ++c) to[i][c] += (*row.modes)[k][i] * half_[row.first + k][c];
 }
 
-void CoarseMatrix::add(const Aggregates& groups, std::span<const Modes> modes, std::span<const int> dofs, std::span<const double> K) {
+void CoarseMatrix::add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs, std::span<const double> K) {
   find_parts(groups, modes, dofs);
   for (auto rest = std::span<const Part>(parts_); !rest.empty();) {
     const int column = rest.front().group;

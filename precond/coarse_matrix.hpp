@@ -10,7 +10,7 @@
 namespace bulbus {
 
 /// Six modes of a node: a row per direction, the last two columns zero, so that a row is one vector register.
-using Modes = std::array<std::array<float, 8>, 3>;
+using NodeModes = std::array<std::array<float, 8>, 3>;
 
 /// Zᵀ A Z, accumulated contribution by contribution: A is never formed. Z are six modes of every aggregate, and rigid bodies as they
 /// are. What was ever coupled keeps its place, so that a factorisation finds its pattern again.
@@ -21,7 +21,7 @@ class CoarseMatrix {
   /// Everything zero again.
   void clear();
   /// Adds a contribution to the reduced displacement block (see visit_reduced). `modes`: of every local node.
-  void add(const Aggregates& groups, std::span<const Modes> modes, std::span<const int> dofs, std::span<const double> K);
+  void add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs, std::span<const double> K);
   /// A single entry, by numbers of coarse unknowns.
   void add(int row, int column, double value) { block(row / 6, column / 6)[row % 6][column % 6] += value; }
   /// This rank's entries by coarse unknowns, six of every group; the upper triangle if symmetric.
@@ -32,10 +32,10 @@ class CoarseMatrix {
   using Block = std::array<std::array<double, 8>, 6>;
   struct Part {
     int group, first;    // coarse group, place among the contribution's dofs
-    const Modes* modes;  // none of a body
+    const NodeModes* modes;  // none of a body
   };
   Block& block(int row, int column);
-  void find_parts(const Aggregates& groups, std::span<const Modes> modes, std::span<const int> dofs);
+  void find_parts(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs);
   void multiply(std::span<const Part> columns, std::span<const double> K, std::size_t size);
   void gather(const Part& row, int column);
 

@@ -1,8 +1,10 @@
 #include "precond/displacement.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/base/error.hpp"
+#include "core/solve/reduced.hpp"
 #include "precond/aggregation.hpp"
 #include "precond/assembled.hpp"
 #include "precond/block_jacobi.hpp"
@@ -10,6 +12,7 @@
 #include "precond/multigrid.hpp"
 #include "precond/scalar_amg.hpp"
 #include "precond/scalar_matrices.hpp"
+#include "precond/single_block.hpp"
 
 namespace bulbus {
 namespace {
@@ -36,12 +39,36 @@ DisplacementInverse with_lines(std::unique_ptr<P> inverse) {
 
 }  // namespace
 
+std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision) {
+  if (precision == Precision::single) return std::make_unique<SingleBlock>(system);
+  return std::make_unique<DisplacementBlock>(system);
+}
+
 std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
   if (settings.displacement != "auto") return settings.displacement;
   return problem.coarser() ? "multigrid" : "aggregation";
 }
 
 Precision chosen_precision(const LinearSettings& settings) { return settings.smoothing == "double" ? Precision::full : Precision::single; }
+
+namespace {
+
+// Floats hold a displacement to 6e-8: a contact much stiffer than the hexahedra around it would make noise of what they feel.
+Precision fitting_precision(const CoupledSystem& system, const LinearSettings& settings) {
+  constexpr double most = 1 - 1e-4;  // of a node's stiffness
+  const Problem& problem = system.problem();
+  auto& stiffness = system.room().force;
+  stiffness.assign(system.state().x.size(), 0);
+  visit_surface(problem, system.state(), [&](std::span<const int> nodes, std::span<const double> K) {
+    for (std::size_t i = 0; i < 3 * nodes.size(); ++i) stiffness[3 * nodes[i / 3] + i % 3] += K[i * (3 * nodes.size() + 1)];
+  });
+  problem.mesh().halo.fold(stiffness);
+  double part = 0;
+  for (int i = 0; i < system.layout().nodal; ++i) part = std::max(part, stiffness[i] * system.scaling()[i] * system.scaling()[i]);
+  return problem.comm().max(part) > most ? Precision::full : chosen_precision(settings);
+}
+
+}  // namespace
 
 struct DisplacementFactory::Plans {
   const Problem* problem;
@@ -57,7 +84,7 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
   const Problem& problem = system.problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const std::string name = chosen_displacement(settings_, problem);
-  const Precision smoothing = chosen_precision(settings_);
+  const Precision smoothing = fitting_precision(system, settings_);
   if (name == "jacobi") return {std::make_unique<BlockJacobi>(system)};
   if (name == "scalar_amg") return {std::make_unique<ScalarAmgAlone>(system)};
   if (name == "boomeramg" || name == "boomeramg_nodal") return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};

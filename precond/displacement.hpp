@@ -8,17 +8,18 @@
 
 namespace bulbus {
 
-/// The augmented displacement block K + γ B W Bᵀ as an operator on primal vectors; in single precision within preconditioners.
+/// The augmented displacement block K + γ B W Bᵀ as an operator on primal vectors.
 class DisplacementBlock final : public LinearOperator {
  public:
-  explicit DisplacementBlock(const CoupledSystem& system, Precision precision = Precision::full) : system_(system), precision_(precision) {}
+  explicit DisplacementBlock(const CoupledSystem& system) : system_(system) {}
   int size() const override { return system_.layout().primal(); }
-  void apply(std::span<const double> x, std::span<double> y) const override { system_.apply_displacement(x, y, precision_); }
+  void apply(std::span<const double> x, std::span<double> y) const override { system_.apply_displacement(x, y); }
 
  private:
   const CoupledSystem& system_;
-  Precision precision_;
 };
+/// The block, or in single precision what smoothers take for it.
+std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision);
 
 /// What `auto` stands for: multigrid where the problem has a coarser one, aggregation elsewhere. Other names stand for themselves.
 std::string chosen_displacement(const LinearSettings& settings, const Problem& problem);

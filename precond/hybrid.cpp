@@ -8,23 +8,23 @@
 namespace bulbus {
 
 Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid, Precision smoothing)
-    : block_(system, smoothing),
+    : block_(displacement_block(system, smoothing)),
       jacobi_(system),
-      smoother_(block_, jacobi_, degree, lowest, system.problem().comm()),
+      smoother_(*block_, jacobi_, degree, lowest, system.problem().comm()),
       amg_(std::make_unique<ScalarAmg>(system, scalar_matrices(system), jacobi_)),
-      residual_(block_.size()),
-      correction_(block_.size()) {
+      residual_(block_->size()),
+      correction_(block_->size()) {
   if (!rigid) return;
   coarse_ = std::make_unique<RigidCoarse>(system, *rigid);
-  visit_reduced(system.problem(), system.state(), true, [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
+  visit_reduced(system.problem(), system.state(), matrices_of(smoothing), [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
   coarse_->factorise();
 }
 
 void Hybrid::apply(std::span<const double> b, std::span<double> x) const {
   smoother_.apply(b, x);
-  correct(block_, *amg_, b, x, residual_, correction_);
-  if (coarse_) correct(block_, *coarse_, b, x, residual_, correction_);
-  correct(block_, smoother_, b, x, residual_, correction_);
+  correct(*block_, *amg_, b, x, residual_, correction_);
+  if (coarse_) correct(*block_, *coarse_, b, x, residual_, correction_);
+  correct(*block_, smoother_, b, x, residual_, correction_);
 }
 
 std::size_t Hybrid::bytes() const {

@@ -13,7 +13,7 @@ class Hybrid final : public Preconditioner {
  public:
   /// `rigid`: none without the rigid motions. Collective.
   Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid, Precision smoothing);
-  int size() const override { return block_.size(); }
+  int size() const override { return block_->size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }
   bool follow() override { return smoother_.follow(); }
@@ -21,7 +21,7 @@ class Hybrid final : public Preconditioner {
   std::size_t bytes() const override;
 
  private:
-  DisplacementBlock block_;
+  std::unique_ptr<LinearOperator> block_;
   BlockJacobi jacobi_;
   Chebyshev smoother_;
   std::unique_ptr<ScalarAmg> amg_;

@@ -4,7 +4,6 @@
 #include <unordered_map>
 
 #include "core/base/memory.hpp"
-#include "core/solve/reduced.hpp"
 
 namespace bulbus {
 namespace {
@@ -27,11 +26,15 @@ std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
   return next;
 }
 
-std::vector<double> couplings(const CoupledSystem& system, const Lines& lines) {
-  LineCouplings c(system, lines);
-  visit_reduced(system.problem(), system.state(), true, [&](std::span<const int> dofs, std::span<const double> K) { c.add(dofs, K); });
-  return c.sum();
+LineBlocks blocks_of(const CoupledSystem& system, const Lines& lines, Precision precision) {
+  LineBlocks blocks(system, lines);
+  visit_reduced(system.problem(), system.state(), matrices_of(precision),
+                [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
+  blocks.complete();
+  return blocks;
 }
+
+Block block_at(std::span<const double> blocks, int node) { return Eigen::Map<const Block>(&blocks[9 * static_cast<std::size_t>(node)]); }
 
 std::array<float, 6> packed(const Block& symmetric) {
   std::array<float, 6> p;
@@ -42,42 +45,60 @@ std::array<float, 6> packed(const Block& symmetric) {
 
 }  // namespace
 
-LineCouplings::LineCouplings(const CoupledSystem& system, const Lines& lines)
-    : mesh_(system.problem().mesh()), next_(followers(mesh_, lines)), ahead_(9 * static_cast<std::size_t>(mesh_.nodes())) {}
+LineBlocks::LineBlocks(const CoupledSystem& system, const Lines& lines)
+    : system_(system),
+      mesh_(system.problem().mesh()),
+      next_(followers(mesh_, lines)),
+      diagonal_(9 * static_cast<std::size_t>(mesh_.nodes())),
+      ahead_(diagonal_.size()) {}
 
-void LineCouplings::add(std::span<const int> d, std::span<const double> K) {
+void LineBlocks::add(std::span<const int> d, std::span<const double> K) {
   const std::size_t n = d.size();
   const int nodal = 3 * mesh_.nodes();
   const auto width = [&](std::size_t i) { return d[i] < nodal ? 3 : 6; };  // of a node, of a rigid body
+  const auto add_block = [&](std::size_t i, std::size_t j, double* to) {
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) to[3 * r + c] += K[(i + r) * n + j + c];
+  };
   for (std::size_t i = 0; i < n; i += width(i)) {
-    if (d[i] >= nodal || next_[d[i] / 3] < 0) continue;
-    for (std::size_t j = 0; j < n; j += width(j))
-      if (d[j] == 3 * next_[d[i] / 3])
-        for (int r = 0; r < 3; ++r)
-          for (int c = 0; c < 3; ++c) ahead_[3 * d[i] + 3 * r + c] += K[(i + r) * n + j + c];
+    if (d[i] >= nodal) continue;
+    add_block(i, i, &diagonal_[3 * static_cast<std::size_t>(d[i])]);
+    if (const int next = next_[d[i] / 3]; next >= 0)
+      for (std::size_t j = 0; j < n; j += width(j))
+        if (d[j] == 3 * next) add_block(i, j, &ahead_[3 * static_cast<std::size_t>(d[i])]);
   }
 }
 
-std::vector<double> LineCouplings::sum() {
+void LineBlocks::complete() {
+  mesh_.halo.fold(diagonal_, 9);
   mesh_.halo.fold(ahead_, 9);
-  return std::move(ahead_);
+  const DofMap& dofs = system_.problem().dofs();
+  for (int n = 0; n < mesh_.owned; ++n)
+    if (dofs.held(n)) {
+      const Mat3<double> P = dofs.projector(n);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) diagonal_[9 * static_cast<std::size_t>(n) + 3 * i + j] += system_.held_scale() * ((i == j) - P(i, j));
+    }
 }
 
-LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const std::vector<double>& ahead)
+LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const LineBlocks& blocks)
     : size_(system.layout().primal()), lines_(lines), inverse_(lines.nodes.size()), lower_(lines.nodes.size() - lines.count()), bodies_(system) {
-  for (int k = 0; k < lines.count(); ++k)
-    if (!factorise(k, system.nodal_blocks(), ahead)) factorise_nodes(k, system.nodal_blocks());
+  for (int k = 0; k < lines.count(); ++k) {
+    if (!factorise(k, blocks)) factorise_nodes(k, blocks);
+    longest_ = std::max(longest_, nodes(k).size());
+  }
+  on_line_.resize(longest_);
 }
 
-LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines) : LineJacobi(system, lines, couplings(system, lines)) {}
+LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, Precision precision) : LineJacobi(system, lines, blocks_of(system, lines, precision)) {}
 
-bool LineJacobi::factorise(int line, const std::vector<double>& diagonal, const std::vector<double>& ahead) {
+bool LineJacobi::factorise(int line, const LineBlocks& blocks) {
   Block inverse;
   for (int i = lines_.start[line]; i < lines_.start[line + 1]; ++i) {
-    const Block given = Eigen::Map<const Block>(&diagonal[9 * static_cast<std::size_t>(lines_.nodes[i])]);
+    const Block given = block_at(blocks.diagonal(), lines_.nodes[i]);
     Block D = 0.5 * (given + given.transpose());
     if (i > lines_.start[line]) {
-      const Block A = Eigen::Map<const Block>(&ahead[9 * static_cast<std::size_t>(lines_.nodes[i - 1])]).transpose();
+      const Block A = block_at(blocks.ahead(), lines_.nodes[i - 1]).transpose();
       const Block L = A * inverse;
       D -= L * A.transpose();
       Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(lower_[i - line - 1].data()) = L.cast<float>();
@@ -90,38 +111,73 @@ bool LineJacobi::factorise(int line, const std::vector<double>& diagonal, const 
   return true;
 }
 
-void LineJacobi::factorise_nodes(int line, const std::vector<double>& diagonal) {
+void LineJacobi::factorise_nodes(int line, const LineBlocks& blocks) {
   for (int i = lines_.start[line]; i < lines_.start[line + 1]; ++i) {
-    inverse_[i] = packed(safe_inverse<3>(Eigen::Map<const Eigen::Matrix3d>(&diagonal[9 * static_cast<std::size_t>(lines_.nodes[i])])));
+    inverse_[i] = packed(safe_inverse<3>(Eigen::Matrix3d(block_at(blocks.diagonal(), lines_.nodes[i]))));
     if (i > lines_.start[line]) lower_[i - line - 1].fill(0);
   }
 }
 
-// L D Lᵀ y = x along every line.
-void LineJacobi::solve(const double* x, double* y, int stride) const {
-  const auto node = [&](int i) { return stride * static_cast<std::size_t>(lines_.nodes[i]); };
-  for (int k = 0; k < lines_.count(); ++k) {
-    const int first = lines_.start[k], last = lines_.start[k + 1] - 1;
-    for (int i = first; i <= last; ++i) {
-      const double* b = &x[node(i)];
-      double* to = &y[node(i)];
-      for (int c = 0; c < 3; ++c) to[c] = b[c];
-      if (i == first) continue;
-      const auto& L = lower_[i - k - 1];
-      const double* before = &y[node(i - 1)];
-      for (int r = 0; r < 3; ++r) to[r] -= L[3 * r] * before[0] + L[3 * r + 1] * before[1] + L[3 * r + 2] * before[2];
+// L D Lᵀ y = y, with the nodes of a line one after the other.
+template <class Number>
+void LineJacobi::solve(int line, Number* y, int stride) const {
+  const int count = lines_.start[line + 1] - lines_.start[line];
+  const auto* L = lower_.data() + lines_.start[line] - line;
+  const auto* D = inverse_.data() + lines_.start[line];
+  for (int i = 1; i < count; ++i) {
+    const Number* before = y + stride * (i - 1);
+    Number* to = y + stride * i;
+    for (int r = 0; r < 3; ++r) to[r] -= L[i - 1][3 * r] * before[0] + L[i - 1][3 * r + 1] * before[1] + L[i - 1][3 * r + 2] * before[2];
+  }
+  for (int i = count - 1; i >= 0; --i) {
+    Number* to = y + stride * i;
+    const Number p = to[0], q = to[1], r = to[2];
+    to[0] = D[i][0] * p + D[i][1] * q + D[i][2] * r;
+    to[1] = D[i][1] * p + D[i][3] * q + D[i][4] * r;
+    to[2] = D[i][2] * p + D[i][4] * q + D[i][5] * r;
+    if (i + 1 == count) continue;
+    const Number* after = to + stride;
+    for (int c = 0; c < 3; ++c) to[c] -= L[i][c] * after[0] + L[i][3 + c] * after[1] + L[i][6 + c] * after[2];
+  }
+}
+
+void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
+  std::vector<double> on_line(3 * longest_);
+  for (int k = 0; k < count(); ++k) {
+    const auto line = nodes(k);
+    for (std::size_t i = 0; i < line.size(); ++i) std::copy_n(&x[3 * static_cast<std::size_t>(line[i])], 3, &on_line[3 * i]);
+    solve(k, on_line.data(), 3);
+    for (std::size_t i = 0; i < line.size(); ++i) std::copy_n(&on_line[3 * i], 3, &y[3 * static_cast<std::size_t>(line[i])]);
+  }
+  const std::size_t nodal = 3 * lines_.nodes.size();
+  bodies_.apply(x.subspan(nodal), y.subspan(nodal));
+}
+
+void LineJacobi::apply(std::span<NodeSingle> v) const {
+  for (int k = 0; k < count(); ++k) {
+    const auto line = nodes(k);
+    for (std::size_t i = 0; i < line.size(); ++i) on_line_[i] = v[line[i]];
+    solve(k, numbers(on_line_).data(), 4);
+    for (std::size_t i = 0; i < line.size(); ++i) v[line[i]] = on_line_[i];
+  }
+}
+
+void LineJacobi::step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d, std::span<NodeSingle> x) const {
+  constexpr std::size_t ahead = 12;  // nodes, whose numbers are soon to be asked for
+  const std::size_t last = lines_.nodes.size() - 1;
+  for (int k = 0; k < count(); ++k) {
+    const auto line = nodes(k);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const int n = line[i], soon = lines_.nodes[std::min(lines_.start[k] + i + ahead, last)];
+      for (const auto& v : {r, z, d, x}) __builtin_prefetch(&v[soon], 1);
+      on_line_[i] = r[n] -= z[n];
+      z[n] = NodeSingle{};
     }
-    for (int i = last; i >= first; --i) {
-      double* to = &y[node(i)];
-      const auto& D = inverse_[i];
-      const double p = to[0], q = to[1], r = to[2];
-      to[0] = D[0] * p + D[1] * q + D[2] * r;
-      to[1] = D[1] * p + D[3] * q + D[4] * r;
-      to[2] = D[2] * p + D[4] * q + D[5] * r;
-      if (i == last) continue;
-      const auto& L = lower_[i - k];
-      const double* after = &y[node(i + 1)];
-      for (int c = 0; c < 3; ++c) to[c] -= L[c] * after[0] + L[3 + c] * after[1] + L[6 + c] * after[2];
+    solve(k, numbers(on_line_).data(), 4);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const int n = line[i];
+      d[n] = keep * d[n] + add * on_line_[i];
+      x[n] += d[n];
     }
   }
 }
@@ -138,11 +194,6 @@ Eigen::MatrixXf LineJacobi::energy(int line, Rows& F) const {
     scaled.middleRows<3>(3 * (i - first)) = D.lazyProduct(rows);
   }
   return F.transpose() * scaled;
-}
-
-void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
-  solve(x.data(), y.data(), 3);
-  bodies_.apply(x, y);
 }
 
 std::size_t LineJacobi::bytes() const { return bytes_of(inverse_) + bytes_of(lower_) + bodies_.bytes() + bytes_of(lines_.nodes) + bytes_of(lines_.start); }

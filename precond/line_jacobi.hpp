@@ -4,39 +4,51 @@
 
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
+#include "core/solve/reduced.hpp"
 #include "precond/block_jacobi.hpp"
 #include "precond/lines.hpp"
 
 namespace bulbus {
 
-/// The couplings along lines, accumulated contribution by contribution.
-class LineCouplings {
+/// The displacement block's parts on lines, accumulated contribution by contribution.
+class LineBlocks {
  public:
   /// Collective.
-  LineCouplings(const CoupledSystem& system, const Lines& lines);
+  LineBlocks(const CoupledSystem& system, const Lines& lines);
   /// A contribution to the reduced displacement block (see visit_reduced).
   void add(std::span<const int> dofs, std::span<const double> K);
-  /// A_(n, next) of every local node n with the next one on its line; 9 numbers by rows. Collective.
-  std::vector<double> sum();
+  /// Folds what other ranks have and puts held directions on held_scale(). Collective.
+  void complete();
+  /// A_(n, n) and A_(n, next) of every local node n with the next one on its line; 9 numbers by rows.
+  std::span<const double> diagonal() const { return diagonal_; }
+  std::span<const double> ahead() const { return ahead_; }
 
  private:
+  const CoupledSystem& system_;
   const LocalMesh& mesh_;
   std::vector<int> next_;  // local node after every local node on its line; −1 at ends and where this rank does not have it
-  std::vector<double> ahead_;
+  std::vector<double> diagonal_, ahead_;
 };
+
+/// The element matrices that a preconditioner in this precision is made of.
+inline Matrices matrices_of(Precision precision) { return precision == Precision::single ? Matrices::mean : Matrices::augmented; }
 
 /// Inverses of the displacement block's parts on lines of nodes, block tridiagonal with 3×3 blocks, and on rigid bodies. A line
 /// whose part is not positive definite falls back to its nodes' blocks, so that the result is symmetric positive.
 class LineJacobi final : public Preconditioner {
  public:
-  /// Collective.
-  LineJacobi(const CoupledSystem& system, const Lines& lines);
-  /// With the couplings that LineCouplings summed. Collective.
-  LineJacobi(const CoupledSystem& system, const Lines& lines, const std::vector<double>& couplings);
+  /// In single precision of what smoothers apply. Collective.
+  LineJacobi(const CoupledSystem& system, const Lines& lines, Precision precision = Precision::full);
+  /// Of complete blocks.
+  LineJacobi(const CoupledSystem& system, const Lines& lines, const LineBlocks& blocks);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
-  /// The nodes' part, in place; four numbers per owned node, the last one unused.
-  void apply_nodal(std::span<double> v) const { solve(v.data(), v.data(), 4); }
+  /// The nodes' part, in place, on owned nodes.
+  void apply(std::span<NodeSingle> v) const;
+  /// One step of a Chebyshev polynomial on owned nodes, with an application's forces z = A d, which become zero:
+  ///     r −= z,   d ← keep d + add D⁻¹ r,   x += d
+  void step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d, std::span<NodeSingle> x) const;
+  const BodyBlocks& bodies() const { return bodies_; }
   int count() const { return lines_.count(); }
   /// Of one line.
   std::span<const int> nodes(int line) const { return std::span(lines_.nodes).subspan(lines_.start[line], lines_.start[line + 1] - lines_.start[line]); }
@@ -48,9 +60,10 @@ class LineJacobi final : public Preconditioner {
   std::size_t bytes() const override;
 
  private:
-  bool factorise(int line, const std::vector<double>& diagonal, const std::vector<double>& ahead);
-  void factorise_nodes(int line, const std::vector<double>& diagonal);
-  void solve(const double* x, double* y, int stride) const;
+  bool factorise(int line, const LineBlocks& blocks);
+  void factorise_nodes(int line, const LineBlocks& blocks);
+  template <class Number>
+  void solve(int line, Number* y, int stride) const;
 
   int size_;
   const Lines& lines_;
@@ -58,6 +71,8 @@ class LineJacobi final : public Preconditioner {
   std::vector<std::array<float, 6>> inverse_;
   std::vector<std::array<float, 9>> lower_;
   BodyBlocks bodies_;
+  std::size_t longest_ = 0;  // nodes of a line
+  mutable std::vector<NodeSingle> on_line_;
 };
 
 }  // namespace bulbus

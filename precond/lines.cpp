@@ -62,7 +62,7 @@ std::vector<double> thirds(const std::vector<Edge>& edges, int owned) {
 }
 
 bool share_hexahedron(const LocalMesh& mesh, const Corners& corners, int a, int b) {
-  return std::ranges::any_of(corners.at(a), [&](const auto& c) { return std::ranges::find(mesh.hexes[c.hex], b) != mesh.hexes[c.hex].end(); });
+  return std::ranges::any_of(corners.at(a), [&](const auto& c) { return std::ranges::find(mesh.hexes[c.hex()], b) != mesh.hexes[c.hex()].end(); });
 }
 
 int root(std::vector<int>& parent, int n) {

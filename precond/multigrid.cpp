@@ -37,33 +37,29 @@ Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, 
     : fine(fine),
       coarse(coarse),
       P(std::move(given)),
-      block(fine, smoothing),
-      jacobi(fine, lines),
-      smoother(block, jacobi, settings.degree, settings.smoothed_part, fine.problem().comm()),
-      residual(fine.layout().primal()),
+      block(fine),
+      jacobi(fine, lines, smoothing),
+      smoother(make_smoother(fine, jacobi, settings, smoothing)),
       correction(fine.layout().primal()),
       coarse_residual(coarse.layout().primal()),
       coarse_correction(coarse.layout().primal()),
-      nodal(fine.state().x.size()),
       coarse_nodal(coarse.state().x.size()) {}
 
-// Tᵀ Pᵀ (b − A x) without held directions; bodies are the same on both levels.
-void Multigrid::Level::restrict_residual(std::span<const double> b, std::span<const double> x) {
-  block.apply(x, residual);
-  for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = b[i] - residual[i];
-  std::copy_n(residual.begin(), fine.layout().nodal, nodal.begin());
+// Tᵀ Pᵀ r without held directions, r: what `correction` holds; bodies are the same on both levels.
+void Multigrid::Level::restrict_residual() {
+  const auto nodal = std::span(correction).first(fine.layout().nodal);
   fine.problem().dofs().project(nodal);
   P.apply_transposed(nodal, coarse_nodal);
   coarse.problem().dofs().reduce(coarse.state(), coarse_nodal, coarse_residual);
-  for (int i = 0; i < fine.layout().bodies; ++i) coarse_residual[coarse.layout().nodal + i] += residual[fine.layout().nodal + i];
+  for (int i = 0; i < fine.layout().bodies; ++i) coarse_residual[coarse.layout().nodal + i] += correction[fine.layout().nodal + i];
 }
 
-void Multigrid::Level::add_prolonged(std::span<double> x) {
+void Multigrid::Level::prolong() {
   coarse.problem().dofs().expand(coarse.state(), coarse_correction, coarse_nodal);
+  const auto nodal = std::span(correction).first(fine.layout().nodal);
   P.apply(coarse_nodal, nodal);
   fine.problem().dofs().project(nodal);
-  for (int i = 0; i < fine.layout().nodal; ++i) x[i] += nodal[i];
-  for (int i = 0; i < fine.layout().bodies; ++i) x[fine.layout().nodal + i] += coarse_correction[coarse.layout().nodal + i];
+  for (int i = 0; i < fine.layout().bodies; ++i) correction[fine.layout().nodal + i] = coarse_correction[coarse.layout().nodal + i];
 }
 
 // The cycle from a level on, as a preconditioner of its block.
@@ -82,22 +78,22 @@ class Multigrid::From final : public Preconditioner {
 void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<double> x) const {
   if (number == levels_.size()) return base_->apply(b, x);
   Level& level = *levels_[number];
-  level.smoother.apply(b, x);
-  level.restrict_residual(b, x);
+  level.smoother->before(b, x, level.correction);
+  level.restrict_residual();
   cycle(number + 1, level.coarse_residual, level.coarse_correction);
   if (number + 1 < levels_.size() && visits_ > 1) {
     std::vector<double> residual(level.coarse_residual.size()), correction(residual.size());
     correct(levels_[number + 1]->block, From(*this, number + 1), level.coarse_residual, level.coarse_correction, residual, correction);
   }
-  level.add_prolonged(x);
-  correct(level.block, level.smoother, b, x, level.residual, level.correction);
+  level.prolong();
+  level.smoother->after(level.correction, x);
 }
 
 std::size_t Multigrid::bytes() const {
   std::size_t total = base_->bytes() + coarse_bytes_;
   for (const auto& l : levels_)
-    total += l->jacobi.bytes() + l->smoother.bytes() + bytes_of(l->residual) + bytes_of(l->correction) + bytes_of(l->coarse_residual) +
-             bytes_of(l->coarse_correction) + bytes_of(l->nodal) + bytes_of(l->coarse_nodal) + l->P.bytes() + l->fine.problem().prolongation().bytes();
+    total += l->jacobi.bytes() + l->smoother->bytes() + bytes_of(l->correction) + bytes_of(l->coarse_residual) +
+             bytes_of(l->coarse_correction) + bytes_of(l->coarse_nodal) + l->P.bytes() + l->fine.problem().prolongation().bytes();
   return total;
 }
 

@@ -5,10 +5,10 @@
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/mumps.hpp"
 #include "core/solve/settings.hpp"
-#include "precond/chebyshev.hpp"
 #include "precond/displacement.hpp"
 #include "precond/line_jacobi.hpp"
 #include "precond/projected_term.hpp"
+#include "precond/smoother.hpp"
 
 namespace bulbus {
 
@@ -46,7 +46,7 @@ class Multigrid final : public Preconditioner {
   int size() const override { return levels_.front()->block.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
   bool fixed() const override { return true; }
-  bool follow() override { return levels_.front()->smoother.follow(); }
+  bool follow() override { return levels_.front()->smoother->follow(); }
   std::string fault() const override { return base_->fault(); }
   std::size_t bytes() const override;
   /// Of the finest level.
@@ -56,16 +56,16 @@ class Multigrid final : public Preconditioner {
   struct Level {
     Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation P, const Lines& lines, const MultigridSettings& settings,
           Precision smoothing);
-    void restrict_residual(std::span<const double> b, std::span<const double> x);
-    void add_prolonged(std::span<double> x);
+    void restrict_residual();
+    void prolong();
 
     const CoupledSystem& fine;
     const CoupledSystem& coarse;
     Interpolation P;
     DisplacementBlock block;
     LineJacobi jacobi;
-    Chebyshev smoother;
-    std::vector<double> residual, correction, coarse_residual, coarse_correction, nodal, coarse_nodal;
+    std::unique_ptr<Smoother> smoother;
+    std::vector<double> correction, coarse_residual, coarse_correction, coarse_nodal;
   };
   class From;
   void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;

@@ -11,17 +11,28 @@ long long key(int row, int column) { return (static_cast<long long>(row) << 32) 
 
 }  // namespace
 
-PatternMatrix::Assembly::Assembly(const Problem& problem, const LinePressureStiffness& K, PatternMatrix& to)
-    : problem_(problem), K_(K), to_(to), count_(to.patterns_.count()), coarser_(to.patterns_.coarser()), corners_(problem.mesh().hexes, problem.mesh().nodes()) {
+PatternMatrix::Assembly::Assembly(const Problem& problem, PatternMatrix& to)
+    : problem_(problem),
+      to_(to),
+      count_(to.patterns_.count()),
+      coarser_(to.patterns_.coarser()),
+      corners_(problem.mesh().hexes, problem.mesh().nodes()),
+      constraints_(problem.mesh().hexes.size()) {
+  problem.solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = 3 * (std::ranges::find(nodes, problem.mesh().hexes[hex][corner]) - nodes.begin());
+      for (int i = 0; i < 3; ++i) constraints_[hex][3 * corner + i] = static_cast<float>(b[at + i]);
+    }
+  });
   exchange();
 }
 
 // use(coarser hexahedron, force) of every hexahedron around a node; force() makes the force on it
 template <class Use>
 void PatternMatrix::Assembly::visit(int node, Use use) const {
-  for (const auto& [hex, corner] : corners_.at(node))
-    if (const int coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
-      use(coarser, [&] { return Force(K_.constraint(hex, corner) * to_.patterns_.row(hex)); });
+  for (const auto c : corners_.at(node))
+    if (const int hex = c.hex(), coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
+      use(coarser, [&] { return Force(Eigen::Vector3f::Map(&constraints_[hex][3 * c.corner()]) * to_.patterns_.row(hex)); });
   for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node); f != foreign_.end() && f->node == node; ++f)
     use(f->coarse, [&]() -> const Force& { return f->force; });
 }

@@ -10,7 +10,7 @@ namespace bulbus {
 class PatternMatrix::Assembly {
  public:
   /// Tells the owners of nodes what hexahedra of this rank do to them; coarser hexahedra of other ranks become ghosts. Collective.
-  Assembly(const Problem& problem, const LinePressureStiffness& K, PatternMatrix& to);
+  Assembly(const Problem& problem, PatternMatrix& to);
   /// All lines. A first pass finds what they couple, so that no block is ever moved.
   void add_lines(const LineJacobi& lines);
   /// Of this rank, and ghosts.
@@ -34,10 +34,10 @@ class PatternMatrix::Assembly {
   void hold(int node, Eigen::Index row);
 
   const Problem& problem_;
-  const LinePressureStiffness& K_;
   PatternMatrix& to_;
   int count_, coarser_;  // patterns, coarser hexahedra
   Corners corners_;
+  std::vector<std::array<float, 24>> constraints_;  // of every hexahedron: ∂V_e/∂u at its corners
   std::vector<NodeForce> foreign_;    // of other ranks' hexahedra, by nodes
   std::unordered_map<long long, std::size_t> at_;  // of a pair
   std::vector<int> columns_;          // coarser hexahedra that act on a line

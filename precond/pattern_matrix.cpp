@@ -8,9 +8,8 @@
 
 namespace bulbus {
 
-PatternMatrix::PatternMatrix(const Problem& problem, const Patterns& patterns, const LinePressureStiffness& K, const LineJacobi& lines)
-    : patterns_(patterns) {
-  Assembly assembly(problem, K, *this);
+PatternMatrix::PatternMatrix(const Problem& problem, const Patterns& patterns, const LineJacobi& lines) : patterns_(patterns) {
+  Assembly assembly(problem, *this);
   assembly.add_lines(lines);
   in_.resize(patterns.count() * assembly.coarser());
   out_.resize(in_.size());

@@ -13,7 +13,7 @@ namespace bulbus {
 class PatternMatrix final : public LinearOperator {
  public:
   /// Collective. Nothing but `patterns` has to outlive it.
-  PatternMatrix(const Problem& problem, const Patterns& patterns, const LinePressureStiffness& K, const LineJacobi& lines);
+  PatternMatrix(const Problem& problem, const Patterns& patterns, const LineJacobi& lines);
   int size() const override { return patterns_.size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;

@@ -13,11 +13,10 @@ PressureSchur::PressureSchur(const CoupledSystem& system, const LineJacobi* line
 void PressureSchur::strengthen() {
   if (!holds_back()) return;
   const int refinements = system_.problem().mesh().refinements;
-  K_ = std::make_unique<const LinePressureStiffness>(system_, *lines_);
+  if (refinements != 1) K_ = std::make_unique<const LinePressureStiffness>(system_, *lines_);
   if (refinements == 0) weak_.push_back(rough_part(system_, *K_, settings_.degree));
   if (refinements > 1) weak_.push_back(fine_patterns_part(system_, *K_, settings_.degree));
-  if (refinements > 0) weak_.push_back(coarse_patterns_part(system_, *K_, *lines_, refinements > 1 ? 0 : settings_.degree));
-  if (refinements == 1) K_.reset();
+  if (refinements > 0) weak_.push_back(coarse_patterns_part(system_, *lines_, refinements > 1 ? 0 : settings_.degree));
 }
 
 void PressureSchur::apply(std::span<const double> r, std::span<double> z) const {

@@ -77,7 +77,7 @@ RigidModes rigid_modes(const CoupledSystem& system, const Aggregates& groups) {
   const auto places = places_of(system, groups);
   auto bases = grams(system, groups, places);
   for (Square& b : bases) b = basis(b);
-  RigidModes modes{std::vector<Modes>(groups.of.size()), {}};
+  RigidModes modes{std::vector<NodeModes>(groups.of.size()), {}};
   for (std::size_t n = 0; n < groups.of.size(); ++n)
     if (const int a = groups.of[n]; a >= 0) {
       const Plain m = plain_modes(system, static_cast<int>(n), places[a]) * bases[a];

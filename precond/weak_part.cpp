@@ -129,12 +129,12 @@ std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const 
       [&](const Patterns& P, const PatternProduct&) { return Diagonal(inverse_diagonal(system, P)); });
 }
 
-std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, const LineJacobi& lines, int degree) {
+std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree) {
   const Problem& problem = system.problem();
   const int refinements = std::min(2, problem.mesh().refinements);
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
   return std::make_unique<OnPatterns<PatternMatrix, PatternJacobi>>(
-      problem, refinements, degree > 0 ? degree : degree_for(hexes, refinements > 1 ? 3 : 2), [&](const Patterns& P) { return PatternMatrix(problem, P, K, lines); },
+      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2), [&](const Patterns& P) { return PatternMatrix(problem, P, lines); },
       [](const Patterns&, const PatternMatrix& matrix) { return PatternJacobi(matrix); });
 }
 

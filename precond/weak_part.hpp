@@ -39,8 +39,8 @@ std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LinePres
 /// Degree 0: 16. Collective.
 std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree);
 
-/// P q(Pᵀ K P) Pᵀ with the matrix of the chessboards of hexahedra that were split once or, where there are such, twice. Keeps nothing of K or
+/// P q(Pᵀ K P) Pᵀ with the matrix of the chessboards of hexahedra that were split once or, where there are such, twice. Keeps nothing of
 /// lines. Degree 0: from the mesh. Collective.
-std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, const LineJacobi& lines, int degree);
+std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree);
 
 }  // namespace bulbus

@@ -31,9 +31,10 @@ std::size_t machine_bytes() {
 }
 
 void* large_pages(std::size_t bytes) {
-  constexpr std::size_t page = std::size_t{2} << 20;
-  const bool large = bytes >= 4 * page;  // smaller ones would waste too much of the last page
-  void* p = large ? std::aligned_alloc(page, (bytes + page - 1) / page * page) : std::malloc(bytes);
+  constexpr std::size_t huge = std::size_t{2} << 20, line = 64;
+  const bool large = bytes >= 4 * huge;  // smaller ones would waste too much of the last page
+  const std::size_t page = large ? huge : line;
+  void* p = std::aligned_alloc(page, (bytes + page - 1) / page * page);
   if (!p && bytes > 0) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
   if (large) madvise(p, bytes, MADV_HUGEPAGE);

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <type_traits>
 
 namespace bulbus {
@@ -36,6 +37,10 @@ using SingleVector = float __attribute__((vector_size(2 * lanes * sizeof(float))
 using Pack = PackOf<DoubleVector>;
 /// Two packs side by side in single precision: the same registers for twice the elements.
 using SinglePack = PackOf<SingleVector>;
+
+/// x, y and z of a node in single precision, loaded at once, and a number that nobody reads.
+using NodeSingle = float __attribute__((vector_size(4 * sizeof(float))));
+inline std::span<float> numbers(std::span<NodeSingle> v) { return {reinterpret_cast<float*>(v.data()), 4 * v.size()}; }
 
 inline Pack load(const double* p) {
   Pack::Vector v;

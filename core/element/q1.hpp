@@ -159,6 +159,27 @@ Modes<T> volume_gradient(const Modes<T>& x) {
   return b;
 }
 
+/// Change of volume_gradient(x) with x, in the direction dx.
+template <class T>
+Modes<T> volume_gradient_change(const Modes<T>& x, const Modes<T>& dx) {
+  Modes<T> b;
+  for (int d = 0; d < 3; ++d) {
+    const int e = (d + 1) % 3, f = (d + 2) % 3;
+    const auto both = [](const Vec3<T>& da, const Vec3<T>& bb, const Vec3<T>& aa, const Vec3<T>& db) {  // δa × b + a × δb
+      const Vec3<T> p = cross(da, bb), q = cross(aa, db);
+      return Vec3<T>{p[0] + q[0], p[1] + q[1], p[2] + q[2]};
+    };
+    const Vec3<T> area = both(dx.linear[e], x.linear[f], x.linear[e], dx.linear[f]), bend = both(dx.twist[e], x.twist[f], x.twist[e], dx.twist[f]);
+    const Vec3<T> one = both(dx.twist[f], x.linear[e], x.twist[f], dx.linear[e]), other = both(dx.linear[f], x.twist[e], x.linear[f], dx.twist[e]);
+    for (int c = 0; c < 3; ++c) {
+      b.linear[d][c] = 8. * area[c] - (8. / 3) * bend[c];
+      b.twist[d][c] = (8. / 3) * (one[c] + other[c]);
+    }
+  }
+  b.warp = {T(0.), T(0.), T(0.)};
+  return b;
+}
+
 /// Σ of linear and twisting coefficients; a volume does not feel warping.
 template <class T>
 T volume_change(const Modes<T>& b, const Modes<T>& dx) {

@@ -80,6 +80,7 @@ void Solid::linearize(std::span<const double> x, std::span<const double> lambda,
   gamma_ = gamma;
   source_ = source;
   single_.x.clear();
+  single_.tangents.clear();
   update_moduli();
   if (source == StrainSource::cache) fill_cache();
   else decltype(cache_)().swap(cache_);
@@ -160,9 +161,9 @@ void Solid::volume_change(std::span<const double> dx, std::span<double> volume_c
 }
 
 std::size_t Solid::bytes() const {
-  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) + single_.bytes();
+  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) + bytes_of(single_.x);
 }
 
-std::size_t Solid::cache_bytes() const { return bytes_of(cache_); }
+std::size_t Solid::cache_bytes() const { return bytes_of(cache_) + bytes_of(single_.tangents); }
 
 }  // namespace bulbus

@@ -5,6 +5,7 @@
 
 #include "core/base/memory.hpp"
 #include "core/element/contribution.hpp"
+#include "core/element/mean_tangent.hpp"
 #include "core/element/packing.hpp"
 #include "core/material/material.hpp"
 #include "core/mesh/mesh.hpp"
@@ -59,10 +60,12 @@ class Solid {
   /// not written.
   void apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
              std::span<double> volume_change) const;
-  /// The same without dlambda in single precision where the strain is cached: for smoothers. Good to 1e-6 or so of the strain's part;
-  /// a translation on top of it costs floats accuracy, doubles none.
-  void apply_single(std::span<const float> dx, std::span<float> force) const;
-  void apply_single(std::span<const double> dx, std::span<double> force) const;
+  /// force += (K + γ b W bᵀ) dx in single precision and with the mean of K over every hexahedron (see MeanTangent): for smoothers. A node
+  /// each; a translation on top of the strain costs floats accuracy.
+  void apply_single(std::span<const NodeSingle> dx, std::span<NodeSingle> force) const;
+  /// force += b dlambda and volume_change = bᵀ dx in single precision.
+  void apply_pressure_single(std::span<const double> dlambda, std::span<NodeSingle> force) const;
+  void volume_change_single(std::span<const NodeSingle> dx, std::span<double> volume_change) const;
   /// volume_change = bᵀ dx.
   void volume_change(std::span<const double> dx, std::span<double> volume_change) const;
   /// force += b dlambda.
@@ -75,6 +78,8 @@ class Solid {
 
   /// Element matrices of the linearised state, augmentation included where `augmented`.
   void visit(const ContributionVisitor& visitor, bool augmented) const;
+  /// The matrices that apply_single() stands for, augmentation included, in a fifth of the time.
+  void visit_mean(const ContributionVisitor& visitor) const;
   /// b_e = ∂V_e/∂u of every hexahedron: 8 local nodes, 24 numbers.
   void visit_constraints(const std::function<void(int hex, std::span<const int> nodes, std::span<const double> b)>&) const;
 
@@ -98,6 +103,10 @@ class Solid {
   }
   void update_moduli();
   void fill_cache();
+  void round_places() const;
+  void fill_tangents() const;
+  template <class Body>
+  void for_each_pair(Body body) const;
 
   std::vector<double> X_;
   std::vector<SolidRegion> regions_;
@@ -106,11 +115,9 @@ class Solid {
   std::vector<int> rigid_;
   std::vector<float, LargePages<float>> cache_;
   std::span<const double> x_, lambda_;
-  struct Single {
-    std::vector<float> x;  // of the linearised state, empty until it is asked for
-    std::vector<float> dx, force;
-    std::vector<double> wide, wide_force;
-    std::size_t bytes() const { return bytes_of(x) + bytes_of(dx) + bytes_of(force) + bytes_of(wide) + bytes_of(wide_force); }
+  struct Single {  // of the linearised state, empty until it is asked for
+    std::vector<NodeSingle> x;
+    std::vector<SingleTangent, LargePages<SingleTangent>> tangents;
   };
   mutable Single single_;
   double gamma_ = 0;

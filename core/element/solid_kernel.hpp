@@ -1,6 +1,6 @@
 #pragma once
 #include "core/base/pack.hpp"
-#include "core/element/q1.hpp"
+#include "core/element/mean_tangent.hpp"
 
 namespace bulbus {
 
@@ -103,6 +103,37 @@ NodalVectors<P> tangent_action(const Material& material, const Strain& strain, c
   Modes<P> force = transposed_gradient(flux);
   add_pressure(b, P(dlambda + penalty * theta), force);
   return nodal(force);
+}
+
+/// The part of the pressure that a mean tangent may take in.
+inline Pack tame(const Pack& lambda, const Pack& shear_modulus) {
+  Pack part;
+  for (int l = 0; l < lanes; ++l) part.v[l] = std::abs(lambda[l]) <= 10 * shear_modulus[l] ? lambda[l] : 0;
+  return part;
+}
+
+/// The mean tangent of a pack.
+template <class Material>
+MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient<Pack>& x, const ReferenceGradient<Pack>& X, const Pack& lambda) {
+  MeanTangent<Pack> C{};
+  for_each_gauss_point([&](int i, int j, int k) {
+    const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
+    const Pack det = determinant(a, cof), inverse = 1.0 / det;
+    const PointStrain<Pack> s = point_strain(a, det, X.at(i, j, k));
+    const Pack weight = s.dV0 * inverse * inverse, pressure = lambda * inverse;
+    for (int f = 0; f < 3; ++f) {
+      const int e = (f + 2) % 3, d = (f + 1) % 3;  // (d, e, f) is cyclic
+      for (int c = 0; c < 3; ++c) {
+        Mat3<Pack> l{};
+        for (int q = 0; q < 3; ++q) l(c, q) = cof(q, f);
+        const Mat3<Pack> t = material.tangent(s.b, l, weight, pressure);
+        const auto row = [&](int r, int along) { return t(r, 0) * cof(0, along) + t(r, 1) * cof(1, along) + t(r, 2) * cof(2, along); };
+        for (int r = 0; r <= c; ++r) C.along[f](r, c) += row(r, f);
+        for (int r = 0; r < 3; ++r) C.across[d](r, c) += row(r, e);
+      }
+    }
+  });
+  return C;
 }
 
 }  // namespace bulbus

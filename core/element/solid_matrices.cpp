@@ -51,7 +51,80 @@ std::array<int, 8> nodes_of_lane(const PackNodes<8>& pack, int lane) {
   return nodes;
 }
 
+// Means over the hexahedron of ∂N_a/∂ξ_d ∂N_b/∂ξ_e.
+struct MeanProducts {
+  double of[8][8][3][3] = {};
+  MeanProducts() {
+    for_each_gauss_point([&](int i, int j, int k) {
+      const auto g = reference_shape_gradient(i, j, k);
+      for (int a = 0; a < 8; ++a)
+        for (int b = 0; b < 8; ++b)
+          for (int d = 0; d < 3; ++d)
+            for (int e = 0; e < 3; ++e) of[a][b][d][e] += .125 * g[a][d] * g[b][e];
+    });
+  }
+};
+
+// λ ∂²V/∂x_m∂x_n = Σ λ/det (G_m ⊗ G_n − G_n ⊗ G_m) with G = cof(a) ∂N/∂ξ: the axial vectors, for m ≤ n.
+std::array<Vec3<Pack>, 64> volume_curvature(const ReferenceGradient<Pack>& x, const Pack& lambda) {
+  std::array<Vec3<Pack>, 64> w{};
+  for_each_gauss_point([&](int i, int j, int k) {
+    const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
+    const auto G = spatial_gradients(i, j, k, cof, Pack(1.));
+    const Pack weight = lambda / determinant(a, cof);
+    for (int m = 0; m < 8; ++m)
+      for (int n = m + 1; n < 8; ++n) {
+        const Vec3<Pack> both = cross(G[m], G[n]);
+        for (int c = 0; c < 3; ++c) w[8 * m + n][c] += weight * both[c];
+      }
+  });
+  return w;
+}
+
+// 3×3 block between two nodes.
+Mat3<Pack> block_between(const MeanTangent<Pack>& C, const double (&m)[3][3]) {
+  Mat3<Pack> K{};
+  for (int d = 0; d < 3; ++d) {
+    const int e = (d + 1) % 3, f = (d + 2) % 3;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) K(i, j) += m[d][d] * C.along[d](i, j) + m[e][f] * C.across[d](i, j) + m[f][e] * C.across[d](j, i);
+  }
+  return K;
+}
+
 }  // namespace
+
+void Solid::visit_mean(const ContributionVisitor& visitor) const {
+  static const MeanProducts products;
+  std::array<Pack, 24 * 24> K;
+  std::array<double, 24 * 24> lane;
+  for_each_pack([&](const auto& material, int p, int first) {
+    const auto& pack = packs_[p];
+    const auto x = gather(pack, x_);
+    const auto gx = reference_gradient(x);
+    const Pack lambda = load_some(lambda_, first, pack.used), taken = tame(lambda, load_some(mu_, first, pack.used));
+    const auto C = mean_tangent(material, gx, reference_gradient(gather<8>(pack, X_)), taken);
+    const auto w = volume_curvature(gx, lambda - taken);
+    const auto b = constraint(x);
+    const Pack penalty = load_some(penalty_, first, pack.used);
+    for (int m = 0; m < 8; ++m)
+      for (int n = m; n < 8; ++n) {
+        Mat3<Pack> block = block_between(C, products.of[m][n]);
+        for (int i = 0; i < 3; ++i) {
+          const int j = (i + 1) % 3, k = (i + 2) % 3;
+          block(i, j) += w[8 * m + n][k];
+          block(j, i) -= w[8 * m + n][k];
+        }
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) K[24 * (3 * m + i) + 3 * n + j] = block(i, j) + penalty * b[3 * m + i] * b[3 * n + j];
+      }
+    for (int l = 0; l < pack.used; ++l) {
+      for (int r = 0; r < 24; ++r)
+        for (int c = r; c < 24; ++c) lane[24 * r + c] = lane[24 * c + r] = K[24 * r + c][l];
+      visitor(nodes_of_lane(pack, l), lane);
+    }
+  });
+}
 
 void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
   std::vector<Pack> K(24 * 24);

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "core/element/mean_tangent.hpp"
 #include "core/element/single_packing.hpp"
 #include "core/element/solid.hpp"
 #include "core/element/solid_kernel.hpp"
@@ -7,64 +6,93 @@
 namespace bulbus {
 namespace {
 
-// The cache of two packs.
-struct PairedStrain {
-  const float *low, *high;
-  PointStrain<SinglePack> at(int i, int j, int k, const Mat3<SinglePack>&, const SinglePack&) const {
-    const int offset = (i + 2 * j + 4 * k) * cached_floats * lanes;
-    prefetch(low + 2 * pack_floats + offset, cached_floats * lanes);
-    prefetch(high + 2 * pack_floats + offset, cached_floats * lanes);
-    const auto value = [&](int c) {
-      FloatVector a, b;
-      std::memcpy(&a, low + offset + c * lanes, sizeof a);
-      std::memcpy(&b, high + offset + c * lanes, sizeof b);
-      return SinglePack(SingleVector(__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)));
-    };
-    PointStrain<SinglePack> s;
-    for (int c = 0; c < 6; ++c) s.b.v[c] = value(c);
-    s.dV0 = value(6);
-    return s;
-  }
-};
-
-}  // namespace
-
-void Solid::apply_single(std::span<const float> dx, std::span<float> force) const {
-  auto& s = single_;
-  if (source_ != StrainSource::cache) {
-    s.wide.assign(dx.begin(), dx.end());
-    s.wide_force.assign(dx.size(), 0);
-    apply(s.wide, {}, s.wide_force, {});
-    for (std::size_t i = 0; i < force.size(); ++i) force[i] += static_cast<float>(s.wide_force[i]);
-    return;
-  }
-  if (s.x.empty()) s.x.assign(x_.begin(), x_.end());
-  for (const SolidRegion& r : regions_) {
-    const int end = r.first_pack + r.packs;
-    const auto add_pairs = [&](const auto& material) __attribute__((flatten)) {
-      for (int p = r.first_pack; p < end; p += 2) {
-        const int other = std::min(p + 1, end - 1), first = r.first + (p - r.first_pack) * lanes;
-        const PackPair pair{packs_[p], packs_[other], packs_[p].used + (other > p ? packs_[other].used : 0)};
-        const PairedStrain strain{&cache_[static_cast<std::size_t>(p) * pack_floats], &cache_[static_cast<std::size_t>(other) * pack_floats]};
-        SinglePack theta;
-        scatter_add(pair, tangent_action(material, strain, gather(pair, s.x), gather(pair, dx), load_single(lambda_, first, pair.used),
-                                         SinglePack(0.), load_single(penalty_, first, pair.used), theta),
-                    force);
-      }
-    };
-    std::visit(add_pairs, r.material);
+// use(coefficient, in single precision) for all of a mean tangent
+template <class Use>
+void for_each_coefficient(const MeanTangent<Pack>& C, MeanTangent<SinglePack>& single, Use use) {
+  for (int d = 0; d < 3; ++d) {
+    for (int k = 0; k < 6; ++k) use(C.along[d].v[k], single.along[d].v[k]);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) use(C.across[d](i, j), single.across[d](i, j));
   }
 }
 
-// Relative to one node: a translation must not drown the strain in rounding.
-void Solid::apply_single(std::span<const double> dx, std::span<double> force) const {
-  auto& s = single_;
-  s.dx.resize(dx.size());
-  for (std::size_t i = 0; i < dx.size(); i += 3)
-    for (std::size_t c = 0; c < 3; ++c) s.dx[i + c] = static_cast<float>(dx[i + c] - dx[c]);
-  s.force.assign(dx.size(), 0);
-  apply_single(s.dx, s.force);
-  for (std::size_t i = 0; i < force.size(); ++i) force[i] += s.force[i];
+__attribute__((flatten)) void add_action(const PackPair& pair, const SingleTangent& tangent, std::span<const NodeSingle> x, std::span<const NodeSingle> dx,
+                                         std::span<NodeSingle> force) {
+  const Modes<SinglePack> change = modes(gather(pair, dx)), place = modes(gather(pair, x)), b = volume_gradient(place);
+  Modes<SinglePack> f = action(tangent.C, change);
+  if (tangent.curved) add_pressure(volume_gradient_change(place, change), tangent.lambda, f);
+  add_pressure(b, tangent.penalty * volume_change(b, change), f);
+  scatter_add(pair, nodal(f), force);
+}
+
+}  // namespace
+
+void Solid::round_places() const {
+  if (!single_.x.empty()) return;
+  single_.x.resize(x_.size() / 3);
+  for (std::size_t n = 0; n < single_.x.size(); ++n)
+    for (int c = 0; c < 3; ++c) single_.x[n][c] = static_cast<float>(x_[3 * n + c]);
+}
+
+void Solid::fill_tangents() const {
+  std::size_t pairs = 0;
+  for (const SolidRegion& r : regions_) pairs += (r.packs + 1) / 2;
+  single_.tangents.clear();
+  single_.tangents.reserve(pairs);
+  for (const SolidRegion& r : regions_) {
+    const auto store_all = [&](const auto& material) {
+      for (int p = 0; p < r.packs; ++p) {
+        const PackNodes<8>& pack = packs_[r.first_pack + p];
+        const int first = r.first + p * lanes, half = p % 2 * lanes;
+        const Pack lambda = load_some(lambda_, first, pack.used), taken = tame(lambda, load_some(mu_, first, pack.used)), rest = lambda - taken;
+        const auto C = mean_tangent(material, reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)), taken);
+        if (half == 0) single_.tangents.push_back({});
+        SingleTangent& to = single_.tangents.back();
+        const auto put = [&](const Pack& from, SinglePack& single) { store(from, reinterpret_cast<float*>(&single.v) + half); };
+        for_each_coefficient(C, to.C, put);
+        put(rest, to.lambda);
+        for (int l = 0; l < lanes; ++l) to.curved |= rest[l] != 0;
+        put(load_some(penalty_, first, pack.used), to.penalty);
+      }
+    };
+    std::visit(store_all, r.material);
+  }
+}
+
+// body(pair, its first hexahedron)
+template <class Body>
+void Solid::for_each_pair(Body body) const {
+  for (const SolidRegion& r : regions_)
+    for (int p = 0; p < r.packs; p += 2) {
+      const PackNodes<8>&low = packs_[r.first_pack + p], &high = packs_[r.first_pack + std::min(p + 1, r.packs - 1)];
+      body(PackPair{low, high, p + 1 < r.packs ? lanes + high.used : low.used}, r.first + p * lanes);
+    }
+}
+
+void Solid::apply_single(std::span<const NodeSingle> dx, std::span<NodeSingle> force) const {
+  round_places();
+  if (single_.tangents.empty()) fill_tangents();
+  auto tangent = single_.tangents.begin();
+  for_each_pair([&](const PackPair& pair, int) { add_action(pair, *tangent++, single_.x, dx, force); });
+}
+
+void Solid::apply_pressure_single(std::span<const double> dlambda, std::span<NodeSingle> force) const {
+  round_places();
+  for_each_pair([&](const PackPair& pair, int first) __attribute__((flatten)) {
+    SinglePack p(0.);
+    for (int l = 0; l < pair.used; ++l) p.v[l] = static_cast<float>(dlambda[first + l]);
+    Modes<SinglePack> f{};
+    add_pressure(volume_gradient(modes(gather(pair, single_.x))), p, f);
+    scatter_add(pair, nodal(f), force);
+  });
+}
+
+void Solid::volume_change_single(std::span<const NodeSingle> dx, std::span<double> volume_change) const {
+  round_places();
+  for_each_pair([&](const PackPair& pair, int first) __attribute__((flatten)) {
+    const SinglePack theta = bulbus::volume_change(volume_gradient(modes(gather(pair, single_.x))), modes(gather(pair, dx)));
+    for (int l = 0; l < pair.used; ++l) volume_change[first + l] = theta[l];
+  });
 }
 
 }  // namespace bulbus

@@ -11,7 +11,7 @@ Corners::Corners(std::span<const Hex> hexes, int nodes) : start_(nodes + 1) {
   std::vector<int> next(start_.begin(), start_.end() - 1);
   corners_.resize(start_.back());
   for (int h = 0; h < static_cast<int>(hexes.size()); ++h)
-    for (int c = 0; c < 8; ++c) corners_[next[hexes[h][c]]++] = {h, c};
+    for (int c = 0; c < 8; ++c) corners_[next[hexes[h][c]]++] = Corner(h, c);
 }
 
 }  // namespace bulbus

@@ -9,8 +9,15 @@ namespace bulbus {
 /// The hexahedra around every node, and which of their corners it is.
 class Corners {
  public:
-  struct Corner {
-    int hex, corner;
+  class Corner {
+   public:
+    Corner() = default;
+    Corner(int hex, int corner) : both_(8 * hex + corner) {}
+    int hex() const { return both_ / 8; }
+    int corner() const { return both_ % 8; }
+
+   private:
+    int both_;
   };
   Corners(std::span<const Hex> hexes, int nodes);
   /// Ascending by hexahedra.

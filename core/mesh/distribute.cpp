@@ -69,6 +69,22 @@ std::vector<Halo::Neighbour> neighbours(const std::vector<std::vector<int>>& gho
   return all;
 }
 
+// A rank's own nodes in the order in which its hexahedra meet them, region by region, so that neighbours lie together in memory; then those
+// that it has none around.
+std::vector<int> owned_nodes(const Mesh& mesh, std::span<const int> rank_of_hex, const std::vector<int>& owner, int me) {
+  std::vector<int> nodes;
+  std::vector<bool> met(owner.size());
+  const auto meet = [&](int n) {
+    if (owner[n] == me && !met[n]) nodes.push_back(n);
+    met[n] = true;
+  };
+  for (int region = 0; region < static_cast<int>(mesh.region_names.size()); ++region)
+    for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
+      if (mesh.region[h] == region && rank_of_hex[h] == me) std::ranges::for_each(mesh.hexes[h], meet);
+  for (int n = 0; n < static_cast<int>(owner.size()); ++n) meet(n);
+  return nodes;
+}
+
 // Global numbers: each rank's owned nodes in a run.
 void number_nodes(LocalMesh& m) {
   m.first_node = m.comm.offset(static_cast<long long>(m.owned));
@@ -186,9 +202,8 @@ LocalMesh distribute(const Mesh& mesh, const Labels& whole, const Comm& comm, co
   const auto owner = node_owners(mesh, whole.rank);
   const auto ghosts = ghosts_by_rank(mesh, whole.rank, owner, comm, shared);
 
-  std::vector<int> nodes, local(mesh.points.size(), -1);
-  for (int i = 0; i < static_cast<int>(mesh.points.size()); ++i)
-    if (owner[i] == me) nodes.push_back(i);
+  auto nodes = owned_nodes(mesh, whole.rank, owner, me);
+  std::vector<int> local(mesh.points.size(), -1);
   const int owned = static_cast<int>(nodes.size());
   nodes.insert(nodes.end(), ghosts[me].begin(), ghosts[me].end());
   for (std::size_t i = 0; i < nodes.size(); ++i) local[nodes[i]] = static_cast<int>(i);
@@ -203,6 +218,9 @@ LocalMesh distribute(const Mesh& mesh, const Labels& whole, const Comm& comm, co
     m.input_node.push_back(whole.node[n]);
     m.X.insert(m.X.end(), mesh.points[n].begin(), mesh.points[n].end());
   }
+  m.by_input.resize(nodes.size());
+  std::iota(m.by_input.begin(), m.by_input.end(), 0);
+  std::ranges::sort(m.by_input, {}, [&](int n) { return m.input_node[n]; });
   number_nodes(m);
   take_hexes(mesh, whole, local, m);
   take_surfaces(mesh, whole.rank, local, m);

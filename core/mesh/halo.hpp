@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/pack.hpp"
 #include "core/base/parallel.hpp"
 
 namespace bulbus {
@@ -21,6 +22,8 @@ class Halo {
   void update(std::span<double> v, int width = 3) const;
   /// Ghosts' values are added to the owners'; the ghosts' are left as they are. Collective.
   void fold(std::span<double> v, int width = 3) const;
+  void update(std::span<NodeSingle> v) const;
+  void fold(std::span<NodeSingle> v) const;
   const std::vector<Neighbour>& neighbours() const { return neighbours_; }
 
  private:

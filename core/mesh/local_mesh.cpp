@@ -7,11 +7,8 @@
 namespace bulbus {
 
 int LocalMesh::local(int mesh_node) const {
-  // input_node ascends within the owned nodes and within the ghosts
-  const auto middle = input_node.begin() + owned;
-  for (auto [first, last] : {std::pair{input_node.begin(), middle}, std::pair{middle, input_node.end()}})
-    if (auto at = std::lower_bound(first, last, mesh_node); at != last && *at == mesh_node) return static_cast<int>(at - input_node.begin());
-  return -1;
+  const auto at = std::ranges::lower_bound(by_input, mesh_node, {}, [&](int n) { return input_node[n]; });
+  return at != by_input.end() && input_node[*at] == mesh_node ? *at : -1;
 }
 
 std::vector<int> LocalMesh::local(std::span<const int> mesh_nodes) const {
@@ -28,7 +25,7 @@ const std::vector<int>* LocalMesh::nodes_of(const std::string& name) const {
 }
 
 std::size_t LocalMesh::bytes() const {
-  std::size_t total = bytes_of(X) + bytes_of(number) + bytes_of(input_node) + bytes_of(hexes) + bytes_of(input_hex);
+  std::size_t total = bytes_of(X) + bytes_of(number) + bytes_of(input_node) + bytes_of(by_input) + bytes_of(hexes) + bytes_of(input_hex);
   for (const auto& [name, faces] : surfaces) total += bytes_of(faces);
   for (const auto& [name, faces] : shared) total += bytes_of(faces);
   for (const auto& [name, group] : bars) total += bytes_of(group);

@@ -10,8 +10,8 @@
 
 namespace bulbus {
 
-/// One rank's part of a mesh. Local nodes: the owned ones first, then ghosts. Node numbers of the whole are renumbered so
-/// that each rank owns a run; hexahedra are sorted by region.
+/// One rank's part of a mesh. Local nodes: the owned ones first, as this rank's hexahedra meet them, then ghosts. Node numbers of the
+/// whole are renumbered so that each rank owns a run; hexahedra are sorted by region.
 struct LocalMesh {
   struct Run {
     int first = 0, count = 0;
@@ -22,6 +22,7 @@ struct LocalMesh {
   std::vector<double> X;           ///< 3 per local node, mm
   std::vector<long long> number;   ///< global number of a local node
   std::vector<int> input_node;     ///< its index in the Mesh
+  std::vector<int> by_input;       ///< local nodes in the order of the Mesh
   long long first_node = 0, all_nodes = 0;
   std::vector<Hex> hexes;          ///< local nodes
   std::vector<int> input_hex;      ///< index in the Mesh

@@ -111,13 +111,17 @@ bool DofMap::holds_direction(int node, const Vec3<double>& d) const {
 }
 
 void DofMap::project(std::span<double> v) const {
-  for (const Node& h : nodes_)
+  const int nodes = static_cast<int>(v.size() / 3);
+  for (const Node& h : nodes_) {
+    if (h.node >= nodes) continue;
     for (int k = 0; k < h.count; ++k) {
       const double along = dot(h.normal[k], at(v, h.node));
       for (int c = 0; c < 3; ++c) v[3 * h.node + c] -= along * h.normal[k][c];
     }
+  }
   for (const RigidBody& b : bodies_)
-    for (int n : b.nodes()) v[3 * n] = v[3 * n + 1] = v[3 * n + 2] = 0;
+    for (int n : b.nodes())
+      if (n < nodes) v[3 * n] = v[3 * n + 1] = v[3 * n + 2] = 0;
 }
 
 void DofMap::add_held(std::span<const double> x, std::span<const double> dx, double factor, std::span<double> y) const {
@@ -161,16 +165,7 @@ void DofMap::reduce(const State& state, std::span<const double> force, std::span
     if (mesh_.comm.rank() == 0) std::copy(q.begin(), q.end(), primal.end() - q.size());
   }
   std::copy_n(force.begin(), 3 * mesh_.owned, primal.begin());
-  for (const Node& h : nodes_) {
-    if (h.node >= mesh_.owned) continue;
-    for (int k = 0; k < h.count; ++k) {
-      const double along = dot(h.normal[k], at(primal, h.node));
-      for (int c = 0; c < 3; ++c) primal[3 * h.node + c] -= along * h.normal[k][c];
-    }
-  }
-  for (const RigidBody& b : bodies_)
-    for (int n : b.nodes())
-      if (n < mesh_.owned) primal[3 * n] = primal[3 * n + 1] = primal[3 * n + 2] = 0;
+  project(primal.first(3 * mesh_.owned));
 }
 
 double DofMap::defect(const State& state, double s, std::span<double> du) const {

@@ -42,7 +42,7 @@ class DofMap {
   int primal_size() const { return 3 * mesh_.owned + tail_size(); }
   int tail_size() const { return mesh_.comm.rank() == 0 ? 6 * static_cast<int>(bodies_.size()) : 0; }
 
-  /// Free directions only: v ← P v on all local nodes; nodes of bodies become zero.
+  /// Free directions only: v ← P v on all local nodes, or on the owned ones if v has no more; nodes of bodies become zero.
   void project(std::span<double> v) const;
   /// y += factor · (I − P) x on owned nodes, bodies' nodes included; `dx` is expand(x).
   void add_held(std::span<const double> x, std::span<const double> dx, double factor, std::span<double> y) const;

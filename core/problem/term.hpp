@@ -32,7 +32,7 @@ class Term {
   /// Loads follow the part s of the step done; freeze() keeps the end of the step for the next ones.
   virtual void set_progress(double) {}
   virtual void freeze() {}
-  /// What the term remembers follows the increments: kept when one has converged, dropped when it is cut.
+  /// What the term remembers follows the increments: kept when one has converged, what it was then when one is cut.
   virtual void commit(const State&) {}
   virtual void roll_back() {}
   /// All that the term has from increments before, but for what begin_step() and set_progress() make anew: for a checkpoint. Read

@@ -97,7 +97,7 @@ class Collector {
 template <class Number>
 void add_contributions(const CoupledSystem& system, bool augmented, Number number, Collector& out) {
   std::vector<int> rows;
-  visit_reduced(system.problem(), system.state(), augmented, [&](std::span<const int> d, std::span<const double> K) {
+  visit_reduced(system.problem(), system.state(), augmented ? Matrices::augmented : Matrices::plain, [&](std::span<const int> d, std::span<const double> K) {
     rows.clear();
     for (int i : d) rows.push_back(number(i));
     for (std::size_t i = 0; i < d.size(); ++i)

@@ -36,12 +36,9 @@ void CoupledSystem::linearize(const State& state, const Residual& r) {
   if (settings_.op == "assembled")
     assembled_ = std::make_unique<BlockCsr>(problem_.mesh().nodes(), [&](const ContributionVisitor& v) {
       problem_.solid().visit(v, true);
-      for (const auto& term : problem_.terms()) term->visit(v);
-      for (std::size_t i = 0; i < state.P.size(); ++i)
-        if (state.P[i] != 0) problem_.liquids()[i].surface().visit(state.x, -state.P[i], v);
+      visit_surface(problem_, state, v);
     });
   take_blocks();
-  take_scaling();
 }
 
 void CoupledSystem::take_liquid_columns() {
@@ -67,35 +64,36 @@ std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal)
   return flux;
 }
 
-// Forces on local nodes, folded, of a nodal increment. `volume` takes the changes of the hexahedra that have an equation; it may be empty.
-std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume,
-                                              Precision precision) const {
-  force_.assign(dx.size(), 0);
-  const Solid& solid = problem_.solid();
-  if (assembled_) {
-    assembled_->apply(dx, force_);
-    if (!dlambda.empty()) solid.apply_pressure(dlambda, force_);
-    if (!volume.empty()) solid.volume_change(dx, volume);
-  } else {
-    if (precision == Precision::single) solid.apply_single(dx, force_);
-    else solid.apply(dx, dlambda, force_, volume);
-    for (const auto& term : problem_.terms()) term->add_action(dx, force_);
-    for (std::size_t i = 0; i < state_->P.size(); ++i)
-      if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force_);
-  }
-  problem_.mesh().halo.fold(force_);
-  return force_;
+void CoupledSystem::add_surface_action(std::span<const double> dx, std::span<double> force) const {
+  for (const auto& term : problem_.terms()) term->add_action(dx, force);
+  for (std::size_t i = 0; i < state_->P.size(); ++i)
+    if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force);
 }
 
-// Spin rows of every body on rank 0; unknowns that symmetry holds are identity rows.
+// Forces on local nodes, folded, of a nodal increment. `volume` takes the changes of the hexahedra that have an equation; it may be empty.
+std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume) const {
+  auto& force = room_.force;
+  force.assign(dx.size(), 0);
+  const Solid& solid = problem_.solid();
+  if (assembled_) {
+    assembled_->apply(dx, force);
+    if (!dlambda.empty()) solid.apply_pressure(dlambda, force);
+    if (!volume.empty()) solid.volume_change(dx, volume);
+  } else {
+    solid.apply(dx, dlambda, force, volume);
+    add_surface_action(dx, force);
+  }
+  problem_.mesh().halo.fold(force);
+  return force;
+}
+
 void CoupledSystem::add_body_geometry(std::span<const double> x, std::span<double> y) const {
   if (layout_.bodies == 0) return;
   for (std::size_t b = 0; b < body_geometry_.size(); ++b) {
-    const std::size_t at = layout_.nodal + 6 * b;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) y[at + 3 + i] += body_geometry_[b](i, j) * x[at + 3 + j];
+      for (int j = 0; j < 3; ++j) y[6 * b + 3 + i] += body_geometry_[b](i, j) * x[6 * b + 3 + j];
     for (int i = 0; i < 6; ++i)
-      if (!problem_.dofs().bodies()[b].free()[i]) y[at + i] = held_scale_ * x[at + i];
+      if (!problem_.dofs().bodies()[b].free()[i]) y[6 * b + i] = held_scale_ * x[6 * b + i];
   }
 }
 
@@ -111,25 +109,27 @@ std::vector<CoupledSystem::Entry> CoupledSystem::body_extra() const {
   return extra;
 }
 
-void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y, Precision precision) const {
+void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y) const {
   const DofMap& dofs = problem_.dofs();
-  dx_.resize(state_->x.size());
-  dofs.expand(*state_, x, dx_);
-  dofs.reduce(*state_, nodal_action(dx_, {}, {}, precision), y);
-  dofs.add_held(x, dx_, held_scale_, y);
-  add_body_geometry(x, y);
+  auto& dx = room_.dx;
+  dx.resize(state_->x.size());
+  dofs.expand(*state_, x, dx);
+  dofs.reduce(*state_, nodal_action(dx, {}, {}), y);
+  dofs.add_held(x, dx, held_scale_, y);
+  add_body_geometry(x.subspan(layout_.nodal), y.subspan(layout_.nodal));
 }
 
 void CoupledSystem::apply(std::span<const double> x, std::span<double> y) const {
   const DofMap& dofs = problem_.dofs();
   const auto xu = layout_.primal(x), xl = layout_.lambda(x);
   const auto yu = layout_.primal(y), yl = layout_.lambda(y);
-  dx_.resize(state_->x.size());
-  dofs.expand(*state_, xu, dx_);
-  dofs.reduce(*state_, nodal_action(dx_, xl, yl), yu);
+  auto& dx = room_.dx;
+  dx.resize(state_->x.size());
+  dofs.expand(*state_, xu, dx);
+  dofs.reduce(*state_, nodal_action(dx, xl, yl), yu);
   for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
-  dofs.add_held(xu, dx_, held_scale_, yu);
-  add_body_geometry(xu, yu);
+  dofs.add_held(xu, dx, held_scale_, yu);
+  add_body_geometry(xu.subspan(layout_.nodal), yu.subspan(layout_.nodal));
   const std::size_t liquids = g_.size();
   if (liquids == 0) return;
   std::vector<double> dP(liquids);
@@ -188,12 +188,15 @@ std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<
 }
 
 void CoupledSystem::add_pressure_force(std::span<const double> lambda, double factor, std::span<double> primal) const {
-  force_.assign(state_->x.size(), 0);
-  problem_.solid().apply_pressure(lambda, force_);
-  problem_.mesh().halo.fold(force_);
-  projected_.resize(layout_.primal());
-  problem_.dofs().reduce(*state_, force_, projected_);
-  add_scaled(projected_, factor, primal);
+  auto& force = room_.force;
+  force.assign(state_->x.size(), 0);
+  problem_.solid().apply_pressure(lambda, force);
+  problem_.mesh().halo.fold(force);
+  auto& projected = room_.dx;
+  projected.resize(std::max<std::size_t>(force.size(), layout_.primal()));
+  const auto reduced = std::span(projected).first(layout_.primal());
+  problem_.dofs().reduce(*state_, force, reduced);
+  add_scaled(reduced, factor, primal);
 }
 
 double CoupledSystem::rigid_compliance(int hex) const {
@@ -208,35 +211,48 @@ std::vector<double> CoupledSystem::inverse_pressure_schur() const {
   return s;
 }
 
-void CoupledSystem::take_blocks() {
+// Of every node and body, without what holds add.
+std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>>& bodies) const {
   const LocalMesh& mesh = problem_.mesh();
-  const DofMap& dofs = problem_.dofs();
-  blocks_.assign(9 * static_cast<std::size_t>(mesh.nodes()), 0);
-  body_blocks_.assign(state_->bodies.size(), {});
-  visit_reduced(problem_, *state_, true, [&](std::span<const int> d, std::span<const double> K) {
+  std::vector<double> blocks(9 * static_cast<std::size_t>(mesh.nodes()));
+  bodies.assign(state_->bodies.size(), {});
+  visit_reduced(problem_, *state_, Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) {
     const std::size_t n = d.size();
     for (std::size_t i = 0; i < n;) {
       const bool nodal = d[i] < 3 * mesh.nodes();
       const int width = nodal ? 3 : 6;
-      double* block = nodal ? &blocks_[3 * static_cast<std::size_t>(d[i])] : body_blocks_[(d[i] - 3 * mesh.nodes()) / 6].data();
+      double* block = nodal ? &blocks[3 * static_cast<std::size_t>(d[i])] : bodies[(d[i] - 3 * mesh.nodes()) / 6].data();
       for (int r = 0; r < width; ++r)
         for (int c = 0; c < width; ++c) block[width * r + c] += K[(i + r) * n + i + c];
       i += width;
     }
   });
-  mesh.halo.fold(blocks_, 9);
-  blocks_.resize(9 * static_cast<std::size_t>(mesh.owned));
-  double sum = 0, count = 0;
-  for (int n = 0; n < mesh.owned; ++n)
-    if (!dofs.held(n)) sum += blocks_[9 * n] + blocks_[9 * n + 4] + blocks_[9 * n + 8], count += 3;
-  sum = problem_.comm().sum(sum), count = problem_.comm().sum(count);
-  held_scale_ = count > 0 && sum > 0 ? sum / count : 1;
-  for (int n = 0; n < mesh.owned; ++n)
+  mesh.halo.fold(blocks, 9);
+  blocks.resize(9 * static_cast<std::size_t>(mesh.owned));
+  return blocks;
+}
+
+std::vector<double> CoupledSystem::nodal_blocks() const {
+  std::vector<std::array<double, 36>> bodies;
+  auto blocks = sum_blocks(bodies);
+  const DofMap& dofs = problem_.dofs();
+  for (int n = 0; n < problem_.mesh().owned; ++n)
     if (dofs.held(n)) {
       const Mat3<double> P = dofs.projector(n);
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) blocks_[9 * n + 3 * i + j] += held_scale_ * ((i == j) - P(i, j));
+        for (int j = 0; j < 3; ++j) blocks[9 * n + 3 * i + j] += held_scale_ * ((i == j) - P(i, j));
     }
+  return blocks;
+}
+
+void CoupledSystem::take_blocks() {
+  const DofMap& dofs = problem_.dofs();
+  const auto blocks = sum_blocks(body_blocks_);
+  double sum = 0, count = 0;
+  for (int n = 0; n < problem_.mesh().owned; ++n)
+    if (!dofs.held(n)) sum += blocks[9 * n] + blocks[9 * n + 4] + blocks[9 * n + 8], count += 3;
+  sum = problem_.comm().sum(sum), count = problem_.comm().sum(count);
+  held_scale_ = count > 0 && sum > 0 ? sum / count : 1;
   for (std::size_t b = 0; b < body_blocks_.size(); ++b) {
     auto& K = body_blocks_[b];
     problem_.comm().sum(K);
@@ -245,14 +261,20 @@ void CoupledSystem::take_blocks() {
     for (int i = 0; i < 6; ++i)
       if (!dofs.bodies()[b].free()[i]) K[7 * i] = held_scale_;
   }
+  take_scaling(blocks);
 }
 
-void CoupledSystem::take_scaling() {
+void CoupledSystem::take_scaling(const std::vector<double>& blocks) {
   scaling_.assign(layout_.size(), 1);
   for (int n = 0; n < problem_.mesh().owned; ++n) {
-    const double* B = &blocks_[9 * n];
-    const double mean = (std::abs(B[0]) + std::abs(B[4]) + std::abs(B[8])) / 3;
-    for (int c = 0; c < 3; ++c) scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[4 * c]), 1e-3 * mean));
+    double B[3];
+    for (int c = 0; c < 3; ++c) B[c] = blocks[9 * n + 4 * c];
+    if (problem_.dofs().held(n)) {
+      const Mat3<double> P = problem_.dofs().projector(n);
+      for (int c = 0; c < 3; ++c) B[c] += held_scale_ * (1 - P(c, c));
+    }
+    const double mean = (std::abs(B[0]) + std::abs(B[1]) + std::abs(B[2])) / 3;
+    for (int c = 0; c < 3; ++c) scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[c]), 1e-3 * mean));
   }
   for (int i = 0; i < layout_.bodies; ++i)
     scaling_[layout_.nodal + i] = 1 / std::sqrt(std::max(std::abs(body_blocks_[i / 6][7 * (i % 6)]), 1e-300));
@@ -267,7 +289,7 @@ void CoupledSystem::take_scaling() {
 }
 
 std::size_t CoupledSystem::bytes() const {
-  std::size_t total = bytes_of(blocks_) + bytes_of(scaling_) + bytes_of(dx_) + bytes_of(force_) + bytes_of(projected_);
+  std::size_t total = bytes_of(scaling_) + bytes_of(room_.dx) + bytes_of(room_.force);
   for (const auto& g : g_) total += bytes_of(g);
   return total + (assembled_ ? assembled_->bytes() : 0);
 }

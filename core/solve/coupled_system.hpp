@@ -49,8 +49,17 @@ class CoupledSystem final : public LinearOperator {
   /// −residual − tangent · ū, for held increments ū still to be made (3 per local node), with the augmentation's part.
   std::vector<double> right_hand_side(const Residual& r, std::span<const double> held) const;
 
-  /// y = (K + γ B W Bᵀ) x on primal vectors, without the liquids' ω. In single precision the elements' part is good to 1e-6 or so.
-  void apply_displacement(std::span<const double> x, std::span<double> y, Precision precision = Precision::full) const;
+  /// y = (K + γ B W Bᵀ) x on primal vectors, without the liquids' ω.
+  void apply_displacement(std::span<const double> x, std::span<double> y) const;
+  /// force += what acts besides the solid: terms, and the liquids' pressures as followers. 3 numbers per local node.
+  void add_surface_action(std::span<const double> dx, std::span<double> force) const;
+  /// The bodies' part of a force += geometry; unknowns that symmetry holds are identity rows. 6 per body on rank 0.
+  void add_body_geometry(std::span<const double> x, std::span<double> y) const;
+  /// Two nodal vectors that keep nothing from one application to the next: 3 numbers per local node.
+  struct Room {
+    std::vector<double> dx, force;
+  };
+  Room& room() const { return room_; }
   /// primal += factor · B λ
   void add_pressure_force(std::span<const double> lambda, double factor, std::span<double> primal) const;
   /// g of each liquid in primal form (empty where its pressure is given).
@@ -71,8 +80,9 @@ class CoupledSystem final : public LinearOperator {
   std::vector<double> inverse_pressure_schur() const;
   /// V_e / ((1 + γ) μ_e): minus the diagonal of a rigid hexahedron's row, whose pressure stays as it is.
   double rigid_compliance(int hex) const;
-  /// 3×3 diagonal blocks of the displacement block, held directions on held_scale(); 9 per owned node.
-  const std::vector<double>& nodal_blocks() const { return blocks_; }
+  /// 3×3 diagonal blocks of the displacement block, held directions on held_scale(); 9 per owned node. Made anew by every call, of all
+  /// element matrices. Collective.
+  std::vector<double> nodal_blocks() const;
   /// 6×6 block of every body, the same on every rank.
   const std::vector<std::array<double, 36>>& body_blocks() const { return body_blocks_; }
   double held_scale() const { return held_scale_; }
@@ -90,25 +100,24 @@ class CoupledSystem final : public LinearOperator {
   std::size_t bytes() const;
 
  private:
-  std::span<double> nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume,
-                                 Precision precision = Precision::full) const;
+  std::span<double> nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume) const;
   void take_liquid_columns();
   std::vector<double> liquid_fluxes(std::span<const double> primal) const;
+  std::vector<double> sum_blocks(std::vector<std::array<double, 36>>& bodies) const;
   void take_blocks();
-  void take_scaling();
-  void add_body_geometry(std::span<const double> x, std::span<double> y) const;
+  void take_scaling(const std::vector<double>& blocks);
 
   Problem& problem_;
   LinearSettings settings_;
   Layout layout_;
   const State* state_ = nullptr;
   std::vector<std::vector<double>> g_;
-  std::vector<double> omega_, blocks_, scaling_;
+  std::vector<double> omega_, scaling_;
   std::vector<std::array<double, 36>> body_blocks_;
   std::vector<Mat3<double>> body_geometry_;
   double held_scale_ = 1;
   std::unique_ptr<BlockCsr> assembled_;
-  mutable std::vector<double> dx_, force_, projected_;
+  mutable Room room_;
 };
 
 }  // namespace bulbus

@@ -34,7 +34,7 @@ class DirectSolver final : public LinearSolver {
     return report;
   }
 
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double) override {
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double) override {
     const auto scope = meters_.clock.measure("linear solve");
     LinearReport report = so_far();
     report.ok = mumps_->solve(b, x);

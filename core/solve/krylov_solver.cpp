@@ -94,12 +94,11 @@ class KrylovSolver final : public LinearSolver {
     return {.ok = fault.empty(), .reason = fault};
   }
 
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
     const auto scope = meters_.clock.measure("linear solve");
     const auto& s = system.scaling();
-    std::vector<double> scaled(b.begin(), b.end());
-    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] *= s[i];
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] *= s[i];
     std::fill(x.begin(), x.end(), 0.0);
     std::vector<double> work(b.size());
     const Scaled A(system, work);
@@ -107,10 +106,10 @@ class KrylovSolver final : public LinearSolver {
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
     if (settings_.record_krylov)
-      observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, scaled, iterate)); };
-    const KrylovReport k = solve_in_stages(A, M, scaled, x, tolerance, system.problem().comm(), observer);
+      observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, b, iterate)); };
+    const KrylovReport k = solve_in_stages(A, M, b, x, tolerance, system.problem().comm(), observer);
     meters_.memory.set("Krylov basis", k.basis_bytes);
-    for (std::size_t i = 0; i < scaled.size(); ++i) x[i] *= s[i];
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] *= s[i];
     LinearReport r{.ok = k.converged, .reason = k.reason, .iterations = k.iterations, .reduction = k.initial > 0 ? k.final / k.initial : 0};
     r.history = k.history;
     r.blocks = std::move(blocks);

@@ -42,7 +42,7 @@ class LinearSolver {
   /// After CoupledSystem::linearize. May set the system's liquid augmentation, so right-hand sides come after it.
   virtual LinearReport prepare(CoupledSystem& system) = 0;
   /// Solution of system · x = b to the relative tolerance in the scaled norm.
-  virtual LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+  virtual LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
                              double tolerance) = 0;
   /// The next prepare keeps nothing of earlier linearisations.
   virtual void renew() {}

@@ -78,6 +78,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done, newton.reason,
                                     curable ? " (smallest increment reached)" : "");
         problem.set_progress(done, state);
+        for (const auto& term : problem.terms()) term->roll_back();
         observer.rests(place, state, true);
         return report;
       }

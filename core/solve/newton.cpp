@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace bulbus {
@@ -75,19 +76,19 @@ double guarded(const Problem& problem, const Step& step, State& state) {
   return 0;
 }
 
-// One linear solve to the tolerance that `tolerance` gives for a right-hand side. Where the preconditioner of an earlier linearisation
-// fails, it is done once more with a new one.
-template <class Tolerance>
-LinearReport solve(CoupledSystem& system, LinearSolver& solver, const Residual& r, std::span<const double> held, std::span<double> solution,
-                   Tolerance tolerance, int spent = 0) {
+// One linear solve to the tolerance that `tolerance` gives for the right-hand side that `make` makes. Where the preconditioner of an earlier
+// linearisation fails, it is done once more with a new one.
+template <class Make, class Tolerance>
+LinearReport solve(CoupledSystem& system, LinearSolver& solver, Make make, std::span<double> solution, Tolerance tolerance, int spent = 0) {
   LinearReport report = solver.prepare(system);
   if (!report.ok) return report;
-  const auto b = system.right_hand_side(r, held);
-  report = solver.solve(system, b, solution, tolerance(b));
+  std::vector<double> b = make();
+  const double enough = tolerance(b);
+  report = solver.solve(system, std::move(b), solution, enough);
   report.iterations += spent;
   if (!report.stale) return report;
   solver.renew();
-  return solve(system, solver, r, held, solution, tolerance, report.iterations);
+  return solve(system, solver, make, solution, tolerance, report.iterations);
 }
 
 }  // namespace
@@ -115,21 +116,37 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     report.reason = reason.empty() ? describe(outcome) : std::move(reason);
     return report;
   };
-  std::vector<double> held(state.x.size()), solution(system.size());
+  std::vector<double> held, solution(system.size());
   double size = 0;
   for (double v : problem.mesh().X) size = std::max(size, std::abs(v));
   const double held_tolerance = 1e-12 * problem.comm().max(size);
-  Residual r;
-  const auto balance = [&] {
+  std::optional<Residual> r;
+  const auto find_residual = [&] {
     const auto scope = meters.clock.measure("residual");
     r = problem.residual(state);
-    return report.balance = problem.balance(r);
+  };
+  const auto balance = [&] {
+    find_residual();
+    return report.balance = problem.balance(*r);
+  };
+  const auto find_held = [&] {
+    held.resize(state.x.size());
+    return problem.dofs().defect(state, progress, held);
+  };
+  // residual and held increments make room for the solver
+  const auto right_hand_side = [&] {
+    if (!r) find_residual();
+    find_held();
+    auto b = system.right_hand_side(*r, held);
+    r.reset();
+    std::vector<double>().swap(held);
+    return b;
   };
   int last = settings.max_iterations;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
     now.balance = balance();
-    now.held = problem.dofs().defect(state, progress, held);
+    now.held = find_held();
     if (!finite(now.balance)) return fail(Outcome::not_finite);
     double missing = excess(now.balance, settings);
     if (missing <= (problem.provisional() ? rough : 1) && now.held <= held_tolerance) {
@@ -144,9 +161,9 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     if (number == last) return fail(Outcome::too_many_iterations);
     {
       const auto scope = meters.clock.measure("linearisation");
-      system.linearize(state, r);
+      system.linearize(state, *r);
     }
-    now.linear = solve(system, solver, r, held, solution, [&](std::span<const double> b) {
+    now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
       if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
       return now.tolerance;
     });
@@ -161,6 +178,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     Step step{std::vector<double>(state.x.size()), layout.primal(std::span<const double>(solution)),
               layout.lambda(std::span<const double>(solution)), system.pressure_increments(solution)};
     problem.dofs().expand(state, step.primal, step.dx);
+    find_held();
     for (std::size_t i = 0; i < held.size(); ++i) step.dx[i] += held[i];
     now.step = guarded(problem, step, state);
     report.iterations.push_back(now);

@@ -52,7 +52,7 @@ Matrix transformation(const Problem& problem, const State& state, std::span<cons
 
 }  // namespace
 
-void visit_reduced(const Problem& problem, const State& state, bool augmented, const ReducedVisitor& visitor) {
+void visit_reduced(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor) {
   std::vector<int> dofs;
   const auto reduce = [&](std::span<const int> nodes, std::span<const double> K) {
     if (all_free(problem.dofs(), nodes)) {
@@ -65,10 +65,15 @@ void visit_reduced(const Problem& problem, const State& state, bool augmented, c
     const Matrix reduced = T.transpose() * full * T;
     visitor(dofs, std::span(reduced.data(), reduced.size()));
   };
-  problem.solid().visit(reduce, augmented);
-  for (const auto& term : problem.terms()) term->visit(reduce);
+  if (matrices == Matrices::mean) problem.solid().visit_mean(reduce);
+  else problem.solid().visit(reduce, matrices == Matrices::augmented);
+  visit_surface(problem, state, reduce);
+}
+
+void visit_surface(const Problem& problem, const State& state, const ContributionVisitor& visitor) {
+  for (const auto& term : problem.terms()) term->visit(visitor);
   for (std::size_t i = 0; i < problem.liquids().size(); ++i)
-    if (state.P[i] != 0) problem.liquids()[i].surface().visit(state.x, -state.P[i], reduce);
+    if (state.P[i] != 0) problem.liquids()[i].surface().visit(state.x, -state.P[i], visitor);
 }
 
 void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes, std::span<const double> v,

@@ -10,10 +10,15 @@ namespace bulbus {
 /// of a local node, or 3·nodes + 6·body + i of a rigid body.
 using ReducedVisitor = std::function<void(std::span<const int> dofs, std::span<const double> matrix)>;
 
+/// Of hexahedra: the tangent; with γ b W bᵀ; or augmented means, as smoothers apply them (Solid::visit_mean).
+enum class Matrices { plain, augmented, mean };
+
 /// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute, in reduced dofs:
 /// held directions projected out, nodes of bodies mapped to their six. Identity parts of held directions are not among it.
-/// `augmented`: with γ b W bᵀ of the elements.
-void visit_reduced(const Problem& problem, const State& state, bool augmented, const ReducedVisitor& visitor);
+void visit_reduced(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor);
+
+/// Contributions to the tangent besides the solid's: terms, and the liquids' pressures as followers.
+void visit_surface(const Problem& problem, const State& state, const ContributionVisitor& visitor);
 
 /// T of a single column block: for local nodes with their nodal values, the reduced dofs and values (Tᵀ v).
 void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes, std::span<const double> v,

@@ -58,7 +58,7 @@ struct LinearSettings {
   std::string method = "iterative";
   std::string formulation = "bordered";
   std::string displacement = "auto";
-  std::string op = "cache";
+  std::string op = "recompute";
   std::string smoothing = "single";
   double gamma = 5, smoothed_part = 0.05, reuse = 0;
   int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;

@@ -21,7 +21,7 @@ void expect_product(const Scene& scene, int refinements) {
   const LineJacobi jacobi(system, lines);
   const LinePressureStiffness K(system, jacobi);
   const Patterns patterns(problem, refinements);
-  const PatternMatrix matrix(problem, patterns, K, jacobi);
+  const PatternMatrix matrix(problem, patterns, jacobi);
   const PatternProduct product(patterns, K);
   std::vector<double> c(patterns.size()), found(c.size(), std::nan("")), expected(c);
   for (std::size_t i = 0; i < c.size(); ++i) c[i] = noise(patterns.labels()[i / patterns.count()], static_cast<int>(i) % patterns.count());

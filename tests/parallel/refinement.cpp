@@ -82,16 +82,23 @@ void expect_equal(const Interpolation& found, const Interpolation& wanted, int n
   }
 }
 
-// Owners by hexahedra, numbers by owners: from the whole mesh.
+// Owners by hexahedra, numbers by owners in the order in which their hexahedra meet nodes: from the whole mesh.
 void expect_numbered(const LocalMesh& m, const Mesh& whole, const std::vector<int>& rank_of_hex) {
   std::vector<int> owner(whole.points.size(), m.comm.size());
   for (std::size_t h = 0; h < whole.hexes.size(); ++h)
     for (int n : whole.hexes[h]) owner[n] = std::min(owner[n], rank_of_hex[h]);
   std::vector<long long> number(owner.size());
   long long next = 0;
-  for (int r = 0; r < m.comm.size(); ++r)
-    for (std::size_t n = 0; n < owner.size(); ++n)
-      if (owner[n] == r) number[n] = next++;
+  std::vector<bool> met(owner.size());
+  for (int r = 0; r < m.comm.size(); ++r) {
+    const auto meet = [&](int n) {
+      if (owner[n] == r && !met[n]) number[n] = next++, met[n] = true;
+    };
+    for (std::size_t region = 0; region < whole.region_names.size(); ++region)
+      for (std::size_t h = 0; h < whole.hexes.size(); ++h)
+        if (rank_of_hex[h] == r && whole.region[h] == static_cast<int>(region)) std::ranges::for_each(whole.hexes[h], meet);
+    for (std::size_t n = 0; n < owner.size(); ++n) meet(static_cast<int>(n));
+  }
   EXPECT_EQ(m.all_nodes, next);
   for (int n = 0; n < m.nodes(); ++n) {
     ASSERT_EQ(m.number[n], number[m.input_node[n]]);

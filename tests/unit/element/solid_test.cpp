@@ -112,47 +112,6 @@ TEST_F(SolidTest, CacheActsAsRecompute) {
   EXPECT_LT(relative_difference(action(d, dl), exact), 1e-6);
 }
 
-TEST_F(SolidTest, SinglePrecisionActsAsDouble) {
-  for (StrainSource source : {StrainSource::cache, StrainSource::recompute}) {
-    solid.linearize(x, lambda, 10, source);
-    std::vector<double> single(X.size(), 1.);  // is added to
-    solid.apply_single(d, single);
-    EXPECT_LT(relative_difference(plus(single, -1, std::vector<double>(X.size(), 1.)), action(d)), 2e-6);
-  }
-}
-
-TEST_F(SolidTest, SinglePrecisionTakesAndAddsToFloats) {
-  const std::vector<float> given(d.begin(), d.end());
-  for (StrainSource source : {StrainSource::cache, StrainSource::recompute}) {
-    solid.linearize(x, lambda, 10, source);
-    std::vector<float> single(X.size(), 1.f);
-    solid.apply_single(given, single);
-    const std::vector<double> force(single.begin(), single.end());
-    const auto expected = plus(action(std::vector<double>(given.begin(), given.end())), 1, std::vector<double>(X.size(), 1.));
-    EXPECT_LT(relative_difference(force, expected), 2e-6);
-  }
-}
-
-TEST_F(SolidTest, SinglePrecisionFollowsTheLinearisedState) {
-  solid.linearize(X, lambda, 10, StrainSource::cache);
-  std::vector<double> before(X.size()), after(X.size());
-  solid.apply_single(d, before);
-  solid.linearize(x, lambda, 10, StrainSource::cache);
-  solid.apply_single(d, after);
-  EXPECT_GT(relative_difference(before, action(d)), 1e-2);
-  EXPECT_LT(relative_difference(after, action(d)), 2e-6);
-}
-
-// A rigid motion far larger than the strain on top of it.
-TEST_F(SolidTest, SinglePrecisionDoesNotDrownStrainInTranslations) {
-  solid.linearize(x, lambda, 10, StrainSource::cache);
-  auto moved = d;
-  for (double& v : moved) v += 1e4;
-  std::vector<double> single(X.size());
-  solid.apply_single(moved, single);
-  EXPECT_LT(relative_difference(single, action(d)), 1e-5);
-}
-
 TEST_F(SolidTest, ElementMatricesActAsMatrixFree) {
   solid.linearize(x, lambda, 0, StrainSource::recompute);
   EXPECT_LT(relative_difference(matrix_action(false, d), action(d)), 1e-13);
@@ -291,9 +250,6 @@ TEST(Solid, FewerHexahedraThanLanes) {
     std::vector<double> action(X.size()), v(n, NAN);
     solid.apply(d, {}, action, v);
     EXPECT_LT(relative_difference(action, derivative(f, x, d)), 2e-6) << n;
-    std::vector<double> single(X.size());
-    solid.apply_single(d, single);
-    EXPECT_LT(relative_difference(single, action), 2e-6) << n;
     EXPECT_TRUE(std::isfinite(largest(v)));
   }
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/solve/assemble.hpp"
+#include "precond/chebyshev.hpp"
+#include "precond/displacement.hpp"
 #include "tests/support/small_eye.hpp"
 #include "tests/unit/precond/linearised.hpp"
 

@@ -68,7 +68,7 @@ TEST(PatternJacobi, InvertsDiagonalBlocks) {
   const LineJacobi jacobi(l.system, lines);
   const LinePressureStiffness K(l.system, jacobi);
   const Patterns patterns(l.problem, 2);
-  const PatternMatrix matrix(l.problem, patterns, K, jacobi);
+  const PatternMatrix matrix(l.problem, patterns, jacobi);
   const PatternJacobi inverse(matrix);
   std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);

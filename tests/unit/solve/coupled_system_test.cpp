@@ -251,9 +251,10 @@ TEST_P(CoupledSystemTest, NodalAndBodyBlocksAreTheMatrixs) {
   const Eigen::MatrixXd A = s.matrix(true);
   const long first = s.comm.offset(static_cast<long long>(s.system.size()));
   const double size = A.cwiseAbs().maxCoeff();
+  const auto blocks = s.system.nodal_blocks();
   for (int n = 0; n < s.problem.mesh().owned; ++n)
     for (int i = 0; i < 9; ++i)
-      EXPECT_NEAR(s.system.nodal_blocks()[9 * n + i], A(first + 3 * n + i / 3, first + 3 * n + i % 3), 1e-12 * size);
+      EXPECT_NEAR(blocks[9 * n + i], A(first + 3 * n + i / 3, first + 3 * n + i % 3), 1e-12 * size);
   for (int b = 0; 6 * b < s.system.layout().bodies; ++b)
     for (int i = 0; i < 36; ++i) {
       const long at = first + s.system.layout().nodal + 6 * b;

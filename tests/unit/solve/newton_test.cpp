@@ -225,7 +225,7 @@ struct Stale final : LinearSolver {
   int renewals = 0;
   explicit Stale(std::unique_ptr<LinearSolver> solver) : inner(std::move(solver)) {}
   LinearReport prepare(CoupledSystem& system) override { return inner->prepare(system); }
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double tolerance) override {
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) override {
     if (renewals == 0) return {.reason = "old", .stale = true, .iterations = 7};
     return inner->solve(system, b, x, tolerance);
   }

@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/linear_operator.hpp"
+
+namespace bulbus {
+
+/// A displacement, or forces, in single precision: a NodeSingle per local node, ghosts included, and 6 numbers per rigid body on rank 0.
+struct NodalSingle {
+  std::vector<NodeSingle> nodal;
+  std::vector<double> bodies;
+  explicit NodalSingle(const CoupledSystem& system) : nodal(system.problem().mesh().nodes()), bodies(system.layout().bodies) {}
+  std::size_t bytes() const { return nodal.capacity() * sizeof(NodeSingle); }
+};
+
+/// The augmented displacement block as smoothers apply it: hexahedra by their mean tangents in single precision, what acts on few nodes
+/// (terms, liquids' pressures, rigid bodies) as it is.
+class SingleBlock final : public LinearOperator {
+ public:
+  explicit SingleBlock(const CoupledSystem& system);
+  int size() const override { return system_.layout().primal(); }
+  /// On primal vectors; held directions are identity rows times held_scale(). A translation of everything costs no accuracy. Collective.
+  void apply(std::span<const double> x, std::span<double> y) const override;
+
+  /// Room for a displacement and the forces that answer it.
+  NodalSingle& d() const { return d_; }
+  NodalSingle& z() const { return z_; }
+  /// z += A d on owned nodes and bodies, where d has free directions only: its ghosts and its nodes of bodies are set here. Collective.
+  void apply() const;
+  /// z += A x of a primal vector without held directions. d is used. Collective.
+  void apply_to(std::span<const double> x) const;
+
+  /// The system has another tangent.
+  void follow();
+  /// v ← P v on owned nodes; nodes of bodies become zero.
+  void project(std::span<NodeSingle> v) const;
+  /// Owned nodes some direction of which is held, and their projectors.
+  const std::vector<std::pair<int, Mat3<double>>>& held() const { return held_; }
+  const CoupledSystem& system() const { return system_; }
+  std::size_t bytes() const;
+
+ private:
+  void act(std::span<const double> dx) const;
+
+  const CoupledSystem& system_;
+  const DofMap& dofs_;
+  std::vector<std::pair<int, Mat3<double>>> held_;
+  std::vector<int> touched_;  // local nodes that not only hexahedra act on
+  mutable NodalSingle d_, z_;
+};
+
+}  // namespace bulbus
