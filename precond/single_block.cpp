@@ -15,6 +15,7 @@ NodeSingle rounded(const double* v) { return NodeSingle{static_cast<float>(v[0])
 SingleBlock::SingleBlock(const CoupledSystem& system) : system_(system), dofs_(system.problem().dofs()), d_(system), z_(system) {
   for (int n = 0; n < system.problem().mesh().owned; ++n)
     if (dofs_.held(n)) held_.emplace_back(n, dofs_.projector(n));
+    else if (free_ < 0) free_ = n;
   follow();
 }
 
@@ -58,8 +59,9 @@ void SingleBlock::apply_to(std::span<const double> x) const {
   dx.resize(3 * d_.nodal.size());
   dofs_.expand(system_.state(), x, dx);
   std::ranges::copy(x.subspan(system_.layout().nodal), d_.bodies.begin());
-  // relative to one node: hexahedra do not feel a translation, and rounding it would drown their strain
-  const Vec3<double> shift = dx.empty() ? Vec3<double>{} : Vec3<double>{dx[0], dx[1], dx[2]};
+  // relative to a free node: hexahedra do not feel a translation, and rounding it would drown their strain
+  Vec3<double> shift{};
+  if (free_ >= 0) std::copy_n(&dx[3 * static_cast<std::size_t>(free_)], 3, shift.begin());
   for (std::size_t n = 0; n < d_.nodal.size(); ++n)
     for (int c = 0; c < 3; ++c) d_.nodal[n][c] = static_cast<float>(dx[3 * n + c] - shift[c]);
   act(dx);

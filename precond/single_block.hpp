@@ -46,6 +46,7 @@ class SingleBlock final : public LinearOperator {
   const CoupledSystem& system_;
   const DofMap& dofs_;
   std::vector<std::pair<int, Mat3<double>>> held_;
+  int free_ = -1;  // an owned node no direction of which is held
   std::vector<int> touched_;  // local nodes that not only hexahedra act on
   mutable NodalSingle d_, z_;
 };
