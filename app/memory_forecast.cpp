@@ -87,7 +87,7 @@ void add_iterative(const Problem& problem, const Size& s, const LinearSettings& 
   const std::string name = chosen_displacement(l, problem);
   parts.push_back({"operator", system_bytes(s, l)});
   parts.push_back({"smoother", smoother_bytes(s, l) + (1 + s.liquids) * number * s.nodal()});
-  parts.push_back({"Krylov basis", (std::min(l.restart, usual_basis) + 1) * single * s.unknowns() + 10 * number * s.unknowns()});
+  parts.push_back({"Krylov basis", (std::min(l.restart, usual_basis) + 1) * single * s.unknowns() + 12 * number * s.unknowns()});
   parts.push_back({"element pressures", pressure_bytes(s, problem.mesh().refinements)});
   if (name == "multigrid" && problem.coarser())
     add_coarser_levels(problem, l, parts);
