@@ -9,7 +9,7 @@ namespace bulbus {
 ContactFigures ContactTerm::figures(const State& state) const {
   const Found& f = found(state);
   ContactFigures sum{.penetration = penetration(f), .on_master = std::vector<Wrench>(master_.pieces())};
-  for (std::size_t k = 0; k < changes_.size(); ++k) sum.smoothed += smoothed(static_cast<int>(k));
+  for (std::size_t k = 0; k < current_.changes.size(); ++k) sum.smoothed += smoothed(static_cast<int>(k));
   const std::vector<double> places = outermost(state.x, f.shape);
   int counted = -1;  // a point that touches two pieces has one area
   for (const Touch& t : f.touches) {

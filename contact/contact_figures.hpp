@@ -44,11 +44,13 @@ struct Augmentation {
   bool gave_up = false;  ///< still above the tolerance after the last allowed update
 };
 
-/// What a contact remembers from increment to increment, for every pair of slave point and master piece.
+/// What a contact knows of every pair of slave point and master piece at the end of an increment.
 struct ContactMemory {
   std::vector<int> triangle;     ///< where tracking starts, −1: none
   std::vector<double> pressure;  ///< multiplier p, MPa
   std::vector<double> overlap;   ///< mm inside at the start, made good while the first step proceeds; empty: none
+  std::vector<int> changes;      ///< of the pair within the increment: from some on it is held and its pressure smoothed
+  std::vector<int> held;         ///< the triangle that it is held on, −1: none
 };
 
 }  // namespace bulbus

@@ -12,8 +12,8 @@ constexpr double most_overlap = 0.05;  // in allowed depths
 
 void ContactTerm::begin_increment() {
   const std::size_t slots = current_.triangle.size();
-  for (auto* v : {&last_, &before_, &held_}) v->assign(slots, -1);
-  changes_.assign(slots, 0);
+  for (auto* v : {&last_, &before_, &current_.held}) v->assign(slots, -1);
+  current_.changes.assign(slots, 0);
   linearized_ = soft_ = false;
   augmentation_ = {};
   found_.key.clear();
@@ -36,18 +36,14 @@ void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
   for (const Touch& t : find(state, limits_, Search::remembering).touches) current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
-  committed_changes_ = changes_;
-  committed_held_ = held_;
   found_.key.clear();
   leave_places();
 }
 
 // With the smoothing that the last increment has ended with: without it, that one's state is out of balance.
 void ContactTerm::roll_back() {
-  current_ = committed_;
   begin_increment();
-  changes_ = committed_changes_;
-  held_ = committed_held_;
+  current_ = committed_;
 }
 
 void ContactTerm::remember(Keeper& keeper) {
@@ -55,35 +51,33 @@ void ContactTerm::remember(Keeper& keeper) {
   keeper.scalars("augmentation", augmentation_.updates, augmentation_.violation, augmentation_.gave_up);
   Keeper::Keys slots;
   std::vector<double> rows;
-  const std::vector<double> overlap(current_.overlap.empty() ? std::vector<double>(changes_.size()) : current_.overlap);
+  const std::vector<double> overlap(current_.overlap.empty() ? std::vector<double>(current_.changes.size()) : current_.overlap);
   const auto points = points_.keys(slave_);
-  for (std::size_t k = 0; k < changes_.size(); ++k) {
+  for (std::size_t k = 0; k < current_.changes.size(); ++k) {
     const std::size_t point = k / master_.pieces(), piece = k % master_.pieces();
-    const bool worth = current_.triangle[k] >= 0 || current_.pressure[k] != 0 || overlap[k] != 0 || held_[k] >= 0 || changes_[k] > 0;
+    const bool worth = current_.triangle[k] >= 0 || current_.pressure[k] != 0 || overlap[k] != 0 || current_.held[k] >= 0 || current_.changes[k] > 0;
     slots.add(points[point] * master_.pieces() + static_cast<long long>(piece), worth && points_[static_cast<int>(point)].mine);
-    rows.insert(rows.end(), {1. * current_.triangle[k], current_.pressure[k], overlap[k], 1. * held_[k], 1. * changes_[k]});
+    rows.insert(rows.end(), {1. * current_.triangle[k], current_.pressure[k], overlap[k], 1. * current_.held[k], 1. * current_.changes[k]});
   }
   if (!keeper.reading()) return keeper.rows("pairs", slots, 5, rows);
-  for (std::size_t k = 0; k < changes_.size(); ++k) std::ranges::copy(std::array{-1., 0., 0., -1., 0.}, &rows[5 * k]);
+  for (std::size_t k = 0; k < current_.changes.size(); ++k) std::ranges::copy(std::array{-1., 0., 0., -1., 0.}, &rows[5 * k]);
   keeper.rows("pairs", slots, 5, rows);
   recall(rows);
 }
 
 // Triangle, multiplier, overlap, held triangle and changes of every slot, as at the end of an increment.
 void ContactTerm::recall(std::span<const double> rows) {
-  current_.overlap.assign(changes_.size(), 0);
-  for (std::size_t k = 0; k < changes_.size(); ++k) {
+  current_.overlap.assign(current_.changes.size(), 0);
+  for (std::size_t k = 0; k < current_.changes.size(); ++k) {
     const double* row = &rows[5 * k];
     current_.triangle[k] = static_cast<int>(row[0]);
     current_.pressure[k] = row[1];
     current_.overlap[k] = row[2];
-    held_[k] = static_cast<int>(row[3]);
-    changes_[k] = static_cast<int>(row[4]);
+    current_.held[k] = static_cast<int>(row[3]);
+    current_.changes[k] = static_cast<int>(row[4]);
   }
   if (std::ranges::count(current_.overlap, 0.) == std::ssize(current_.overlap)) current_.overlap.clear();
   committed_ = current_;
-  committed_changes_ = changes_;
-  committed_held_ = held_;
   soft_ = false;
   found_.key.clear();
   leave_places();

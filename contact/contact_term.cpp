@@ -44,10 +44,8 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
   const std::size_t slots = static_cast<std::size_t>(points_.size()) * master_.pieces();
   current_.triangle.assign(slots, -1);
   current_.pressure.assign(slots, 0);
-  committed_ = current_;
   begin_increment();
-  committed_changes_ = changes_;
-  committed_held_ = held_;
+  committed_ = current_;
 }
 
 std::vector<double> ContactTerm::surfaces(const State& state) const {
@@ -128,10 +126,10 @@ ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<do
 }
 
 std::optional<Selection> ContactTerm::held(const MasterSurface& master, const Vec3<double>& x, int slot) const {
-  if (held_[slot] < 0) return {};
-  const Pair p = project(x, master.corners(held_[slot]));
+  if (current_.held[slot] < 0) return {};
+  const Pair p = project(x, master.corners(current_.held[slot]));
   if (std::abs(p.gap) > limits_.reach || overshoot(p) > limits_.depth) return {};
-  return Selection{held_[slot], std::abs(p.gap)};
+  return Selection{current_.held[slot], std::abs(p.gap)};
 }
 
 double ContactTerm::gap(const Touch& t) const {
@@ -140,7 +138,7 @@ double ContactTerm::gap(const Touch& t) const {
 
 double ContactTerm::penalty() const { return soft_ ? softening * penalty_ : penalty_; }
 
-bool ContactTerm::smoothed(int slot) const { return changes_[slot] > most_changes; }
+bool ContactTerm::smoothed(int slot) const { return current_.changes[slot] > most_changes; }
 
 ContactPressure ContactTerm::pressure(const Touch& t) const {
   return contact_pressure(current_.pressure[t.slot] - penalty() * gap(t), smoothed(t.slot) ? penalty() * band * limits_.depth : 0);
@@ -166,8 +164,8 @@ void ContactTerm::add_residual(const State& state, std::span<double> force, std:
 void ContactTerm::watch(const std::vector<int>& now) {
   for (std::size_t k = 0; k < now.size(); ++k) {
     if (now[k] == last_[k] || !(now[k] < 0 || last_[k] < 0 || now[k] == before_[k])) continue;
-    if (++changes_[k] <= most_changes || held_[k] >= 0) continue;
-    held_[k] = now[k] >= 0 ? now[k] : last_[k];
+    if (++current_.changes[k] <= most_changes || current_.held[k] >= 0) continue;
+    current_.held[k] = now[k] >= 0 ? now[k] : last_[k];
     found_.key.clear();
   }
 }

@@ -126,8 +126,7 @@ class ContactTerm final : public Term {
   Augmentation augmentation_;
 
   // per slot; active triangles of the last two linearisations of this increment, −1: not active
-  std::vector<int> last_, before_, changes_, held_;
-  std::vector<int> committed_changes_, committed_held_;
+  std::vector<int> last_, before_;
   bool linearized_ = false;
   BlockTangent tangent_;
 

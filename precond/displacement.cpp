@@ -37,22 +37,6 @@ DisplacementInverse with_lines(std::unique_ptr<P> inverse) {
   return {std::move(inverse), lines};
 }
 
-}  // namespace
-
-std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision) {
-  if (precision == Precision::single) return std::make_unique<SingleBlock>(system);
-  return std::make_unique<DisplacementBlock>(system);
-}
-
-std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
-  if (settings.displacement != "auto") return settings.displacement;
-  return problem.coarser() ? "multigrid" : "aggregation";
-}
-
-Precision chosen_precision(const LinearSettings& settings) { return settings.smoothing == "double" ? Precision::full : Precision::single; }
-
-namespace {
-
 // Floats hold a displacement to 6e-8: a contact much stiffer than the hexahedra around it would make noise of what they feel.
 Precision fitting_precision(const CoupledSystem& system, const LinearSettings& settings) {
   constexpr double most = 1 - 1e-4;  // of a node's stiffness
@@ -69,6 +53,18 @@ Precision fitting_precision(const CoupledSystem& system, const LinearSettings& s
 }
 
 }  // namespace
+
+std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision) {
+  if (precision == Precision::single) return std::make_unique<SingleBlock>(system);
+  return std::make_unique<DisplacementBlock>(system);
+}
+
+std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
+  if (settings.displacement != "auto") return settings.displacement;
+  return problem.coarser() ? "multigrid" : "aggregation";
+}
+
+Precision chosen_precision(const LinearSettings& settings) { return settings.smoothing == "double" ? Precision::full : Precision::single; }
 
 struct DisplacementFactory::Plans {
   const Problem* problem;

@@ -72,13 +72,7 @@ void LineBlocks::add(std::span<const int> d, std::span<const double> K) {
 void LineBlocks::complete() {
   mesh_.halo.fold(diagonal_, 9);
   mesh_.halo.fold(ahead_, 9);
-  const DofMap& dofs = system_.problem().dofs();
-  for (int n = 0; n < mesh_.owned; ++n)
-    if (dofs.held(n)) {
-      const Mat3<double> P = dofs.projector(n);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) diagonal_[9 * static_cast<std::size_t>(n) + 3 * i + j] += system_.held_scale() * ((i == j) - P(i, j));
-    }
+  system_.add_held_blocks(diagonal_);
 }
 
 LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const LineBlocks& blocks)

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
@@ -12,16 +11,14 @@ namespace bulbus {
 class LinePressureStiffness final : public LinearOperator {
  public:
   LinePressureStiffness(const CoupledSystem& system, const LineJacobi& lines);
-  int size() const override { return static_cast<int>(mesh_.hexes.size()); }
+  int size() const override { return static_cast<int>(problem_.mesh().hexes.size()); }
   /// Collective.
   void apply(std::span<const double> p, std::span<double> q) const override;
   std::size_t bytes() const;
 
  private:
-  const Solid& solid_;
-  const LocalMesh& mesh_;
+  const Problem& problem_;
   const LineJacobi& lines_;
-  std::vector<std::pair<int, Mat3<double>>> held_;  // owned nodes and their projectors
   mutable std::vector<NodeSingle> nodal_;
 };
 

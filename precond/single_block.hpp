@@ -23,7 +23,7 @@ class SingleBlock final : public LinearOperator {
   /// On primal vectors; held directions are identity rows times held_scale(). A translation of everything costs no accuracy. Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
 
-  /// Room for a displacement and the forces that answer it.
+  /// Room for a displacement and the forces that answer it; these are zero between uses.
   NodalSingle& d() const { return d_; }
   NodalSingle& z() const { return z_; }
   /// z += A d on owned nodes and bodies, where d has free directions only: its ghosts and its nodes of bodies are set here. Collective.
@@ -33,10 +33,6 @@ class SingleBlock final : public LinearOperator {
 
   /// The system has another tangent.
   void follow();
-  /// v ← P v on owned nodes; nodes of bodies become zero.
-  void project(std::span<NodeSingle> v) const;
-  /// Owned nodes some direction of which is held, and their projectors.
-  const std::vector<std::pair<int, Mat3<double>>>& held() const { return held_; }
   const CoupledSystem& system() const { return system_; }
   std::size_t bytes() const;
 
@@ -45,8 +41,7 @@ class SingleBlock final : public LinearOperator {
 
   const CoupledSystem& system_;
   const DofMap& dofs_;
-  std::vector<std::pair<int, Mat3<double>>> held_;
-  int free_ = -1;  // an owned node no direction of which is held
+  int free_ = 0;  // the first owned node no direction of which is held; behind them if there is none
   std::vector<int> touched_;  // local nodes that not only hexahedra act on
   mutable NodalSingle d_, z_;
 };

@@ -54,7 +54,7 @@ class SingleSmoother final : public Smoother {
     subtract();
     std::ranges::fill(x, 0);
     add(x);
-    solve_held(b, x);
+    dofs().add_held(b, 1 / A_.system().held_scale(), x);
     for (std::size_t n = 0; n < owned(); ++n)
       for (int c = 0; c < 3; ++c) r[3 * n + c] = r_.nodal[n][c];
     std::ranges::copy(r_.bodies, r.begin() + 3 * owned());
@@ -70,7 +70,7 @@ class SingleSmoother final : public Smoother {
     load(b);
     std::ranges::fill(x, 0);
     after(e, x);
-    solve_held(b, x);
+    dofs().add_held(b, 1 / A_.system().held_scale(), x);
   }
   bool follow() override {
     A_.follow();
@@ -80,12 +80,13 @@ class SingleSmoother final : public Smoother {
 
  private:
   std::size_t owned() const { return A_.system().problem().mesh().owned; }
+  const DofMap& dofs() const { return A_.system().problem().dofs(); }
 
   void load(std::span<const double> b) const {
     for (std::size_t n = 0; n < owned(); ++n)
-      r_.nodal[n] = NodeSingle{static_cast<float>(b[3 * n]), static_cast<float>(b[3 * n + 1]), static_cast<float>(b[3 * n + 2]), 0};
+      r_.nodal[n] = rounded(&b[3 * n]);
     std::copy(b.begin() + 3 * owned(), b.end(), r_.bodies.begin());
-    A_.project(r_.nodal);
+    dofs().project(r_.nodal);
   }
 
   // r −= z, and no forces are left
@@ -122,21 +123,10 @@ class SingleSmoother final : public Smoother {
 
   // What smooth() has found.
   void add(std::span<double> x) const {
-    A_.project(x_.nodal);
+    dofs().project(x_.nodal);
     for (std::size_t n = 0; n < owned(); ++n)
       for (int c = 0; c < 3; ++c) x[3 * n + c] += x_.nodal[n][c];
     for (std::size_t i = 0; i < x_.bodies.size(); ++i) x[3 * owned() + i] += x_.bodies[i];
-  }
-
-  // x += (I − P) b / scale
-  void solve_held(std::span<const double> b, std::span<double> x) const {
-    const double scale = A_.system().held_scale();
-    for (const auto& [n, P] : A_.held())
-      for (int i = 0; i < 3; ++i) {
-        double along = b[3 * n + i];
-        for (int j = 0; j < 3; ++j) along -= P(i, j) * b[3 * n + j];
-        x[3 * n + i] += along / scale;
-      }
   }
 
   SingleBlock A_;

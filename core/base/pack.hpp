@@ -40,6 +40,7 @@ using SinglePack = PackOf<SingleVector>;
 
 /// x, y and z of a node in single precision, loaded at once, and a number that nobody reads.
 using NodeSingle = float __attribute__((vector_size(4 * sizeof(float))));
+inline NodeSingle rounded(const double* v) { return NodeSingle{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0}; }
 inline std::span<float> numbers(std::span<NodeSingle> v) { return {reinterpret_cast<float*>(v.data()), 4 * v.size()}; }
 
 inline Pack load(const double* p) {

@@ -141,15 +141,15 @@ NodalVectors<T> nodal(const Modes<T>& m) {
   return v;
 }
 
-/// b = ∂V/∂(modes) of the hexahedron with places x, exact:
-///     V = 8 [ l₀·(l₁×l₂) − ⅓ Σ l_d·(t_e×t_f) ],   (d, e, f) cyclic
-template <class T>
-Modes<T> volume_gradient(const Modes<T>& x) {
+/// ∂V/∂(modes) from products of two coefficients: product(i, d, j, e) is that of number d of the coefficients i and number e of j.
+template <class T, class Product>
+Modes<T> volume_gradient_of(Product product) {
+  constexpr auto linear = &Modes<T>::linear, twist = &Modes<T>::twist;
   Modes<T> b;
   for (int d = 0; d < 3; ++d) {
     const int e = (d + 1) % 3, f = (d + 2) % 3;
-    const Vec3<T> area = cross(x.linear[e], x.linear[f]), bend = cross(x.twist[e], x.twist[f]);
-    const Vec3<T> one = cross(x.twist[f], x.linear[e]), other = cross(x.linear[f], x.twist[e]);
+    const Vec3<T> area = product(linear, e, linear, f), bend = product(twist, e, twist, f);
+    const Vec3<T> one = product(twist, f, linear, e), other = product(linear, f, twist, e);
     for (int c = 0; c < 3; ++c) {
       b.linear[d][c] = 8. * area[c] - (8. / 3) * bend[c];
       b.twist[d][c] = (8. / 3) * (one[c] + other[c]);
@@ -159,25 +159,20 @@ Modes<T> volume_gradient(const Modes<T>& x) {
   return b;
 }
 
+/// b = ∂V/∂(modes) of the hexahedron with places x, exact:
+///     V = 8 [ l₀·(l₁×l₂) − ⅓ Σ l_d·(t_e×t_f) ],   (d, e, f) cyclic
+template <class T>
+Modes<T> volume_gradient(const Modes<T>& x) {
+  return volume_gradient_of<T>([&](auto i, int d, auto j, int e) { return cross((x.*i)[d], (x.*j)[e]); });
+}
+
 /// Change of volume_gradient(x) with x, in the direction dx.
 template <class T>
 Modes<T> volume_gradient_change(const Modes<T>& x, const Modes<T>& dx) {
-  Modes<T> b;
-  for (int d = 0; d < 3; ++d) {
-    const int e = (d + 1) % 3, f = (d + 2) % 3;
-    const auto both = [](const Vec3<T>& da, const Vec3<T>& bb, const Vec3<T>& aa, const Vec3<T>& db) {  // δa × b + a × δb
-      const Vec3<T> p = cross(da, bb), q = cross(aa, db);
-      return Vec3<T>{p[0] + q[0], p[1] + q[1], p[2] + q[2]};
-    };
-    const Vec3<T> area = both(dx.linear[e], x.linear[f], x.linear[e], dx.linear[f]), bend = both(dx.twist[e], x.twist[f], x.twist[e], dx.twist[f]);
-    const Vec3<T> one = both(dx.twist[f], x.linear[e], x.twist[f], dx.linear[e]), other = both(dx.linear[f], x.twist[e], x.linear[f], dx.twist[e]);
-    for (int c = 0; c < 3; ++c) {
-      b.linear[d][c] = 8. * area[c] - (8. / 3) * bend[c];
-      b.twist[d][c] = (8. / 3) * (one[c] + other[c]);
-    }
-  }
-  b.warp = {T(0.), T(0.), T(0.)};
-  return b;
+  return volume_gradient_of<T>([&](auto i, int d, auto j, int e) {
+    const Vec3<T> p = cross((dx.*i)[d], (x.*j)[e]), q = cross((x.*i)[d], (dx.*j)[e]);
+    return Vec3<T>{p[0] + q[0], p[1] + q[1], p[2] + q[2]};
+  });
 }
 
 /// Σ of linear and twisting coefficients; a volume does not feel warping.

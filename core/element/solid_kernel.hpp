@@ -105,22 +105,18 @@ NodalVectors<P> tangent_action(const Material& material, const Strain& strain, c
   return nodal(force);
 }
 
-/// The part of the pressure that a mean tangent may take in.
-inline Pack tame(const Pack& lambda, const Pack& shear_modulus) {
-  Pack part;
-  for (int l = 0; l < lanes; ++l) part.v[l] = std::abs(lambda[l]) <= 10 * shear_modulus[l] ? lambda[l] : 0;
-  return part;
-}
-
-/// The mean tangent of a pack.
+/// The mean tangent of a pack, and the rest of λ: what is too large beside the shear modulus to be taken in.
 template <class Material>
-MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient<Pack>& x, const ReferenceGradient<Pack>& X, const Pack& lambda) {
+MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient<Pack>& x, const ReferenceGradient<Pack>& X, const Pack& lambda,
+                               const Pack& shear_modulus, Pack& rest) {
+  for (int l = 0; l < lanes; ++l) rest.v[l] = std::abs(lambda[l]) <= 10 * shear_modulus[l] ? 0 : lambda[l];
+  const Pack taken = lambda - rest;
   MeanTangent<Pack> C{};
   for_each_gauss_point([&](int i, int j, int k) {
     const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
     const Pack det = determinant(a, cof), inverse = 1.0 / det;
     const PointStrain<Pack> s = point_strain(a, det, X.at(i, j, k));
-    const Pack weight = s.dV0 * inverse * inverse, pressure = lambda * inverse;
+    const Pack weight = s.dV0 * inverse * inverse, pressure = taken * inverse;
     for (int f = 0; f < 3; ++f) {
       const int e = (f + 2) % 3, d = (f + 1) % 3;  // (d, e, f) is cyclic
       for (int c = 0; c < 3; ++c) {

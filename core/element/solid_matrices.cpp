@@ -102,9 +102,10 @@ void Solid::visit_mean(const ContributionVisitor& visitor) const {
     const auto& pack = packs_[p];
     const auto x = gather(pack, x_);
     const auto gx = reference_gradient(x);
-    const Pack lambda = load_some(lambda_, first, pack.used), taken = tame(lambda, load_some(mu_, first, pack.used));
-    const auto C = mean_tangent(material, gx, reference_gradient(gather<8>(pack, X_)), taken);
-    const auto w = volume_curvature(gx, lambda - taken);
+    Pack rest;
+    const auto C = mean_tangent(material, gx, reference_gradient(gather<8>(pack, X_)), load_some(lambda_, first, pack.used),
+                                load_some(mu_, first, pack.used), rest);
+    const auto w = volume_curvature(gx, rest);
     const auto b = constraint(x);
     const Pack penalty = load_some(penalty_, first, pack.used);
     for (int m = 0; m < 8; ++m)

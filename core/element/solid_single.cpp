@@ -30,8 +30,7 @@ __attribute__((flatten)) void add_action(const PackPair& pair, const SingleTange
 void Solid::round_places() const {
   if (!single_.x.empty()) return;
   single_.x.resize(x_.size() / 3);
-  for (std::size_t n = 0; n < single_.x.size(); ++n)
-    for (int c = 0; c < 3; ++c) single_.x[n][c] = static_cast<float>(x_[3 * n + c]);
+  for (std::size_t n = 0; n < single_.x.size(); ++n) single_.x[n] = rounded(&x_[3 * n]);
 }
 
 void Solid::fill_tangents() const {
@@ -44,8 +43,9 @@ void Solid::fill_tangents() const {
       for (int p = 0; p < r.packs; ++p) {
         const PackNodes<8>& pack = packs_[r.first_pack + p];
         const int first = r.first + p * lanes, half = p % 2 * lanes;
-        const Pack lambda = load_some(lambda_, first, pack.used), taken = tame(lambda, load_some(mu_, first, pack.used)), rest = lambda - taken;
-        const auto C = mean_tangent(material, reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)), taken);
+        Pack rest;
+        const auto C = mean_tangent(material, reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)),
+                                    load_some(lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
         if (half == 0) single_.tangents.push_back({});
         SingleTangent& to = single_.tangents.back();
         const auto put = [&](const Pack& from, SinglePack& single) { store(from, reinterpret_cast<float*>(&single.v) + half); };

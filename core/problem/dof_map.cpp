@@ -124,10 +124,28 @@ void DofMap::project(std::span<double> v) const {
       if (n < nodes) v[3 * n] = v[3 * n + 1] = v[3 * n + 2] = 0;
 }
 
-void DofMap::add_held(std::span<const double> x, std::span<const double> dx, double factor, std::span<double> y) const {
-  for (const Node& h : nodes_)
-    if (h.node < mesh_.owned)
-      for (int i = 3 * h.node; i < 3 * h.node + 3; ++i) y[i] += factor * (x[i] - dx[i]);
+void DofMap::project(std::span<NodeSingle> v) const {
+  for (const Node& h : nodes_) {
+    NodeSingle& at = v[h.node];
+    Vec3<double> free{at[0], at[1], at[2]};
+    for (int k = 0; k < h.count; ++k) {
+      const double along = dot(h.normal[k], free);
+      for (int c = 0; c < 3; ++c) free[c] -= along * h.normal[k][c];
+    }
+    at = rounded(free.data());
+  }
+  for (const RigidBody& b : bodies_)
+    for (int n : b.nodes()) v[n] = NodeSingle{};
+}
+
+void DofMap::add_held(std::span<const double> x, double factor, std::span<double> y) const {
+  for (const Node& h : nodes_) {
+    if (h.node >= mesh_.owned) continue;
+    for (int k = 0; k < h.count; ++k) {
+      const double along = factor * dot(h.normal[k], at(x, h.node));
+      for (int c = 0; c < 3; ++c) y[3 * h.node + c] += along * h.normal[k][c];
+    }
+  }
   for (const RigidBody& b : bodies_)
     for (int n : b.nodes())
       if (n < mesh_.owned)
@@ -146,6 +164,10 @@ void DofMap::expand(const State& state, std::span<const double> primal, std::spa
   std::copy_n(primal.begin(), 3 * mesh_.owned, dx.begin());
   mesh_.halo.update(dx);
   project(dx);
+  expand_bodies(state, primal, dx);
+}
+
+void DofMap::expand_bodies(const State& state, std::span<const double> primal, std::span<double> dx) const {
   const auto q = bodies_part(primal);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     RigidBody::Six six;
@@ -155,17 +177,20 @@ void DofMap::expand(const State& state, std::span<const double> primal, std::spa
 }
 
 void DofMap::reduce(const State& state, std::span<const double> force, std::span<double> primal) const {
-  if (!bodies_.empty()) {
-    std::vector<double> q;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const auto six = bodies_[b].reduce(state.bodies[b], state.x, force, mesh_.owned);
-      q.insert(q.end(), six.begin(), six.end());
-    }
-    mesh_.comm.sum(q);
-    if (mesh_.comm.rank() == 0) std::copy(q.begin(), q.end(), primal.end() - q.size());
-  }
+  const auto q = reduce_bodies(state, force);
+  if (mesh_.comm.rank() == 0) std::copy(q.begin(), q.end(), primal.end() - q.size());
   std::copy_n(force.begin(), 3 * mesh_.owned, primal.begin());
   project(primal.first(3 * mesh_.owned));
+}
+
+std::vector<double> DofMap::reduce_bodies(const State& state, std::span<const double> force) const {
+  std::vector<double> q;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto six = bodies_[b].reduce(state.bodies[b], state.x, force, mesh_.owned);
+    q.insert(q.end(), six.begin(), six.end());
+  }
+  if (!q.empty()) mesh_.comm.sum(q);
+  return q;
 }
 
 double DofMap::defect(const State& state, double s, std::span<double> du) const {

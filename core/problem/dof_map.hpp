@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/pack.hpp"
 #include "core/mesh/local_mesh.hpp"
 #include "core/problem/rigid_body.hpp"
 #include "core/problem/state.hpp"
@@ -44,12 +45,16 @@ class DofMap {
 
   /// Free directions only: v ← P v on all local nodes, or on the owned ones if v has no more; nodes of bodies become zero.
   void project(std::span<double> v) const;
-  /// y += factor · (I − P) x on owned nodes, bodies' nodes included; `dx` is expand(x).
-  void add_held(std::span<const double> x, std::span<const double> dx, double factor, std::span<double> y) const;
+  void project(std::span<NodeSingle> v) const;
+  /// y += factor · (I − P) x on owned nodes, bodies' nodes included.
+  void add_held(std::span<const double> x, double factor, std::span<double> y) const;
   /// Local nodal increment of a primal vector (ghosts included). Collective.
   void expand(const State& state, std::span<const double> primal, std::span<double> dx) const;
   /// The transpose, for nodal forces already folded to their owners; held rows become zero. Collective.
   void reduce(const State& state, std::span<const double> force, std::span<double> primal) const;
+  /// The parts of bodies' nodes in these two: `primal` may be its bodies' part alone; force and moment of every body. Collective.
+  void expand_bodies(const State& state, std::span<const double> primal, std::span<double> dx) const;
+  std::vector<double> reduce_bodies(const State& state, std::span<const double> force) const;
   /// ū increments that remain: Σ n (value(s) − n·u) for every local node. Returns the largest.
   double defect(const State& state, double s, std::span<double> du) const;
   /// x += step · dx for nodes and poses; rigid nodes are placed again. Collective.

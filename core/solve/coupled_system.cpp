@@ -115,7 +115,7 @@ void CoupledSystem::apply_displacement(std::span<const double> x, std::span<doub
   dx.resize(state_->x.size());
   dofs.expand(*state_, x, dx);
   dofs.reduce(*state_, nodal_action(dx, {}, {}), y);
-  dofs.add_held(x, dx, held_scale_, y);
+  dofs.add_held(x, held_scale_, y);
   add_body_geometry(x.subspan(layout_.nodal), y.subspan(layout_.nodal));
 }
 
@@ -128,7 +128,7 @@ void CoupledSystem::apply(std::span<const double> x, std::span<double> y) const 
   dofs.expand(*state_, xu, dx);
   dofs.reduce(*state_, nodal_action(dx, xl, yl), yu);
   for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
-  dofs.add_held(xu, dx, held_scale_, yu);
+  dofs.add_held(xu, held_scale_, yu);
   add_body_geometry(xu.subspan(layout_.nodal), yu.subspan(layout_.nodal));
   const std::size_t liquids = g_.size();
   if (liquids == 0) return;
@@ -232,22 +232,26 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
   return blocks;
 }
 
-std::vector<double> CoupledSystem::nodal_blocks() const {
-  std::vector<std::array<double, 36>> bodies;
-  auto blocks = sum_blocks(bodies);
+void CoupledSystem::add_held_blocks(std::span<double> blocks) const {
   const DofMap& dofs = problem_.dofs();
   for (int n = 0; n < problem_.mesh().owned; ++n)
     if (dofs.held(n)) {
       const Mat3<double> P = dofs.projector(n);
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) blocks[9 * n + 3 * i + j] += held_scale_ * ((i == j) - P(i, j));
+        for (int j = 0; j < 3; ++j) blocks[9 * static_cast<std::size_t>(n) + 3 * i + j] += held_scale_ * ((i == j) - P(i, j));
     }
+}
+
+std::vector<double> CoupledSystem::nodal_blocks() const {
+  std::vector<std::array<double, 36>> bodies;
+  auto blocks = sum_blocks(bodies);
+  add_held_blocks(blocks);
   return blocks;
 }
 
 void CoupledSystem::take_blocks() {
   const DofMap& dofs = problem_.dofs();
-  const auto blocks = sum_blocks(body_blocks_);
+  auto blocks = sum_blocks(body_blocks_);
   double sum = 0, count = 0;
   for (int n = 0; n < problem_.mesh().owned; ++n)
     if (!dofs.held(n)) sum += blocks[9 * n] + blocks[9 * n + 4] + blocks[9 * n + 8], count += 3;
@@ -261,20 +265,16 @@ void CoupledSystem::take_blocks() {
     for (int i = 0; i < 6; ++i)
       if (!dofs.bodies()[b].free()[i]) K[7 * i] = held_scale_;
   }
+  add_held_blocks(blocks);
   take_scaling(blocks);
 }
 
 void CoupledSystem::take_scaling(const std::vector<double>& blocks) {
   scaling_.assign(layout_.size(), 1);
   for (int n = 0; n < problem_.mesh().owned; ++n) {
-    double B[3];
-    for (int c = 0; c < 3; ++c) B[c] = blocks[9 * n + 4 * c];
-    if (problem_.dofs().held(n)) {
-      const Mat3<double> P = problem_.dofs().projector(n);
-      for (int c = 0; c < 3; ++c) B[c] += held_scale_ * (1 - P(c, c));
-    }
-    const double mean = (std::abs(B[0]) + std::abs(B[1]) + std::abs(B[2])) / 3;
-    for (int c = 0; c < 3; ++c) scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[c]), 1e-3 * mean));
+    const double* B = &blocks[9 * static_cast<std::size_t>(n)];
+    const double mean = (std::abs(B[0]) + std::abs(B[4]) + std::abs(B[8])) / 3;
+    for (int c = 0; c < 3; ++c) scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[4 * c]), 1e-3 * mean));
   }
   for (int i = 0; i < layout_.bodies; ++i)
     scaling_[layout_.nodal + i] = 1 / std::sqrt(std::max(std::abs(body_blocks_[i / 6][7 * (i % 6)]), 1e-300));

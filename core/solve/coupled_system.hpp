@@ -83,6 +83,8 @@ class CoupledSystem final : public LinearOperator {
   /// 3×3 diagonal blocks of the displacement block, held directions on held_scale(); 9 per owned node. Made anew by every call, of all
   /// element matrices. Collective.
   std::vector<double> nodal_blocks() const;
+  /// What held directions add to such blocks.
+  void add_held_blocks(std::span<double> blocks) const;
   /// 6×6 block of every body, the same on every rank.
   const std::vector<std::array<double, 36>>& body_blocks() const { return body_blocks_; }
   double held_scale() const { return held_scale_; }

@@ -135,8 +135,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   };
   // residual and held increments make room for the solver
   const auto right_hand_side = [&] {
-    if (!r) find_residual();
-    find_held();
+    if (!r) find_residual(), find_held();
     auto b = system.right_hand_side(*r, held);
     r.reset();
     std::vector<double>().swap(held);

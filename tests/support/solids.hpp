@@ -32,6 +32,14 @@ inline std::vector<double> deformed(std::span<const double> X, int seed, double 
   return x;
 }
 
+/// A row of n neo-Hookean hexahedra, deformed: packs that are not full.
+struct Row {
+  int n;
+  Mesh mesh = shaken_block(n, 1, 1);
+  std::vector<double> X = places(mesh), x = deformed(X, 3, .15, .05), lambda = noise_vector(n, 1), d = noise_vector(X.size(), 2);
+  Solid solid{X, mesh.hexes, {{"a", make_material({{1, 0, .8}}), 0, n}}};
+};
+
 /// 27 hexahedra of three materials: 10 neo-Hookean, 9 Mooney-Rivlin, 8 polynomial; full packs and partial ones.
 struct ThreeTissues {
   Mesh mesh = shaken_block(3, 3, 3);

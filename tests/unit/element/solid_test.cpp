@@ -238,13 +238,12 @@ TEST_F(SolidTest, EnergyOfHomogeneousDeformationIsDensityTimesVolume) {
 
 TEST(Solid, FewerHexahedraThanLanes) {
   for (int n : {1, 3, 7, 8, 9, 16, 17, 25}) {
-    const Mesh mesh = shaken_block(n, 1, 1);
-    const auto X = places(mesh), x = deformed(X, 3, .15, .05), lambda = noise_vector(n, 1), d = noise_vector(X.size(), 2);
-    Solid solid(X, mesh.hexes, {{"a", make_material({{1, 0, .8}}), 0, n}});
+    Row row{n};
+    auto& [count, mesh, X, x, lambda, d, solid] = row;
     solid.linearize(x, lambda, 0, StrainSource::cache);
-    const auto f = [&](std::span<const double> at) {
-      std::vector<double> out(X.size()), v(n);
-      solid.residual(at, lambda, out, v);
+    const auto f = [&row](std::span<const double> at) {
+      std::vector<double> out(row.X.size()), v(row.n);
+      row.solid.residual(at, row.lambda, out, v);
       return out;
     };
     std::vector<double> action(X.size()), v(n, NAN);

@@ -66,7 +66,6 @@ TEST(PatternJacobi, InvertsDiagonalBlocks) {
   const Linearised l(one_hexahedron(), 2, 0);
   const Lines lines = find_lines(l.problem);
   const LineJacobi jacobi(l.system, lines);
-  const LinePressureStiffness K(l.system, jacobi);
   const Patterns patterns(l.problem, 2);
   const PatternMatrix matrix(l.problem, patterns, jacobi);
   const PatternJacobi inverse(matrix);

@@ -177,7 +177,7 @@ TEST_F(DofMapTest, HeldPartAndFreePartAddUpToTheWhole) {
   const State state = start(dofs);
   std::vector<double> q = noise_vector(dofs.primal_size(), 4), dx(local.X.size()), y(q.size());
   dofs.expand(state, q, dx);
-  dofs.add_held(q, dx, 2, y);
+  dofs.add_held(q, 2, y);
   for (int n = 0; n < local.owned; ++n)
     for (int i = 3 * n; i < 3 * n + 3; ++i) EXPECT_NEAR(y[i], dofs.body_of(n) >= 0 ? 2 * q[i] : 2 * (q[i] - dx[i]), 1e-15);
 }
