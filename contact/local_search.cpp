@@ -9,6 +9,7 @@ namespace bulbus {
 namespace {
 
 constexpr double on_edge = 1e-9;    // weights: what is round-off of an edge
+constexpr double past_rim = 0.01;   // weights: a rim reaches so far, for nodes that meet it within what a solve leaves open
 constexpr double away = -1e-6;      // N·n above this: not facing
 constexpr int longest_walk = 20;
 
@@ -19,7 +20,14 @@ bool nearer(double a, double b, const SearchLimits& limits) { return a < b - 1e-
 bool passes_by(const Vec3<double>& x, const Vec3<double>& N, const MasterSurface::Sphere& s) {
   const Vec3<double> r = minus(s.center, x);
   const double along = dot(r, N);
-  return dot(r, r) - along * along > 1.01 * s.radius * s.radius;
+  return dot(r, r) - along * along > 1.05 * s.radius * s.radius;
+}
+
+// Inside the triangle, or a little past a rim.
+bool meets(const MasterSurface& master, int t, const Crossing& c) {
+  for (int i = 0; i < 3; ++i)
+    if (c.weights[i] < (master.facets.neighbours[t][i] < 0 ? -past_rim : -on_edge)) return false;
+  return true;
 }
 
 struct Hit {
@@ -37,7 +45,7 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
     if (passes_by(x, N, master.spheres[t])) continue;
     const Triangle corners = master.corners(t);
     const Crossing c = cross_line(x, N, corners);
-    if (!c.facing || !c.inside() || std::abs(c.distance) > limits.reach) continue;
+    if (!c.facing || !meets(master, t, c) || std::abs(c.distance) > limits.reach) continue;
     if (best.triangle >= 0 && !nearer(std::abs(c.distance), std::abs(best.distance), limits)) continue;
     if (project(x, corners).gap > -limits.depth) best = {t, c.distance};
   }
@@ -116,7 +124,7 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
   for (int t = start, step = 0; t >= 0 && step < longest_walk; ++step) {
     const Crossing c = cross_line(x, N, master.corners(t));
     if (!c.facing) return -1;
-    if (c.inside()) return t;
+    if (meets(master, t, c)) return t;
     t = master.facets.neighbours[t][std::ranges::min_element(c.weights) - c.weights.begin()];
   }
   return -1;

@@ -33,8 +33,8 @@ struct Crossing {
 };
 Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle& corners);
 
-/// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative weight.
-/// −1 at a rim, at a triangle that looks away, or after 20 steps.
+/// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative weight. −1 at a rim (but for the
+/// hundredth of its triangle's height that it reaches past itself), at a triangle that looks away, or after 20 steps.
 int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start);
 
 /// Walks from `start` to the triangle in which x has its perpendicular foot, or as near to it as a walk across smooth edges (corner
@@ -56,7 +56,7 @@ struct Selection {
 ///    known to have been, so that `depth` does not count; otherwise the nearest one among the candidates.
 /// 2. Where the line meets none, or only one that the node is in front of, the node may still be inside: in a concave corner, or
 ///    where the line slips past a rim. The nearest point of the surface decides, behind an edge or a corner by the sum of the normals
-///    around it (angle-weighted). A rim itself stops nothing.
+///    around it (angle-weighted). A rim stops nothing beyond a hundredth of its triangle's height.
 /// `candidates`: ascending; all triangles within reach of x.
 Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start,
                  std::span<const int> candidates, const SearchLimits& limits);

@@ -213,6 +213,7 @@ TEST(Select, PlanesEndAtASharpEdge) {
 TEST(Select, StopsNothingBeyondARim) {
   const Surface s = flat(3);
   EXPECT_EQ(s.select({1.01, .5, -.05}, down).triangle, -1);
+  EXPECT_GE(s.select({1.001, .5, -.05}, down).triangle, 0) << "less than a hundredth of a triangle";
   EXPECT_TRUE(s.active({.999, .5, -.05}, down));
   EXPECT_TRUE(s.active({.999, .5, -.05}, unit({-.3, 0, -1}))) << "the line slips past the rim, the foot does not";
 }
