@@ -14,7 +14,7 @@ void PressureSchur::strengthen() {
   if (!holds_back()) return;
   const int refinements = system_.problem().mesh().refinements;
   if (refinements != 1) K_ = std::make_unique<const LinePressureStiffness>(system_, *lines_);
-  if (refinements == 0) weak_.push_back(rough_part(system_, *K_, settings_.degree));
+  if (refinements == 0) weak_.push_back(rough_part(system_, *lines_, *K_, settings_.degree));
   if (refinements > 1) weak_.push_back(fine_patterns_part(system_, *K_, settings_.degree));
   if (refinements > 0) weak_.push_back(coarse_patterns_part(system_, *lines_, refinements > 1 ? 0 : settings_.degree));
 }

@@ -7,6 +7,7 @@
 #include "core/base/memory.hpp"
 #include "precond/chebyshev.hpp"
 #include "precond/pattern_matrix.hpp"
+#include "precond/rough.hpp"
 
 namespace bulbus {
 namespace {
@@ -50,8 +51,8 @@ double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * d
 
 class OnAll final : public WeakPart {
  public:
-  OnAll(const CoupledSystem& system, const LinePressureStiffness& K, int degree)
-      : rough_(system.problem()),
+  OnAll(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree)
+      : rough_(system.problem(), carried_by_lines(system, lines)),
         scale_(inverse_diagonal(system)),
         inverse_(K, scale_, degree, smallest_for(degree), system.problem().comm()),
         given_(K.size()),
@@ -103,24 +104,8 @@ class OnPatterns final : public WeakPart {
 
 }  // namespace
 
-void Rough::apply(std::span<double> p) const {
-  for (const SolidRegion& r : regions_) {
-    std::ranges::fill(nodal_, 0.0);  // sum and number at every node
-    for (int h = r.first; h < r.first + r.count; ++h)
-      for (int n : mesh_.hexes[h]) nodal_[2 * n] += p[h], nodal_[2 * n + 1] += 1;
-    mesh_.halo.fold(nodal_, 2);
-    for (int n = 0; n < mesh_.owned; ++n)
-      if (nodal_[2 * n + 1] > 0) nodal_[2 * n] /= 8 * nodal_[2 * n + 1];
-    mesh_.halo.update(nodal_, 2);
-    for (int h = r.first; h < r.first + r.count; ++h)
-      for (int n : mesh_.hexes[h]) p[h] -= nodal_[2 * n];
-  }
-}
-
-std::size_t Rough::bytes() const { return bytes_of(nodal_); }
-
-std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
-  return std::make_unique<OnAll>(system, K, degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
+std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree) {
+  return std::make_unique<OnAll>(system, lines, K, degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
 }
 
 std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {

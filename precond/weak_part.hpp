@@ -16,24 +16,9 @@ class WeakPart {
   virtual std::size_t bytes() const = 0;
 };
 
-/// R p = p − E N⁻¹ Eᵀ p / 8, tissue by tissue: takes away the means over a hexahedron's nodes of the means over the hexahedra of its region
-/// around them. Chessboards have none. Symmetric.
-class Rough {
- public:
-  explicit Rough(const Problem& problem) : mesh_(problem.mesh()), regions_(problem.solid().regions()), nodal_(2 * mesh_.nodes()) {}
-  /// In place. Collective.
-  void apply(std::span<double> p) const;
-  std::size_t bytes() const;
-
- private:
-  const LocalMesh& mesh_;
-  std::span<const SolidRegion> regions_;
-  mutable std::vector<double> nodal_;
-};
-
-/// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see Rough). K has to outlive it. Degree 0: from the mesh.
-/// Collective.
-std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree);
+/// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see Rough) but where lines carry alone. K has to outlive it.
+/// Degree 0: from the mesh. Collective.
+std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree);
 
 /// P q(Pᵀ K P) Pᵀ on the chessboards (see Patterns) of hexahedra that were split once, in the product of its factors. K has to outlive it.
 /// Degree 0: 16. Collective.

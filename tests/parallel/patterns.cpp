@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "precond/pattern_matrix.hpp"
-#include "precond/weak_part.hpp"
+#include "precond/rough.hpp"
 #include "tests/support/small_eye.hpp"
 
 namespace bulbus {
@@ -70,6 +70,20 @@ TEST(Rough, KeepsAChessboard) {
   for (int k = 1; k < 3; ++k)
     for (int j = 1; j < 3; ++j)
       for (int i = 1; i < 3; ++i) EXPECT_EQ(std::abs(kept[i + 4 * j + 16 * k]), 1);
+}
+
+TEST(CarriedByLines, AFilmIsOnAnyNumberOfRanks) {
+  const Scene scene = glued_slab(50, false);
+  Problem problem(scene.mesh, scene.model, Comm());
+  State state = problem.initial_state();
+  problem.begin_step(0, state);
+  LinearSettings settings;
+  CoupledSystem system(problem, settings);
+  system.linearize(state, problem.residual(state));
+  const Lines lines = find_lines(problem);
+  const LineJacobi jacobi(system, lines);
+  const auto carried = carried_by_lines(system, jacobi);
+  EXPECT_EQ(std::ranges::count(carried, 1), std::ssize(carried));
 }
 
 TEST(PatternMatrix, IsTheProductOfABlock) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <functional>
 
 #include "core/mesh/embed.hpp"
@@ -84,6 +86,19 @@ inline Scene stretched_block(int n, const std::string& dz) {
   d.z = dz;
   s.displace.push_back(d);
   scene.model.steps.push_back(s);
+  return scene;
+}
+
+/// A slab of cells `aspect` times as long as thick, both faces glued to plates that move by a fifth of its thickness: sideways, or apart.
+inline Scene glued_slab(double aspect, bool apart) {
+  Scene scene{generate(BlockShape{.upper = {1, 1, 4 / (8 * aspect)}, .nx = 8, .ny = 8, .nz = 4}), {}};
+  scene.model.regions["block"] = neo_hooke(.5);
+  StepSpec s = step("pull", 2);
+  DisplaceSpec low = displace("zmin"), high = displace("zmax");
+  low.x = low.y = low.z = high.x = high.y = high.z = "0";
+  (apart ? high.z : high.x) = fmt::format("{:.17g}", .1 / aspect);
+  s.displace = {low, high};
+  scene.model.steps = {s};
   return scene;
 }
 

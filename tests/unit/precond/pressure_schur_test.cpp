@@ -1,5 +1,6 @@
 #include "precond/line_pressure_stiffness.hpp"
 #include "precond/pressure_schur.hpp"
+#include "precond/rough.hpp"
 
 #include <random>
 
@@ -69,6 +70,15 @@ TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
     EXPECT_NE(before, after);
     ASSERT_FALSE(l.problem.solid().rigid_hexes().empty());
     for (int e : l.problem.solid().rigid_hexes()) EXPECT_EQ(after[e], before[e]);
+  }
+}
+
+TEST(CarriedByLines, AFilmIsAndABulkIsNot) {
+  for (const auto& [aspect, most, least] : {std::tuple(50., 256, 256), {1., 0, 0}}) {
+    WithLines l(glued_slab(aspect, false));
+    const auto carried = carried_by_lines(l.system, l.jacobi);
+    EXPECT_GE(std::ranges::count(carried, 1), least);
+    EXPECT_LE(std::ranges::count(carried, 1), most);
   }
 }
 
