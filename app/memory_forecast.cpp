@@ -14,7 +14,11 @@ namespace bulbus {
 namespace {
 
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
-constexpr int usual_basis = 30;  // Krylov vectors of a solve: only those that it needs are made
+// Krylov vectors of a solve: only those that it needs are made
+constexpr int usual_basis = 30, basis_of_easy_solves = 12;
+
+// Does a run end before weak pressure patterns and tight solves matter?
+bool easy(const NewtonSettings& newton) { return std::min(newton.force, newton.volume) >= 1e-4; }
 
 // Local numbers of one level, summed over ranks.
 struct Size {
@@ -27,6 +31,12 @@ Size size_of(const Problem& problem) {
   std::array<double, 2> sums{static_cast<double>(problem.mesh().nodes()), static_cast<double>(problem.mesh().hexes.size())};
   problem.comm().sum(sums);
   return {sums[0], sums[1], static_cast<double>(problem.liquids().size())};
+}
+
+// In single precision, and in double what tight solves have of theirs; work vectors.
+double krylov_bytes(const Size& s, const SolverSettings& solver) {
+  if (easy(solver.newton)) return (basis_of_easy_solves * single + 6 * number) * s.unknowns();
+  return ((std::min(solver.linear.restart, usual_basis) + 1) * single + 12 * number) * s.unknowns();
 }
 
 double resident(const Comm& comm) {
@@ -83,12 +93,13 @@ void add_direct(const Size& s, std::vector<MemoryPart>& parts) {
   parts.push_back({"factors", 160 * std::pow(s.unknowns(), 4.0 / 3)});
 }
 
-void add_iterative(const Problem& problem, const Size& s, const LinearSettings& l, std::vector<MemoryPart>& parts) {
+void add_iterative(const Problem& problem, const Size& s, const SolverSettings& solver, std::vector<MemoryPart>& parts) {
+  const LinearSettings& l = solver.linear;
   const std::string name = chosen_displacement(l, problem);
   parts.push_back({"operator", system_bytes(s, l)});
   parts.push_back({"smoother", smoother_bytes(s, l) + (1 + s.liquids) * number * s.nodal()});
-  parts.push_back({"Krylov basis", (std::min(l.restart, usual_basis) + 1) * single * s.unknowns() + 12 * number * s.unknowns()});
-  parts.push_back({"element pressures", pressure_bytes(s, problem.mesh().refinements)});
+  parts.push_back({"Krylov basis", krylov_bytes(s, solver)});
+  if (!easy(solver.newton)) parts.push_back({"element pressures", pressure_bytes(s, problem.mesh().refinements)});
   if (name == "multigrid" && problem.coarser())
     add_coarser_levels(problem, l, parts);
   else
@@ -105,11 +116,13 @@ std::vector<MemoryPart> forecast_memory(const Prepared& prepared, const Scene& s
   parts.push_back({"libraries at work", 15 * megabyte * problem.comm().size()});
   // states at rest, on trial and of a probe's beginning, right-hand side and solution
   parts.push_back({"states and residuals", number * 5 * s.unknowns()});
+  // fields on their way to a file, measured; elsewhere they are less than a Krylov basis, which is gone by then
+  if (scene.output.vtk && easy(scene.solver.newton)) parts.push_back({"results", 20 * megabyte});
   if (scene.output.checkpoint > 0) parts.push_back({"checkpoints", 90 * s.nodes + 32 * s.hexes});
   if (scene.solver.linear.method == "direct")
     add_direct(s, parts);
   else
-    add_iterative(problem, s, scene.solver.linear, parts);
+    add_iterative(problem, s, scene.solver, parts);
   return parts;
 }
 
