@@ -72,7 +72,7 @@ void measure(int n, const Options& o, double triad, double peak, json& rows) {
   const ScalarCsr scalar(nodes, visit);
 
   std::vector<NodeSingle> single_dx(nodes), single_y(nodes);
-  for (int n = 0; n < nodes; ++n) single_dx[n] = rounded(&c.dx[3 * n]);
+  for (int i = 0; i < nodes; ++i) single_dx[i] = rounded(&c.dx[3 * i]);
   mean.apply_single(single_dx, single_y);
   const double places = 3. * nodes * sizeof(double), vectors = 3 * places;  // dx read, force read and written
   std::vector<double> change(hexes);

@@ -9,7 +9,7 @@ namespace bulbus {
 namespace {
 
 constexpr double on_edge = 1e-9;    // weights: what is round-off of an edge
-constexpr double past_rim = 0.01;   // weights: a rim reaches so far, for nodes that meet it within what a solve leaves open
+constexpr double past_rim = 0.01;   // weights
 constexpr double away = -1e-6;      // N·n above this: not facing
 constexpr int longest_walk = 20;
 
@@ -21,13 +21,6 @@ bool passes_by(const Vec3<double>& x, const Vec3<double>& N, const MasterSurface
   const Vec3<double> r = minus(s.center, x);
   const double along = dot(r, N);
   return dot(r, r) - along * along > 1.05 * s.radius * s.radius;
-}
-
-// Inside the triangle, or a little past a rim.
-bool meets(const MasterSurface& master, int t, const Crossing& c) {
-  for (int i = 0; i < 3; ++i)
-    if (c.weights[i] < (master.facets.neighbours[t][i] < 0 ? -past_rim : -on_edge)) return false;
-  return true;
 }
 
 struct Hit {
@@ -45,7 +38,7 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
     if (passes_by(x, N, master.spheres[t])) continue;
     const Triangle corners = master.corners(t);
     const Crossing c = cross_line(x, N, corners);
-    if (!c.facing || !meets(master, t, c) || std::abs(c.distance) > limits.reach) continue;
+    if (!c.facing || !c.inside(master.facets.neighbours[t]) || std::abs(c.distance) > limits.reach) continue;
     if (best.triangle >= 0 && !nearer(std::abs(c.distance), std::abs(best.distance), limits)) continue;
     if (project(x, corners).gap > -limits.depth) best = {t, c.distance};
   }
@@ -109,7 +102,11 @@ Triangle MasterSurface::corners(int triangle) const {
   return c;
 }
 
-bool Crossing::inside() const { return std::ranges::min(weights) >= -on_edge; }
+bool Crossing::inside(const std::array<int, 3>& neighbours) const {
+  for (int i = 0; i < 3; ++i)
+    if (!(weights[i] >= (neighbours[i] < 0 ? -past_rim : -on_edge))) return false;
+  return true;
+}
 
 Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle& corners) {
   const Vec3<double> A = minus(corners[0], x), B = minus(corners[1], x), C = minus(corners[2], x);
@@ -124,7 +121,7 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
   for (int t = start, step = 0; t >= 0 && step < longest_walk; ++step) {
     const Crossing c = cross_line(x, N, master.corners(t));
     if (!c.facing) return -1;
-    if (meets(master, t, c)) return t;
+    if (c.inside(master.facets.neighbours[t])) return t;
     t = master.facets.neighbours[t][std::ranges::min_element(c.weights) - c.weights.begin()];
   }
   return -1;

@@ -29,7 +29,9 @@ struct Crossing {
   bool facing = false;            ///< N·n < 0: the triangle looks at the slave; nothing else is given if not
   std::array<double, 3> weights;
   double distance;                ///< d; negative where the node is behind the plane
-  bool inside() const;            ///< edges belong to both sides
+  /// Edges belong to both sides. A rim, where `neighbours` of the triangle are −1, reaches a hundredth of its height past itself: for nodes
+  /// that meet it within what a solve leaves open.
+  bool inside(const std::array<int, 3>& neighbours = {}) const;
 };
 Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle& corners);
 

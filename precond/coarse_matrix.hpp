@@ -31,7 +31,7 @@ class CoarseMatrix {
  private:
   using Block = std::array<std::array<double, 8>, 6>;
   struct Part {
-    int group, first;    // coarse group, place among the contribution's dofs
+    int group, first;        // coarse group, place among the contribution's dofs
     const NodeModes* modes;  // none of a body
   };
   Block& block(int row, int column);

@@ -18,6 +18,7 @@ class DisplacementBlock final : public LinearOperator {
  private:
   const CoupledSystem& system_;
 };
+
 /// The block, or in single precision what smoothers take for it.
 std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision);
 

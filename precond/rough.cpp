@@ -15,22 +15,21 @@ constexpr double film = 1.5;
 
 Rough::Rough(const Problem& problem, std::vector<char> let_through)
     : mesh_(problem.mesh()), regions_(problem.solid().regions()), let_through_(std::move(let_through)), nodal_(2 * mesh_.nodes()) {
-  if (std::ranges::count(let_through_, 0) == std::ssize(let_through_)) std::vector<char>().swap(let_through_);
+  let_through_.resize(mesh_.hexes.size());
 }
 
 void Rough::apply(std::span<double> p) const {
-  const auto smooth = [&](int h) { return let_through_.empty() || !let_through_[h]; };
   for (const SolidRegion& r : regions_) {
     std::ranges::fill(nodal_, 0.0);  // sum and number at every node
     for (int h = r.first; h < r.first + r.count; ++h)
-      if (smooth(h))
+      if (!let_through_[h])
         for (int n : mesh_.hexes[h]) nodal_[2 * n] += p[h], nodal_[2 * n + 1] += 1;
     mesh_.halo.fold(nodal_, 2);
     for (int n = 0; n < mesh_.owned; ++n)
       if (nodal_[2 * n + 1] > 0) nodal_[2 * n] /= 8 * nodal_[2 * n + 1];
     mesh_.halo.update(nodal_, 2);
     for (int h = r.first; h < r.first + r.count; ++h)
-      if (smooth(h))
+      if (!let_through_[h])
         for (int n : mesh_.hexes[h]) p[h] -= nodal_[2 * n];
   }
 }
@@ -41,14 +40,14 @@ std::size_t Rough::bytes() const { return bytes_of(let_through_) + bytes_of(noda
 std::vector<char> carried_by_lines(const CoupledSystem& system, const LineJacobi& lines) {
   const LocalMesh& mesh = system.problem().mesh();
   const DofMap& dofs = system.problem().dofs();
-  const std::size_t size = system.layout().primal();
+  const std::size_t size = system.layout().primal(), nodal = system.layout().nodal;
   std::vector<double> f(size), u(size), Au(size), surplus(mesh.nodes());  // u·(A u − film f) of every node
   for (int c = 0; c < 3; ++c) {
     std::ranges::fill(f, 0);
     for (int n = 0; n < mesh.owned; ++n) f[3 * n + c] = 1;
-    dofs.project(f);
+    dofs.project(std::span(f).first(nodal));
     lines.apply(f, u);
-    dofs.project(u);
+    dofs.project(std::span(u).first(nodal));
     system.apply_displacement(u, Au);
     for (int n = 0; n < mesh.owned; ++n)
       for (int i = 3 * n; i < 3 * n + 3; ++i) surplus[n] += u[i] * (Au[i] - film * f[i]);

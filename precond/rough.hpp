@@ -10,6 +10,7 @@ namespace bulbus {
 /// around them. Chessboards have none. Symmetric. Hexahedra that are let through keep their pressure and do not count in means.
 class Rough {
  public:
+  /// `let_through`: of every hexahedron; empty: none.
   explicit Rough(const Problem& problem, std::vector<char> let_through = {});
   /// In place. Collective.
   void apply(std::span<double> p) const;
@@ -18,7 +19,7 @@ class Rough {
  private:
   const LocalMesh& mesh_;
   std::span<const SolidRegion> regions_;
-  std::vector<char> let_through_;  // empty: none
+  std::vector<char> let_through_;
   mutable std::vector<double> nodal_;
 };
 

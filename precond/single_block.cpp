@@ -6,6 +6,7 @@
 #include "core/solve/reduced.hpp"
 
 namespace bulbus {
+
 SingleBlock::SingleBlock(const CoupledSystem& system) : system_(system), dofs_(system.problem().dofs()), d_(system), z_(system) {
   while (free_ < system.problem().mesh().owned && dofs_.held(free_)) ++free_;
   follow();

@@ -83,8 +83,7 @@ class SingleSmoother final : public Smoother {
   const DofMap& dofs() const { return A_.system().problem().dofs(); }
 
   void load(std::span<const double> b) const {
-    for (std::size_t n = 0; n < owned(); ++n)
-      r_.nodal[n] = rounded(&b[3 * n]);
+    for (std::size_t n = 0; n < owned(); ++n) r_.nodal[n] = rounded(&b[3 * n]);
     std::copy(b.begin() + 3 * owned(), b.end(), r_.bodies.begin());
     dofs().project(r_.nodal);
   }

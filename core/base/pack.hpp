@@ -43,6 +43,13 @@ using NodeSingle = float __attribute__((vector_size(4 * sizeof(float))));
 inline NodeSingle rounded(const double* v) { return NodeSingle{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0}; }
 inline std::span<float> numbers(std::span<NodeSingle> v) { return {reinterpret_cast<float*>(v.data()), 4 * v.size()}; }
 
+/// Is any of the numbers not zero?
+inline bool any(const Pack& x) {
+  for (int l = 0; l < lanes; ++l)
+    if (x[l] != 0) return true;
+  return false;
+}
+
 inline Pack load(const double* p) {
   Pack::Vector v;
   std::memcpy(&v, p, sizeof v);

@@ -105,7 +105,7 @@ void Solid::visit_mean(const ContributionVisitor& visitor) const {
     Pack rest;
     const auto C = mean_tangent(material, gx, reference_gradient(gather<8>(pack, X_)), load_some(lambda_, first, pack.used),
                                 load_some(mu_, first, pack.used), rest);
-    const auto w = volume_curvature(gx, rest);
+    const auto w = any(rest) ? volume_curvature(gx, rest) : std::array<Vec3<Pack>, 64>{};
     const auto b = constraint(x);
     const Pack penalty = load_some(penalty_, first, pack.used);
     for (int m = 0; m < 8; ++m)

@@ -51,7 +51,7 @@ void Solid::fill_tangents() const {
         const auto put = [&](const Pack& from, SinglePack& single) { store(from, reinterpret_cast<float*>(&single.v) + half); };
         for_each_coefficient(C, to.C, put);
         put(rest, to.lambda);
-        for (int l = 0; l < lanes; ++l) to.curved |= rest[l] != 0;
+        to.curved |= any(rest);
         put(load_some(penalty_, first, pack.used), to.penalty);
       }
     };

@@ -110,14 +110,20 @@ bool DofMap::holds_direction(int node, const Vec3<double>& d) const {
   return left < 1e-8;
 }
 
+Vec3<double> DofMap::Node::free_part(Vec3<double> v) const {
+  for (int k = 0; k < count; ++k) {
+    const double along = dot(normal[k], v);
+    for (int c = 0; c < 3; ++c) v[c] -= along * normal[k][c];
+  }
+  return v;
+}
+
 void DofMap::project(std::span<double> v) const {
   const int nodes = static_cast<int>(v.size() / 3);
   for (const Node& h : nodes_) {
     if (h.node >= nodes) continue;
-    for (int k = 0; k < h.count; ++k) {
-      const double along = dot(h.normal[k], at(v, h.node));
-      for (int c = 0; c < 3; ++c) v[3 * h.node + c] -= along * h.normal[k][c];
-    }
+    const Vec3<double> free = h.free_part(at(v, h.node));
+    std::ranges::copy(free, &v[3 * h.node]);
   }
   for (const RigidBody& b : bodies_)
     for (int n : b.nodes())
@@ -127,12 +133,7 @@ void DofMap::project(std::span<double> v) const {
 void DofMap::project(std::span<NodeSingle> v) const {
   for (const Node& h : nodes_) {
     NodeSingle& at = v[h.node];
-    Vec3<double> free{at[0], at[1], at[2]};
-    for (int k = 0; k < h.count; ++k) {
-      const double along = dot(h.normal[k], free);
-      for (int c = 0; c < 3; ++c) free[c] -= along * h.normal[k][c];
-    }
-    at = rounded(free.data());
+    at = rounded(h.free_part({at[0], at[1], at[2]}).data());
   }
   for (const RigidBody& b : bodies_)
     for (int n : b.nodes()) v[n] = NodeSingle{};

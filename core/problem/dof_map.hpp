@@ -75,6 +75,7 @@ class DofMap {
     int node, count = 0;
     std::array<Vec3<double>, 3> normal;                          // orthonormal
     std::array<std::function<double(double)>, 3> value;          // of each normal
+    Vec3<double> free_part(Vec3<double> v) const;
   };
   void add(Node& node, const Hold& hold) const;
 

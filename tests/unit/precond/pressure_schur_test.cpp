@@ -74,11 +74,9 @@ TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
 }
 
 TEST(CarriedByLines, AFilmIsAndABulkIsNot) {
-  for (const auto& [aspect, most, least] : {std::tuple(50., 256, 256), {1., 0, 0}}) {
+  for (const auto& [aspect, expected] : {std::pair(50., 256), {1., 0}}) {
     WithLines l(glued_slab(aspect, false));
-    const auto carried = carried_by_lines(l.system, l.jacobi);
-    EXPECT_GE(std::ranges::count(carried, 1), least);
-    EXPECT_LE(std::ranges::count(carried, 1), most);
+    EXPECT_EQ(std::ranges::count(carried_by_lines(l.system, l.jacobi), 1), expected);
   }
 }
 
