@@ -39,9 +39,12 @@ void PatternMatrix::Assembly::visit(int node, Use use) const {
 
 void PatternMatrix::Assembly::add_lines(const LineJacobi& lines) {
   for (int line = 0; line < lines.count(); ++line) couple(lines.nodes(line));
-  to_.pairs_.resize(at_.size());
-  to_.blocks_.resize(at_.size() * count_ * count_);
-  for (const auto& [key, at] : at_) to_.pairs_[at] = {static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffff)};
+  to_.pairs_.reserve(at_.size());
+  for (const auto& [key, at] : at_) to_.pairs_.push_back({static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffff)});
+  std::ranges::sort(to_.pairs_);
+  for (std::size_t k = 0; k < to_.pairs_.size(); ++k) at_[key(to_.pairs_[k].row, to_.pairs_[k].column)] = k;
+  constexpr int beyond = 6;  // numbers that are loaded along with the last row
+  to_.blocks_.resize(at_.size() * count_ * count_ + beyond);
   for (int line = 0; line < lines.count(); ++line) add(line, lines);
 }
 
@@ -55,7 +58,7 @@ void PatternMatrix::Assembly::find_columns(std::span<const int> nodes) {
 void PatternMatrix::Assembly::couple(std::span<const int> nodes) {
   find_columns(nodes);
   for (std::size_t a = 0; a < columns_.size(); ++a)
-    for (std::size_t b = a; b < columns_.size(); ++b) at_.emplace(key(columns_[a], columns_[b]), at_.size());
+    for (std::size_t b = a; b < columns_.size(); ++b) at_.emplace(key(columns_[a], columns_[b]), 0);
 }
 
 void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
@@ -71,7 +74,7 @@ void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
   const Eigen::MatrixXf energy = lines.energy(line, F_);
   for (std::size_t a = 0; a < columns_.size(); ++a)
     for (std::size_t b = a; b < columns_.size(); ++b)
-      Eigen::MatrixXf::Map(&to_.blocks_[count_ * count_ * at_.at(key(columns_[a], columns_[b]))], count_, count_) +=
+      LineJacobi::Rows::Map(&to_.blocks_[count_ * count_ * at_.at(key(columns_[a], columns_[b]))], count_, count_) +=
           energy.block(count_ * a, count_ * b, count_, count_);
 }
 

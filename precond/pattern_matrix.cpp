@@ -1,6 +1,7 @@
 #include "precond/pattern_matrix.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/base/memory.hpp"
 #include "precond/block_jacobi.hpp"
@@ -8,40 +9,89 @@
 
 namespace bulbus {
 
+namespace {
+
+using Vector = SinglePack::Vector;
+
+Vector load_vector(const float* from) {
+  Vector v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+
+}  // namespace
+
 PatternMatrix::PatternMatrix(const Problem& problem, const Patterns& patterns, const LineJacobi& lines) : patterns_(patterns) {
   Assembly assembly(problem, *this);
   assembly.add_lines(lines);
-  in_.resize(patterns.count() * assembly.coarser());
-  out_.resize(in_.size());
-  exchanged_.resize(in_.size());
+  in_.resize(assembly.coarser());
+  out_.resize(assembly.coarser());
+  exchanged_.resize(patterns.count() * assembly.coarser());
+}
+
+// A block is one vector, b00 b01 b02 b03 b10 ...; it meets the four numbers of x side by side four times, and what it does to its column stays
+// apart by rows until all are done.
+template <>
+void PatternMatrix::add_products<4>() const {
+  for (std::size_t k = 0; k < pairs_.size();) {
+    const int row = pairs_[k].row;
+    Vector x, sums{};
+    for (int i = 0; i < 16; ++i) x[i] = in_[row][i / 4];
+    for (; k < pairs_.size() && pairs_[k].row == row; ++k) {
+      const int column = pairs_[k].column;
+      const Vector B = load_vector(&blocks_[16 * k]);
+      sums += B * in_[column];
+      if (column != row) out_[column] += B * x;
+    }
+    for (int i = 0; i < 16; ++i) out_[row][i / 4] += sums[i];
+  }
+  for (Vector& y : out_)
+    for (int i = 4; i < 16; ++i) y[i % 4] += y[i];
+}
+
+// A row of ten is loaded with six numbers behind it, which meet zeros of x or end in lanes that nobody reads.
+template <>
+void PatternMatrix::add_products<10>() const {
+  for (std::size_t k = 0; k < pairs_.size();) {
+    const int row = pairs_[k].row;
+    Vector sums[10]{};
+    for (; k < pairs_.size() && pairs_[k].row == row; ++k) {
+      const int column = pairs_[k].column;
+      Vector y{};
+      for (int i = 0; i < 10; ++i) {
+        const Vector B = load_vector(&blocks_[100 * k + 10 * i]);
+        sums[i] += B * in_[column];
+        y += B * in_[row][i];
+      }
+      if (column != row) out_[column] += y;
+    }
+    for (int i = 0; i < 10; ++i)
+      for (int j = 0; j < 10; ++j) out_[row][i] += sums[i][j];
+  }
 }
 
 template <int N>
-void PatternMatrix::add_products() const {
-  using Vector = Eigen::Matrix<float, N, 1>;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const auto [row, column] = pairs_[k];
-    const auto B = Eigen::Matrix<float, N, N>::Map(&blocks_[N * N * k]);
-    Vector::Map(&out_[N * row]).noalias() += B.lazyProduct(Vector::Map(&in_[N * column]));
-    if (row != column) Vector::Map(&out_[N * column]).noalias() += B.transpose().lazyProduct(Vector::Map(&in_[N * row]));
-  }
+void PatternMatrix::multiply(std::span<double> x) const {
+  for (std::size_t c = 0; c < in_.size(); ++c)
+    for (int i = 0; i < (N == 4 ? 16 : N); ++i) in_[c][i] = static_cast<float>(x[N * c + i % N]);
+  std::ranges::fill(out_, Vector{});
+  add_products<N>();
+  for (std::size_t c = 0; c < out_.size(); ++c)
+    for (int i = 0; i < N; ++i) x[N * c + i] = out_[c][i];
 }
 
 void PatternMatrix::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::copy(x, exchanged_.begin());
   halo_->update(exchanged_, patterns_.count());
-  std::ranges::transform(exchanged_, in_.begin(), [](double v) { return static_cast<float>(v); });
-  std::ranges::fill(out_, 0.f);
-  if (patterns_.count() == 4) add_products<4>();
-  else add_products<10>();
-  std::ranges::copy(out_, exchanged_.begin());
+  if (patterns_.count() == 4) multiply<4>(exchanged_);
+  else multiply<10>(exchanged_);
   halo_->fold(exchanged_, patterns_.count());
   std::copy_n(exchanged_.begin(), size(), y.begin());
 }
 
 std::vector<double> PatternMatrix::diagonal() const {
   const int numbers = patterns_.count() * patterns_.count();
-  std::vector<double> sum(patterns_.count() * in_.size());
+  std::vector<double> sum(numbers * in_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     if (pairs_[k].row == pairs_[k].column) std::copy_n(&blocks_[numbers * k], numbers, &sum[numbers * pairs_[k].row]);
   halo_->fold(sum, numbers);

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/pack.hpp"
 #include "core/mesh/halo.hpp"
 #include "core/solve/linear_operator.hpp"
 #include "precond/line_pressure_stiffness.hpp"
@@ -26,16 +27,19 @@ class PatternMatrix final : public LinearOperator {
  private:
   struct Pair {
     int row, column;  // row ≤ column
+    auto operator<=>(const Pair&) const = default;
   };
   class Assembly;
+  template <int N>
+  void multiply(std::span<double> x) const;  // x ← K x without halos, N patterns
   template <int N>
   void add_products() const;
 
   const Patterns& patterns_;
-  std::vector<Pair> pairs_;
-  std::vector<float> blocks_;   // of the pairs, by columns
+  std::vector<Pair> pairs_;     // ascending
+  std::vector<float> blocks_;   // of the pairs, by rows
   std::unique_ptr<Halo> halo_;  // of coarser hexahedra, ghosts behind this rank's
-  mutable std::vector<float> in_, out_;
+  mutable std::vector<SinglePack::Vector> in_, out_;  // a vector for a coarser hexahedron
   mutable std::vector<double> exchanged_;
 };
 
