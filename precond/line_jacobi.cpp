@@ -26,9 +26,9 @@ std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
   return next;
 }
 
-LineBlocks blocks_of(const CoupledSystem& system, const Lines& lines, Precision precision) {
+LineBlocks blocks_of(const CoupledSystem& system, const Lines& lines, Matrices matrices) {
   LineBlocks blocks(system, lines);
-  visit_reduced(system.problem(), system.state(), matrices_of(precision),
+  visit_reduced(system.problem(), system.state(), matrices,
                 [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
   blocks.complete();
   return blocks;
@@ -84,7 +84,7 @@ LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const Li
   on_line_.resize(longest_);
 }
 
-LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, Precision precision) : LineJacobi(system, lines, blocks_of(system, lines, precision)) {}
+LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, Matrices matrices) : LineJacobi(system, lines, blocks_of(system, lines, matrices)) {}
 
 bool LineJacobi::factorise(int line, const LineBlocks& blocks) {
   Block inverse;

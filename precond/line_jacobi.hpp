@@ -37,8 +37,8 @@ inline Matrices matrices_of(Precision precision) { return precision == Precision
 /// whose part is not positive definite falls back to its nodes' blocks, so that the result is symmetric positive.
 class LineJacobi final : public Preconditioner {
  public:
-  /// In single precision of what smoothers apply. Collective.
-  LineJacobi(const CoupledSystem& system, const Lines& lines, Precision precision = Precision::full);
+  /// Collective.
+  LineJacobi(const CoupledSystem& system, const Lines& lines, Matrices matrices = Matrices::augmented);
   /// Of complete blocks.
   LineJacobi(const CoupledSystem& system, const Lines& lines, const LineBlocks& blocks);
   int size() const override { return size_; }
@@ -49,6 +49,7 @@ class LineJacobi final : public Preconditioner {
   ///     r −= z,   d ← keep d + add D⁻¹ r,   x += d
   void step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d, std::span<NodeSingle> x) const;
   const BodyBlocks& bodies() const { return bodies_; }
+  const Lines& lines() const { return lines_; }
   int count() const { return lines_.count(); }
   /// Of one line.
   std::span<const int> nodes(int line) const { return std::span(lines_.nodes).subspan(lines_.start[line], lines_.start[line + 1] - lines_.start[line]); }

@@ -99,6 +99,26 @@ std::vector<double> PatternMatrix::diagonal() const {
   return sum;
 }
 
+void PatternMatrix::drop(double part) {
+  const std::size_t numbers = patterns_.count() * patterns_.count();
+  const auto own = diagonal();
+  std::vector<double> norm(in_.size());
+  for (int c = 0; c < patterns_.coarser(); ++c) norm[c] = Eigen::VectorXd::Map(&own[numbers * c], numbers).norm();
+  halo_->update(norm, 1);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const auto [row, column] = pairs_[k];
+    const auto block = Eigen::VectorXf::Map(&blocks_[numbers * k], numbers);
+    if (row != column && block.norm() < part * std::sqrt(norm[row] * norm[column])) continue;
+    std::copy_n(block.data(), numbers, &blocks_[numbers * kept]);
+    pairs_[kept++] = pairs_[k];
+  }
+  blocks_.resize(blocks_.size() - numbers * (pairs_.size() - kept));
+  pairs_.resize(kept);
+  blocks_.shrink_to_fit();
+  pairs_.shrink_to_fit();
+}
+
 std::size_t PatternMatrix::bytes() const { return bytes_of(pairs_) + bytes_of(blocks_) + bytes_of(in_) + bytes_of(out_) + bytes_of(exchanged_); }
 
 PatternJacobi::PatternJacobi(const PatternMatrix& matrix) : patterns_(matrix.patterns()), size_(matrix.size()) {

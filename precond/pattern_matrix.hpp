@@ -18,6 +18,8 @@ class PatternMatrix final : public LinearOperator {
   int size() const override { return patterns_.size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
+  /// Leaves out blocks whose norm is below this part of their two hexahedra's own. Collective.
+  void drop(double part);
   /// Of a coarser hexahedron.
   int patterns() const { return patterns_.count(); }
   /// Blocks of every coarser hexahedron with itself. Collective.

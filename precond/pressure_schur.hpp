@@ -14,7 +14,8 @@ namespace bulbus {
 /// The first part is right for pressures that strain the tissue. Chessboards of pressure along a layer hardly do: Q1/P0 leaves them
 /// almost free, and what holds them goes through the layer's thickness, so that K, the Schur complement with the lines of the
 /// displacement block, knows of it and nodal blocks do not. The weak parts invert K by polynomials, as fixed linear maps, and leave smooth
-/// pressures alone. K's least eigenvalues fall with the square of a hexahedron's size, but a refined mesh knows its chessboards, and
+/// pressures alone. On refined meshes K is that of lines with a tenth of the augmentation: lines carry it without the neighbours that undo
+/// it in a chessboard's displacement, and make K up to eleven times too soft. K's least eigenvalues fall with the square of a hexahedron's size, but a refined mesh knows its chessboards, and
 /// the slow ones among them are few. Taken up when a solve drags, or at once.
 class PressureSchur final : public Preconditioner {
  public:
@@ -33,7 +34,8 @@ class PressureSchur final : public Preconditioner {
   const LineJacobi* lines_;
   PressureSettings settings_;
   std::vector<double> diagonal_;
-  std::unique_ptr<const LinePressureStiffness> K_;  // where a part needs it
+  std::unique_ptr<const LineJacobi> softened_;      // these two where a part needs them
+  std::unique_ptr<const LinePressureStiffness> K_;
   std::vector<std::unique_ptr<WeakPart>> weak_;
 };
 

@@ -78,8 +78,8 @@ class Solid {
 
   /// Element matrices of the linearised state, augmentation included where `augmented`.
   void visit(const ContributionVisitor& visitor, bool augmented) const;
-  /// The matrices that apply_single() stands for, augmentation included, in a fifth of the time.
-  void visit_mean(const ContributionVisitor& visitor) const;
+  /// The matrices that apply_single() stands for, with this part of the augmentation, in a fifth of the time.
+  void visit_mean(const ContributionVisitor& visitor, double augmentation = 1) const;
   /// b_e = ∂V_e/∂u of every hexahedron: 8 local nodes, 24 numbers.
   void visit_constraints(const std::function<void(int hex, std::span<const int> nodes, std::span<const double> b)>&) const;
 

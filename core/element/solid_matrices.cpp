@@ -94,7 +94,7 @@ Mat3<Pack> block_between(const MeanTangent<Pack>& C, const double (&m)[3][3]) {
 
 }  // namespace
 
-void Solid::visit_mean(const ContributionVisitor& visitor) const {
+void Solid::visit_mean(const ContributionVisitor& visitor, double augmentation) const {
   static const MeanProducts products;
   std::array<Pack, 24 * 24> K;
   std::array<double, 24 * 24> lane;
@@ -107,7 +107,7 @@ void Solid::visit_mean(const ContributionVisitor& visitor) const {
                                 load_some(mu_, first, pack.used), rest);
     const auto w = any(rest) ? volume_curvature(gx, rest) : std::array<Vec3<Pack>, 64>{};
     const auto b = constraint(x);
-    const Pack penalty = load_some(penalty_, first, pack.used);
+    const Pack penalty = augmentation * load_some(penalty_, first, pack.used);
     for (int m = 0; m < 8; ++m)
       for (int n = m; n < 8; ++n) {
         Mat3<Pack> block = block_between(C, products.of[m][n]);

@@ -65,8 +65,11 @@ void visit_reduced(const Problem& problem, const State& state, Matrices matrices
     const Matrix reduced = T.transpose() * full * T;
     visitor(dofs, std::span(reduced.data(), reduced.size()));
   };
-  if (matrices == Matrices::mean) problem.solid().visit_mean(reduce);
-  else problem.solid().visit(reduce, matrices == Matrices::augmented);
+  switch (matrices) {
+    case Matrices::mean: problem.solid().visit_mean(reduce); break;
+    case Matrices::softened: problem.solid().visit_mean(reduce, .1); break;
+    default: problem.solid().visit(reduce, matrices == Matrices::augmented);
+  }
   visit_surface(problem, state, reduce);
 }
 

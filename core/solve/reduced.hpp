@@ -10,8 +10,8 @@ namespace bulbus {
 /// of a local node, or 3·nodes + 6·body + i of a rigid body.
 using ReducedVisitor = std::function<void(std::span<const int> dofs, std::span<const double> matrix)>;
 
-/// Of hexahedra: the tangent; with γ b W bᵀ; or augmented means, as smoothers apply them (Solid::visit_mean).
-enum class Matrices { plain, augmented, mean };
+/// Of hexahedra: the tangent; with γ b W bᵀ; augmented means, as smoothers apply them (Solid::visit_mean); these with a tenth of γ.
+enum class Matrices { plain, augmented, mean, softened };
 
 /// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute, in reduced dofs:
 /// held directions projected out, nodes of bodies mapped to their six. Identity parts of held directions are not among it.

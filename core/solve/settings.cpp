@@ -4,7 +4,9 @@ namespace bulbus {
 
 // Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations.
 void LinearSettings::take_mesh(int refinements) {
-  if (refinements > 0) gamma = 10;
+  if (refinements == 0) return;
+  gamma = 12;
+  pressures.weight = .3;
 }
 
 std::string SolverSettings::accuracy_help() {

@@ -96,5 +96,32 @@ TEST(PatternMatrix, IsTheProductOfAShellWithARigidCap) {
 
 TEST(PatternMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8), 1); }
 
+TEST(PatternMatrix, DropsWhatHardlyCouples) {
+  const Scene scene = small_eye(8);
+  Problem problem(refined(scene.mesh, 1), scene.model, Comm());
+  const State state = problem.initial_state();
+  LinearSettings settings;
+  CoupledSystem system(problem, settings);
+  system.linearize(state, problem.residual(state));
+  const Lines lines = find_lines(problem);
+  const LineJacobi jacobi(system, lines);
+  const Patterns patterns(problem, 1);
+  PatternMatrix matrix(problem, patterns, jacobi);
+  std::vector<double> c(patterns.size()), whole(c), kept(c), back(c);
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] = noise(patterns.labels()[i / 4], static_cast<int>(i) % 4);
+  matrix.apply(c, whole);
+  const std::size_t bytes = matrix.bytes();
+  matrix.drop(3e-4);
+  EXPECT_LT(matrix.bytes(), bytes);
+  matrix.apply(c, kept);
+  double size = 0, error = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) size += whole[i] * whole[i], error += std::pow(kept[i] - whole[i], 2);
+  EXPECT_LT(Comm().sum(error), 1e-6 * Comm().sum(size));
+  matrix.drop(10);  // all but the diagonal's
+  matrix.apply(c, kept);
+  PatternJacobi(matrix).apply(kept, back);
+  for (std::size_t i = 0; i < c.size(); ++i) EXPECT_NEAR(back[i], c[i], 1e-3);
+}
+
 }  // namespace
 }  // namespace bulbus

@@ -38,8 +38,8 @@ TEST(Reader, AugmentsMoreOnRefinedMeshesUnlessTold) {
     return parse_scene(least_scene(""), "scene.yaml", overrides).solver.linear.gamma;
   };
   EXPECT_EQ(gamma({}), LinearSettings().gamma);
-  EXPECT_EQ(gamma({"mesh.refine=2"}), 10);
-  EXPECT_EQ(gamma({"mesh.refine=2", "solver.accuracy=fast"}), 10);
+  EXPECT_EQ(gamma({"mesh.refine=2"}), 12);
+  EXPECT_EQ(gamma({"mesh.refine=2", "solver.accuracy=fast"}), 12);
   EXPECT_EQ(gamma({"mesh.refine=2", "solver.linear.gamma=3"}), 3);
 }
 

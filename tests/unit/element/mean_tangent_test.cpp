@@ -23,8 +23,8 @@ std::vector<double> single_action(const Solid& solid, std::span<const double> d)
   return f;
 }
 
-std::vector<double> mean_action(const Solid& solid, std::span<const double> d) {
-  const BlockCsr A(static_cast<int>(d.size() / 3), [&](const ContributionVisitor& v) { solid.visit_mean(v); });
+std::vector<double> mean_action(const Solid& solid, std::span<const double> d, double augmentation = 1) {
+  const BlockCsr A(static_cast<int>(d.size() / 3), [&](const ContributionVisitor& v) { solid.visit_mean(v, augmentation); });
   std::vector<double> f(d.size());
   A.apply(d, f);
   return f;
@@ -72,6 +72,13 @@ TEST_F(MeanTangentTest, MatricesAreSymmetric) {
     for (int i = 0; i < 24; ++i)
       for (int j = 0; j < i; ++j) ASSERT_EQ(K[24 * i + j], K[24 * j + i]);
   });
+}
+
+TEST_F(MeanTangentTest, MatricesTakeAPartOfTheAugmentation) {
+  solid.linearize(x, lambda, 10, StrainSource::recompute);
+  const auto part = mean_action(solid, d, .1);
+  solid.linearize(x, lambda, 1, StrainSource::recompute);
+  EXPECT_LT(relative_difference(part, mean_action(solid, d)), 1e-12);
 }
 
 TEST_F(MeanTangentTest, DoesNotFeelTranslations) {
