@@ -19,7 +19,7 @@ struct SmootherSettings {
 /// Aggregation as a preconditioner of the displacement block.
 struct AggregationSettings : SmootherSettings {
   int nodes = 16;
-  AggregationSettings() : SmootherSettings{12, 0.02} {}
+  AggregationSettings() : SmootherSettings{16, 0.02} {}
   template <class V>
   void describe(V&& v) {
     v("nodes", nodes, About{"nodes of an aggregate"}.between(8, 1000));
