@@ -20,7 +20,7 @@ void SolverSettings::take_preset() {
   linear.reuse = 2;
   if (accuracy == "balanced") {
     newton.force = newton.volume = 1e-5, newton.liquid = 1e-6;
-    newton.underway = 1e3;
+    newton.underway = 200;  // from 1000 on, runs end with another point in contact now and then
   } else {  // a node more or less in contact is per cents of the area: the end must be as strict as that of tight
     newton.force = newton.liquid = 1e-6, newton.volume = 1e-5;
     newton.eta_max = 3e-3;
