@@ -15,7 +15,8 @@ namespace {
 
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
 // Krylov vectors of a solve: only those that it needs are made
-constexpr int usual_basis = 30, basis_of_easy_solves = 12;
+constexpr int usual_basis = 30, basis_with_hierarchy = 18, basis_of_easy_solves = 12;
+constexpr double tight = 1e-5;  // to below it a solve has two bases in double precision
 
 // Does a run end before weak pressure patterns and tight solves matter?
 bool easy(const NewtonSettings& newton) { return std::min(newton.force, newton.volume) >= 1e-4; }
@@ -33,10 +34,11 @@ Size size_of(const Problem& problem) {
   return {sums[0], sums[1], static_cast<double>(problem.liquids().size())};
 }
 
-// In single precision, and in double what tight solves have of theirs; work vectors.
-double krylov_bytes(const Size& s, const SolverSettings& solver) {
-  if (easy(solver.newton)) return (basis_of_easy_solves * single + 6 * number) * s.unknowns();
-  return ((std::min(solver.linear.restart, usual_basis) + 1) * single + 12 * number) * s.unknowns();
+// The basis, and work vectors in double precision.
+double krylov_bytes(const Size& s, const SolverSettings& solver, int refinements) {
+  const int most = easy(solver.newton) ? basis_of_easy_solves : refinements > 0 ? basis_with_hierarchy : usual_basis;
+  const double vector = solver.newton.eta_max < tight ? 2 * number : single;
+  return (std::min(solver.linear.restart, most) * vector + 6 * number) * s.unknowns();
 }
 
 double resident(const Comm& comm) {
@@ -58,12 +60,12 @@ double smoother_bytes(const Size& s, const LinearSettings& l) {
 }
 
 // Nodal room of K; vectors. Of a refined mesh the matrix of slow patterns: pairs of coarser hexahedra, measured on eyes, where lines run
-// through five and more of them. What setting it up needs besides is less than a Krylov basis that is still short.
+// through five and more of them; on one refined twice K's own lines. What setting it up needs besides is less than a Krylov basis that is still short.
 double pressure_bytes(const Size& s, int refinements) {
   const double K = sizeof(NodeSingle) * s.nodes;
   if (refinements == 0) return K + 6 * number * s.hexes + 2 * number * s.nodes;
-  const double coarser = s.hexes / (refinements == 1 ? 8 : 64), pairs = 33 * coarser * std::max(1.0, std::cbrt(coarser / 7350));
-  return refinements == 1 ? 72 * pairs : K + 54 * s.hexes + 408 * pairs;
+  const double coarser = s.hexes / (refinements == 1 ? 8 : 64), pairs = 20 * coarser * std::max(1.0, std::cbrt(coarser / 7350));
+  return refinements == 1 ? 72 * pairs : K + 15 * single * s.nodes + 54 * s.hexes + 408 * pairs;
 }
 
 // MUMPS on the displacement block of a base mesh, measured on eyes.
@@ -98,7 +100,7 @@ void add_iterative(const Problem& problem, const Size& s, const SolverSettings& 
   const std::string name = chosen_displacement(l, problem);
   parts.push_back({"operator", system_bytes(s, l)});
   parts.push_back({"smoother", smoother_bytes(s, l) + (1 + s.liquids) * number * s.nodal()});
-  parts.push_back({"Krylov basis", krylov_bytes(s, solver)});
+  parts.push_back({"Krylov basis", krylov_bytes(s, solver, problem.mesh().refinements)});
   if (!easy(solver.newton)) parts.push_back({"element pressures", pressure_bytes(s, problem.mesh().refinements)});
   if (name == "multigrid" && problem.coarser())
     add_coarser_levels(problem, l, parts);

@@ -40,12 +40,15 @@ class ForcingTerm {
     }
     before_ = norm;
     const double enough = 0.1 / excess;
-    eta_ = std::min(cap_, std::max(eta_, enough));
+    eta_ = std::min(cap_, std::max({eta_, enough, least}));
     if (held && enough > cap_ && !std::exchange(tried_, true)) return enough;
     return std::max(eta_, 1e-13);
   }
 
  private:
+  // Where motions are prescribed the first right-hand side is theirs, and the ratio of norms promises more than the next tangent keeps. More
+  // digits than these in one solve need a Krylov basis of four times the memory.
+  static constexpr double least = 1e-5;
   double cap_, eta_, before_ = 0;
   bool tried_ = false;
 };
