@@ -3,6 +3,7 @@
 
 #include "precond/pattern_matrix.hpp"
 #include "precond/rough.hpp"
+#include "tests/support/linearised.hpp"
 #include "tests/support/small_eye.hpp"
 
 namespace bulbus {
@@ -11,20 +12,20 @@ namespace {
 // Of a hexahedron of the whole mesh: the same on all ranks.
 double noise(int hex, int k) { return std::sin(12.9898 * hex + 78.233 * k); }
 
+std::vector<double> noise(const Patterns& patterns) {
+  std::vector<double> c(patterns.size());
+  for (int i = 0; i < patterns.size(); ++i) c[i] = noise(patterns.labels()[i / patterns.count()], i % patterns.count());
+  return c;
+}
+
 void expect_product(const Scene& scene, int refinements) {
-  Problem problem(refined(scene.mesh, refinements), scene.model, Comm());
-  const State state = problem.initial_state();
-  LinearSettings settings;
-  CoupledSystem system(problem, settings);
-  system.linearize(state, problem.residual(state));
-  const Lines lines = find_lines(problem);
-  const LineJacobi jacobi(system, lines);
-  const LinePressureStiffness K(system, jacobi);
-  const Patterns patterns(problem, refinements);
-  const PatternMatrix matrix(problem, patterns, jacobi);
+  const WithLines l(scene, refinements, 0);
+  const LinePressureStiffness K(l.system, l.jacobi);
+  const Patterns patterns(l.problem, refinements);
+  const PatternMatrix matrix(l.problem, patterns, l.jacobi);
   const PatternProduct product(patterns, K);
-  std::vector<double> c(patterns.size()), found(c.size(), std::nan("")), expected(c);
-  for (std::size_t i = 0; i < c.size(); ++i) c[i] = noise(patterns.labels()[i / patterns.count()], static_cast<int>(i) % patterns.count());
+  const auto c = noise(patterns);
+  std::vector<double> found(c.size(), std::nan("")), expected(c.size());
   matrix.apply(c, found);
   product.apply(c, expected);
   double size = 0;
@@ -73,16 +74,8 @@ TEST(Rough, KeepsAChessboard) {
 }
 
 TEST(CarriedByLines, AFilmIsOnAnyNumberOfRanks) {
-  const Scene scene = glued_slab(50, false);
-  Problem problem(scene.mesh, scene.model, Comm());
-  State state = problem.initial_state();
-  problem.begin_step(0, state);
-  LinearSettings settings;
-  CoupledSystem system(problem, settings);
-  system.linearize(state, problem.residual(state));
-  const Lines lines = find_lines(problem);
-  const LineJacobi jacobi(system, lines);
-  const auto carried = carried_by_lines(system, jacobi);
+  const WithLines l(glued_slab(50, false), 0, 0);
+  const auto carried = carried_by_lines(l.system, l.jacobi);
   EXPECT_EQ(std::ranges::count(carried, 1), std::ssize(carried));
 }
 
@@ -97,18 +90,11 @@ TEST(PatternMatrix, IsTheProductOfAShellWithARigidCap) {
 TEST(PatternMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8), 1); }
 
 TEST(PatternMatrix, DropsWhatHardlyCouples) {
-  const Scene scene = small_eye(8);
-  Problem problem(refined(scene.mesh, 1), scene.model, Comm());
-  const State state = problem.initial_state();
-  LinearSettings settings;
-  CoupledSystem system(problem, settings);
-  system.linearize(state, problem.residual(state));
-  const Lines lines = find_lines(problem);
-  const LineJacobi jacobi(system, lines);
-  const Patterns patterns(problem, 1);
-  PatternMatrix matrix(problem, patterns, jacobi);
-  std::vector<double> c(patterns.size()), whole(c), kept(c), back(c);
-  for (std::size_t i = 0; i < c.size(); ++i) c[i] = noise(patterns.labels()[i / 4], static_cast<int>(i) % 4);
+  const WithLines l(small_eye(8), 1, 0);
+  const Patterns patterns(l.problem, 1);
+  PatternMatrix matrix(l.problem, patterns, l.jacobi);
+  const auto c = noise(patterns);
+  std::vector<double> whole(c.size()), kept(c.size()), back(c.size());
   matrix.apply(c, whole);
   const std::size_t bytes = matrix.bytes();
   matrix.drop(3e-4);

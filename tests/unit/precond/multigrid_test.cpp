@@ -6,7 +6,7 @@
 #include "precond/chebyshev.hpp"
 #include "precond/displacement.hpp"
 #include "tests/support/small_eye.hpp"
-#include "tests/unit/precond/linearised.hpp"
+#include "tests/support/linearised.hpp"
 
 namespace bulbus {
 namespace {

@@ -1,7 +1,7 @@
 #include "precond/patterns.hpp"
 
 #include "precond/pattern_matrix.hpp"
-#include "tests/unit/precond/linearised.hpp"
+#include "tests/support/linearised.hpp"
 
 namespace bulbus {
 namespace {
@@ -63,11 +63,9 @@ TEST(Patterns, AreNoneOfRigidHexahedra) {
 }
 
 TEST(PatternJacobi, InvertsDiagonalBlocks) {
-  const Linearised l(one_hexahedron(), 2, 0);
-  const Lines lines = find_lines(l.problem);
-  const LineJacobi jacobi(l.system, lines);
+  const WithLines l(one_hexahedron(), 2, 0);
   const Patterns patterns(l.problem, 2);
-  const PatternMatrix matrix(l.problem, patterns, jacobi);
+  const PatternMatrix matrix(l.problem, patterns, l.jacobi);
   const PatternJacobi inverse(matrix);
   std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);

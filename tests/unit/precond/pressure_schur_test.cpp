@@ -5,7 +5,7 @@
 #include <random>
 
 #include "tests/support/small_eye.hpp"
-#include "tests/unit/precond/linearised.hpp"
+#include "tests/support/linearised.hpp"
 
 namespace bulbus {
 namespace {
@@ -20,15 +20,11 @@ std::vector<double> noise(int size, int seed) {
 
 double product(const std::vector<double>& a, const std::vector<double>& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
 
-struct WithLines : Linearised {
-  Lines lines = find_lines(problem);
-  LineJacobi jacobi{system, lines};
-  explicit WithLines(const Scene& scene, int refine = 0) : Linearised(scene, refine, .001) {}
-};
+constexpr double shake = .001;
 
 TEST(LinePressureStiffness, IsTheProductOfItsFactors) {
   for (const Scene& scene : {thin_plate(), filled_shell("octant"), small_eye(8)}) {
-    WithLines l(scene);
+    WithLines l(scene, 0, shake);
     const LinePressureStiffness K(l.system, l.jacobi);
     const auto p = noise(K.size(), 1);
     std::vector<double> force(l.system.layout().primal()), motion(force.size()), nodal(l.state.x.size()), expected(p.size()), found(p.size());
@@ -46,7 +42,7 @@ TEST(LinePressureStiffness, IsTheProductOfItsFactors) {
 
 TEST(PressureSchur, IsSymmetricAndPositive) {
   for (const auto& [scene, refine] : {std::pair(small_eye(8), 0), {filled_shell("half"), 1}, {filled_shell("octant"), 2}}) {
-    WithLines l(scene, refine);
+    WithLines l(scene, refine, shake);
     PressureSchur schur(l.system, &l.jacobi, {});
     schur.strengthen();
     const auto p = noise(schur.size(), 1), q = noise(schur.size(), 2);
@@ -60,7 +56,7 @@ TEST(PressureSchur, IsSymmetricAndPositive) {
 
 TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
   for (int refine : {0, 1, 2}) {
-    WithLines l(filled_shell("half"), refine);
+    WithLines l(filled_shell("half"), refine, shake);
     PressureSchur schur(l.system, &l.jacobi, {});
     const auto p = noise(schur.size(), 1);
     std::vector<double> before(p.size()), after(p.size());
@@ -75,13 +71,13 @@ TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
 
 TEST(CarriedByLines, AFilmIsAndABulkIsNot) {
   for (const auto& [aspect, expected] : {std::pair(50., 256), {1., 0}}) {
-    WithLines l(glued_slab(aspect, false));
+    WithLines l(glued_slab(aspect, false), 0, shake);
     EXPECT_EQ(std::ranges::count(carried_by_lines(l.system, l.jacobi), 1), expected);
   }
 }
 
 TEST(PressureSchur, HoldsBackUntilItIsAsked) {
-  WithLines l(small_eye(8));
+  WithLines l(small_eye(8), 0, shake);
   PressureSchur schur(l.system, &l.jacobi, {});
   const auto p = noise(schur.size(), 1), diagonal = l.system.inverse_pressure_schur();
   std::vector<double> z(p.size());

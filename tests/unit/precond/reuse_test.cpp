@@ -1,6 +1,6 @@
 #include "precond/make_preconditioner.hpp"
 #include "tests/support/small_eye.hpp"
-#include "tests/unit/precond/linearised.hpp"
+#include "tests/support/linearised.hpp"
 
 namespace bulbus {
 namespace {

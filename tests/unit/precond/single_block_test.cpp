@@ -5,7 +5,7 @@
 #include "precond/displacement.hpp"
 #include "precond/smoother.hpp"
 #include "tests/support/small_eye.hpp"
-#include "tests/unit/precond/linearised.hpp"
+#include "tests/support/linearised.hpp"
 
 namespace bulbus {
 namespace {
@@ -60,15 +60,13 @@ TEST(SingleBlock, DoesNotDrownStrainInTranslations) {
 
 // Both precisions on parallelepipeds at rest, where means are exact: r and x of the smoother before, x of the one after.
 TEST(Smoother, IsTheSameInBothPrecisions) {
-  const Linearised l(thin_plate(), 0, 0);
-  const Lines lines = find_lines(l.problem);
-  const LineJacobi jacobi(l.system, lines);
+  const WithLines l(thin_plate(), 0, 0);
   const SmootherSettings settings{5, .1};
   auto b = noise_primal(l.problem, 1), e = noise_primal(l.problem, 2);
   for (auto* v : {&b, &e}) l.problem.dofs().project(*v);  // held directions are solved for at once in one, smoothed in the other
   std::vector<std::vector<double>> found;
   for (Precision precision : {Precision::full, Precision::single}) {
-    const auto S = make_smoother(l.system, jacobi, settings, precision);
+    const auto S = make_smoother(l.system, l.jacobi, settings, precision);
     std::vector<double> x(b.size(), std::nan("")), r(x), improved(x);
     S->before(b, x, r);
     found.push_back(x), found.push_back(r);

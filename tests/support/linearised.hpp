@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include "precond/line_jacobi.hpp"
 #include "precond/make_preconditioner.hpp"
 #include "tests/support/models.hpp"
 
@@ -26,6 +27,13 @@ struct Linearised {
     s.take_mesh(refine);
     return s;
   }
+};
+
+// With the lines of its displacement block.
+struct WithLines : Linearised {
+  Lines lines = find_lines(problem);
+  LineJacobi jacobi{system, lines};
+  WithLines(const Scene& scene, int refine, double shake) : Linearised(scene, refine, shake) {}
 };
 
 inline Scene thin_plate() {
