@@ -8,6 +8,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/memory.hpp"
+#include "core/solve/fgmres.hpp"
 #include "precond/displacement.hpp"
 
 namespace bulbus {
@@ -16,7 +17,6 @@ namespace {
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
 // Krylov vectors of a solve: only those that it needs are made
 constexpr int usual_basis = 30, basis_with_hierarchy = 18, basis_of_easy_solves = 12;
-constexpr double tight = 1e-5;  // to below it a solve has two bases in double precision
 
 // Does a run end before weak pressure patterns and tight solves matter?
 bool easy(const NewtonSettings& newton) { return std::min(newton.force, newton.volume) >= 1e-4; }
@@ -37,7 +37,7 @@ Size size_of(const Problem& problem) {
 // The basis, and work vectors in double precision.
 double krylov_bytes(const Size& s, const SolverSettings& solver, int refinements) {
   const int most = easy(solver.newton) ? basis_of_easy_solves : refinements > 0 ? basis_with_hierarchy : usual_basis;
-  const double vector = solver.newton.eta_max < tight ? 2 * number : single;
+  const double vector = solver.newton.eta_max < least_of_plain_method ? 2 * number : single;
   return (std::min(solver.linear.restart, most) * vector + 6 * number) * s.unknowns();
 }
 
@@ -60,7 +60,8 @@ double smoother_bytes(const Size& s, const LinearSettings& l) {
 }
 
 // Nodal room of K; vectors. Of a refined mesh the matrix of slow patterns: pairs of coarser hexahedra, measured on eyes, where lines run
-// through five and more of them; on one refined twice K's own lines. What setting it up needs besides is less than a Krylov basis that is still short.
+// through five and more of them; on one refined twice K's own lines. What setting it up needs besides is less than a Krylov basis that is
+// still short.
 double pressure_bytes(const Size& s, int refinements) {
   const double K = sizeof(NodeSingle) * s.nodes;
   if (refinements == 0) return K + 6 * number * s.hexes + 2 * number * s.nodes;

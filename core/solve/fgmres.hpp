@@ -10,12 +10,16 @@
 
 namespace bulbus {
 
+/// A preconditioner in single precision is linear up to rounding only, and a basis in single precision rounds besides. Below this tolerance
+/// what plain GMRES says of its residual is not true any more: such solves take the flexible method, with two bases in double precision.
+constexpr double least_of_plain_method = 1e-5;
+
 struct KrylovOptions {
   double tolerance = 1e-6;  ///< on ‖b - A x‖ / ‖b‖
   int restart = 40;         ///< basis vectors; the flexible method holds two vectors for each
   int max_iterations = 400;
   bool flexible = true;  ///< needed unless the preconditioner is fixed(); costs a second basis
-  Precision basis = Precision::full;  ///< a basis in single precision reaches 1e-5 or so in one go
+  Precision basis = Precision::full;  ///< single: not below least_of_plain_method
 };
 
 /// What became of a solve. Norms are Euclidean over all ranks.

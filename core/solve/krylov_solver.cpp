@@ -60,10 +60,6 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
   return sums;
 }
 
-// A preconditioner in single precision is linear up to rounding only. Below this tolerance, and near limit points, what plain GMRES says
-// of its residual is not true any more.
-constexpr double roundings = 1e-5;
-
 // Krylov iterations that a digit costs where solves are easy.
 constexpr double per_digit = 1.5;
 
@@ -126,12 +122,12 @@ class KrylovSolver final : public LinearSolver {
 
  private:
   // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with the strengthened
-  // preconditioner; where plain GMRES, which needs one basis only, still fails, the flexible one, anew from where it has come to as long as
+  // preconditioner; where plain GMRES, which needs one basis only, still fails, as near limit points, the flexible one, anew from where it has come to as long as
   // rounding ends it and each time gains a digit.
   KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
                                double tolerance, const Comm& comm, const KrylovObserver& observer) {
     KrylovReport report;
-    bool flexible = !M.fixed() || tolerance < roundings;
+    bool flexible = !M.fixed() || tolerance < least_of_plain_method;
     const auto go_on = [&](int most) {
       if (report.converged || most <= 0) return;
       const Precision basis = flexible ? Precision::full : Precision::single;

@@ -27,8 +27,10 @@ double excess(const Balance& b, const NewtonSettings& s) {
   return std::max({b.force / s.force, b.volume / s.volume, b.liquid / s.liquid});
 }
 
-// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing. Where the criteria are nearly met, a
-// tenth of that may lie above the cap: tried once, as a region may need more than all together, and where prescribed motions are done.
+// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing, nor than plain GMRES reaches unless the cap is:
+// where motions are prescribed the first right-hand side is theirs, and the ratio of norms promises more than the next tangent keeps. Where the
+// criteria are nearly met, a tenth of what is missing may lie above the cap: tried once, as a region may need more than all together, and where
+// prescribed motions are done.
 class ForcingTerm {
  public:
   explicit ForcingTerm(double cap) : cap_(cap), eta_(cap) {}
@@ -40,15 +42,12 @@ class ForcingTerm {
     }
     before_ = norm;
     const double enough = 0.1 / excess;
-    eta_ = std::min(cap_, std::max({eta_, enough, least}));
+    eta_ = std::min(cap_, std::max({eta_, enough, least_of_plain_method}));
     if (held && enough > cap_ && !std::exchange(tried_, true)) return enough;
     return std::max(eta_, 1e-13);
   }
 
  private:
-  // Where motions are prescribed the first right-hand side is theirs, and the ratio of norms promises more than the next tangent keeps. More
-  // digits than these in one solve need a Krylov basis of four times the memory.
-  static constexpr double least = 1e-5;
   double cap_, eta_, before_ = 0;
   bool tried_ = false;
 };
