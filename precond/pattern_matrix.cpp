@@ -1,6 +1,7 @@
 #include "precond/pattern_matrix.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "core/base/memory.hpp"
@@ -8,7 +9,6 @@
 #include "precond/pattern_assembly.hpp"
 
 namespace bulbus {
-
 namespace {
 
 using Vector = SinglePack::Vector;

@@ -2,7 +2,7 @@
 
 namespace bulbus {
 
-// Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations.
+// Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations; K of softened lines bears more weight.
 void LinearSettings::take_mesh(int refinements) {
   if (refinements == 0) return;
   gamma = 12;
