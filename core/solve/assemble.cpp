@@ -1,6 +1,7 @@
 #include "core/solve/assemble.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.hpp"
 #include "core/solve/reduced.hpp"
@@ -94,28 +95,89 @@ class Collector {
   bool upper_;
 };
 
-template <class Number>
-void add_contributions(const CoupledSystem& system, bool augmented, Number number, Collector& out) {
+// The same of nodes alone, block by block: nodes meet far fewer others than unknowns do.
+class BlockCollector {
+ public:
+  BlockCollector(const LocalMesh& mesh, Triangle part) : mesh_(mesh), rows_(mesh.all_nodes), upper_(part == Triangle::upper) {}
+  // What bodies have is left out.
+  void add(std::span<const int> dofs, std::span<const double> K) {
+    const int nodal = 3 * mesh_.nodes();
+    firsts_.clear();
+    for (std::size_t i = 0; i < dofs.size(); i += dofs[i] < nodal ? 3 : 6)
+      if (dofs[i] < nodal) firsts_.push_back(i);
+    for (std::size_t i : firsts_)
+      for (std::size_t j : firsts_) {
+        const int row = number(dofs[i]), column = number(dofs[j]);
+        if (upper_ && row > column) continue;
+        auto& block = at(row, column);
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c) block[3 * r + c] += K[(i + r) * dofs.size() + j + c];
+      }
+  }
+  void add(int node, const std::array<double, 9>& diagonal) {
+    auto& block = at(static_cast<int>(mesh_.number[node]), static_cast<int>(mesh_.number[node]));
+    for (int i = 0; i < 9; ++i) block[i] += diagonal[i];
+  }
+  // With zeros, so that the pattern does not depend on values. Empties the rows.
+  Triplets take() {
+    Triplets t;
+    std::size_t blocks = 0;
+    for (const auto& row : rows_) blocks += row.size();
+    for (auto* part : {&t.row, &t.col}) part->reserve(9 * blocks);
+    t.value.reserve(9 * blocks);
+    for (int n = 0; n < static_cast<int>(rows_.size()); ++n) {
+      for (int r = 0; r < 3; ++r)
+        for (const Block& b : rows_[n])
+          for (int c = 0; c < 3; ++c) {
+            const int row = 3 * n + r, column = 3 * b.column + c;
+            if (upper_ && row > column) continue;
+            t.row.push_back(row), t.col.push_back(column), t.value.push_back(b.values[3 * r + c]);
+          }
+      std::vector<Block>().swap(rows_[n]);
+    }
+    return t;
+  }
+
+ private:
+  struct Block {
+    int column;
+    std::array<double, 9> values;
+  };
+  int number(int dof) const { return static_cast<int>(mesh_.number[dof / 3]); }
+  std::array<double, 9>& at(int row, int column) {
+    auto& blocks = rows_[row];
+    const auto place = std::ranges::lower_bound(blocks, column, {}, &Block::column);
+    if (place != blocks.end() && place->column == column) return place->values;
+    return blocks.insert(place, {column, {}})->values;
+  }
+
+  const LocalMesh& mesh_;
+  std::vector<std::vector<Block>> rows_;  // by number of the node
+  bool upper_;
+  std::vector<std::size_t> firsts_;
+};
+
+void add_contributions(const CoupledSystem& system, bool augmented, const Numbering& number, Collector& out) {
   std::vector<int> rows;
   visit_reduced(system.problem(), system.state(), augmented ? Matrices::augmented : Matrices::plain, [&](std::span<const int> d, std::span<const double> K) {
     rows.clear();
-    for (int i : d) rows.push_back(number(i));
+    for (int i : d) rows.push_back(number.dof(i));
     for (std::size_t i = 0; i < d.size(); ++i)
-      for (std::size_t j = 0; j < d.size(); ++j)
-        if (rows[i] >= 0 && rows[j] >= 0) out.add(rows[i], rows[j], K[i * d.size() + j]);
+      for (std::size_t j = 0; j < d.size(); ++j) out.add(rows[i], rows[j], K[i * d.size() + j]);
   });
 }
 
-// Identity rows of held directions and of bodies' nodes.
-template <class Number>
-void add_held(const CoupledSystem& system, Number number, Collector& out) {
+// add(node, block): identity rows of held directions and of bodies' nodes.
+template <class Add>
+void visit_held(const CoupledSystem& system, Add add) {
   const DofMap& dofs = system.problem().dofs();
   for (int n = 0; n < system.problem().mesh().owned; ++n) {
     if (!dofs.held(n)) continue;
     const Mat3<double> P = dofs.projector(n);
+    std::array<double, 9> block;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        out.add(number(3 * n + i), number(3 * n + j), system.held_scale() * ((i == j) - P(i, j)));
+      for (int j = 0; j < 3; ++j) block[3 * i + j] = system.held_scale() * ((i == j) - P(i, j));
+    add(n, block);
   }
 }
 
@@ -155,9 +217,10 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
   const Numbering number(system);
   const Layout& layout = system.layout();
   Collector out(global_size(system), part);
-  const auto dof = [&](int i) { return number.dof(i); };
-  add_contributions(system, augmented, dof, out);
-  add_held(system, dof, out);
+  add_contributions(system, augmented, number, out);
+  visit_held(system, [&](int n, const std::array<double, 9>& block) {
+    for (int i = 0; i < 9; ++i) out.add(number.dof(3 * n + i / 3), number.dof(3 * n + i % 3), block[i]);
+  });
   if (layout.bodies > 0) {
     // geometry and held unknowns of bodies: what body_blocks() has beyond the contributions
     for (const auto& e : system.body_extra()) out.add(number.primal(layout.nodal + e.row), number.primal(layout.nodal + e.column), e.value);
@@ -179,11 +242,9 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
 
 Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   const LocalMesh& mesh = system.problem().mesh();
-  Collector out(3 * mesh.all_nodes, part);
-  const int nodal = 3 * mesh.nodes();
-  const auto number = [&](int i) { return i < nodal ? static_cast<int>(3 * mesh.number[i / 3] + i % 3) : -1; };
-  add_contributions(system, true, number, out);
-  add_held(system, number, out);
+  BlockCollector out(mesh, part);
+  visit_reduced(system.problem(), system.state(), Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) { out.add(d, K); });
+  visit_held(system, [&](int n, const std::array<double, 9>& block) { out.add(n, block); });
   return out.take();
 }
 
