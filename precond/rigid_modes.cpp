@@ -62,12 +62,16 @@ std::vector<Square> grams(const CoupledSystem& system, const Aggregates& groups,
   return gram;
 }
 
-// Columns: combinations of the six modes that are orthonormal over the group; zero where they are not independent.
+// Columns: combinations of the six modes that are orthonormal over the group, each of it and those before it, so that they follow the nodes
+// without a jump; zero where they are not independent.
 Square basis(const Square& gram) {
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(gram);
+  const double least = 1e-6 * gram.diagonal().maxCoeff();
   Square b = Square::Zero();
-  for (int k = 0; k < 6; ++k)
-    if (const double value = eigen.eigenvalues()[k]; value > 1e-6 * eigen.eigenvalues()[5]) b.col(k) = eigen.eigenvectors().col(k) / std::sqrt(value);
+  for (int k = 0; k < 6; ++k) {
+    Eigen::Matrix<double, 6, 1> v = Square::Identity().col(k);
+    for (int again = 0; again < 2; ++again) v -= (b * (b.transpose() * (gram * v))).eval();
+    if (const double value = v.dot(gram * v); value > least) b.col(k) = v / std::sqrt(value);
+  }
   return b;
 }
 
