@@ -31,10 +31,11 @@ class ScalarAmgAlone final : public Preconditioner {
   ScalarAmg amg_;
 };
 
+// `factors`: of the coarsest matrix.
 template <class P>
-DisplacementInverse with_lines(std::unique_ptr<P> inverse) {
+DisplacementInverse with_lines(std::unique_ptr<P> inverse, const Mumps& factors) {
   const LineJacobi* lines = &inverse->lines();
-  return {std::move(inverse), lines};
+  return {std::move(inverse), lines, factors.kept()};
 }
 
 // Floats hold a displacement to 6e-8: a contact much stiffer than the hexahedra around it would make noise of what they feel.
@@ -76,11 +77,12 @@ struct DisplacementFactory::Plans {
 DisplacementFactory::DisplacementFactory(const LinearSettings& settings) : settings_(settings) {}
 DisplacementFactory::~DisplacementFactory() = default;
 
-DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
+DisplacementInverse DisplacementFactory::make(const CoupledSystem& system, bool keep_factors) {
   const Problem& problem = system.problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const std::string name = chosen_displacement(settings_, problem);
   const Precision smoothing = fitting_precision(system, settings_);
+  const double tolerated = keep_factors ? settings_.coarse_change : 0;
   if (name == "jacobi") return {std::make_unique<BlockJacobi>(system)};
   if (name == "scalar_amg") return {std::make_unique<ScalarAmgAlone>(system)};
   if (name == "boomeramg" || name == "boomeramg_nodal") return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};
@@ -89,7 +91,9 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
     if (!problem.coarser())
       throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh", "Give mesh.refine, or take 'aggregation'.");
     if (!plans_->multigrid) plans_->multigrid.emplace(problem, settings_);
-    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid, smoothing));
+    Mumps& base = *plans_->multigrid->base();
+    base.tolerate(tolerated);
+    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid, smoothing), base);
   }
   if (name == "hybrid") {
     const int nodes = settings_.aggregates > 0 ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates)) : 0;
@@ -97,7 +101,9 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system) {
     return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr, smoothing)};
   }
   if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes, smoothing);
-  return with_lines(std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation, smoothing));
+  Mumps& coarse = plans_->aggregation->rigid.factor;
+  coarse.tolerate(tolerated);
+  return with_lines(std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation, smoothing), coarse);
 }
 
 }  // namespace bulbus

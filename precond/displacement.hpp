@@ -32,6 +32,7 @@ Precision chosen_precision(const LinearSettings& settings);
 struct DisplacementInverse {
   std::shared_ptr<Preconditioner> inverse;
   const LineJacobi* lines = nullptr;
+  bool factors_kept = false;  ///< those of its coarsest matrix are an earlier linearisation's
 };
 
 /// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one problem anew.
@@ -40,7 +41,8 @@ class DisplacementFactory {
   explicit DisplacementFactory(const LinearSettings& settings);
   ~DisplacementFactory();
   /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a refined mesh.
-  DisplacementInverse make(const CoupledSystem& system);
+  /// `keep_factors`: where the coarsest matrix has hardly changed.
+  DisplacementInverse make(const CoupledSystem& system, bool keep_factors = false);
 
  private:
   LinearSettings settings_;

@@ -8,10 +8,10 @@ namespace bulbus {
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Meters& meters) {
   return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures, displacement = DisplacementInverse(),
           &meters](CoupledSystem& system, SetUp how) mutable {
-    if (how == SetUp::anew || !displacement.inverse || !displacement.inverse->follow()) {
-      how = SetUp::anew;
+    if (how != SetUp::kept || !displacement.inverse || !displacement.inverse->follow()) {
       displacement = {};  // two would need the room of both
-      displacement = factory->make(system);
+      displacement = factory->make(system, how != SetUp::anew);
+      how = displacement.factors_kept ? SetUp::factors_kept : SetUp::anew;
     }
     meters.memory.set("displacement preconditioner", displacement.inverse->bytes());
     return MadePreconditioner{std::make_unique<BlockTriangular>(system, displacement, pressures), how};

@@ -7,7 +7,7 @@
 namespace bulbus {
 
 MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
-    : problem_(finest), base_(std::make_shared<Mumps>(finest.comm(), MumpsOptions{.precision = chosen_precision(settings)})) {
+    : problem_(finest), base_(std::make_shared<Mumps>(finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .joined = true})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
     levels_.push_back({find_lines(*p), std::make_shared<ProjectedTerm>(), std::make_unique<CoupledSystem>(*p->coarser(), settings), {}});
     p->coarser()->add(levels_.back().projected);

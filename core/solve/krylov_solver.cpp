@@ -63,6 +63,9 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
 // Krylov iterations that a digit costs where solves are easy.
 constexpr double per_digit = 1.5;
 
+// Times the Krylov iterations per digit after which nothing of an earlier linearisation is kept.
+constexpr double much_slower = 2;
+
 // What two solves in a row did, the second from where the first had come to.
 KrylovReport joined(KrylovReport first, KrylovReport then) {
   if (first.history.empty()) return then;
@@ -82,7 +85,7 @@ class KrylovSolver final : public LinearSolver {
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = meters_.clock.measure("preconditioner set-up");
     preconditioner_.reset();
-    auto made = factory_(system, worth_keeping() ? SetUp::kept : SetUp::anew);
+    auto made = factory_(system, wanted());
     preconditioner_ = std::move(made.preconditioner);
     if (made.how == SetUp::anew) solves_ = 0;
     meters_.memory.set("preconditioner", preconditioner_->bytes());
@@ -150,7 +153,11 @@ class KrylovSolver final : public LinearSolver {
     return report;
   }
 
-  bool worth_keeping() const { return solves_ > 0 && last_ <= settings_.reuse * first_; }
+  SetUp wanted() const {
+    if (solves_ == 0) return SetUp::anew;
+    if (last_ <= settings_.reuse * first_) return SetUp::kept;
+    return last_ <= much_slower * first_ ? SetUp::factors_kept : SetUp::anew;
+  }
 
   void strengthen() {
     preconditioner_->strengthen();
@@ -161,7 +168,7 @@ class KrylovSolver final : public LinearSolver {
   PreconditionerFactory factory_;
   Meters& meters_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
-  int solves_ = 0;               // with what the preconditioner was set up for
+  int solves_ = 0;               // since nothing of the preconditioner was kept
   bool dragged_ = false;         // did the solve before, of the same increment?
   double first_ = 0, last_ = 0;  // Krylov iterations per digit of the first and the last of them
 };

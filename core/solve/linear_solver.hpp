@@ -61,8 +61,9 @@ class CoupledPreconditioner : public Preconditioner {
   virtual std::array<double, 2> displacement_spectrum() const = 0;
 };
 
-/// What a preconditioner takes from the one made before it: nothing, or what is costly to set up.
-enum class SetUp { anew, kept };
+/// What a preconditioner takes from the one made before it: nothing, its coarsest matrix's factors if that matrix has hardly changed, or all
+/// that is costly to set up.
+enum class SetUp { anew, factors_kept, kept };
 
 struct MadePreconditioner {
   std::unique_ptr<CoupledPreconditioner> preconditioner;

@@ -95,7 +95,8 @@ void call(SMUMPS_STRUC_C& id) { smumps_c(&id); }
 
 struct Mumps::Instance {
   virtual ~Instance() = default;
-  virtual bool take(Triplets t, long long n, bool symmetric) = 0;
+  enum class Taken { unknown, known, near };  // to the last analysis; so near the factorised one that its factors do
+  virtual Taken take(Triplets t, long long n, bool symmetric, double tolerated) = 0;
   virtual FactorReport& analyse() = 0;
   virtual FactorReport& factorise() = 0;
   virtual bool solve(std::span<const double> b, std::span<double> x) = 0;
@@ -159,12 +160,13 @@ struct Mumps::InstanceOf final : Instance {
     return fail(explain(infog(1), infog(2)));
   }
 
-  /// True if the last analysis holds for it.
-  bool take(Triplets t, long long n, bool symmetric) override {
+  Taken take(Triplets t, long long n, bool symmetric, double tolerated) override {
     check(t, n, comm);
     convert(t, symmetric);
-    bool same = analysed && id.n == n && (id.sym == 2) == symmetric;
-    same = comm.all(same && t.row == row && t.col == col);
+    const bool comparable = analysed && id.n == n && (id.sym == 2) == symmetric;
+    if (comparable && options.joined) join(t);
+    const bool same = comm.all(comparable && t.row == row && t.col == col);
+    if (same && factorised && tolerated > 0 && comm.max(largest_change(t)) <= tolerated) return Taken::near;
     row = std::move(t.row);
     col = std::move(t.col);
     if constexpr (std::is_same_v<Number, double>) value = std::move(t.value);
@@ -176,7 +178,46 @@ struct Mumps::InstanceOf final : Instance {
     id.irn_loc = row.data();
     id.jcn_loc = col.data();
     id.a_loc = value.data();
-    return same;
+    return same ? Taken::known : Taken::unknown;
+  }
+
+  // Zeros where the last matrix had entries, unless they would be too many.
+  void join(Triplets& t) const {
+    constexpr double most = 1.1;  // times the entries
+    const auto before = [](int i, int j, int k, int l) { return i < k || (i == k && j < l); };
+    Triplets all;
+    for (std::vector<int>* part : {&all.row, &all.col}) part->reserve(row.size());
+    all.value.reserve(row.size());
+    const auto push = [&](int i, int j, double v) { all.row.push_back(i), all.col.push_back(j), all.value.push_back(v); };
+    std::size_t k = 0;
+    for (std::size_t l = 0; l < t.row.size(); ++l) {
+      for (; k < row.size() && before(row[k], col[k], t.row[l], t.col[l]); ++k) push(row[k], col[k], 0);
+      if (k < row.size() && row[k] == t.row[l] && col[k] == t.col[l]) ++k;
+      push(t.row[l], t.col[l], t.value[l]);
+    }
+    for (; k < row.size(); ++k) push(row[k], col[k], 0);
+    if (static_cast<double>(all.row.size()) <= most * static_cast<double>(t.row.size())) t = std::move(all);
+  }
+
+  // From the matrix that is factorised to one of the same pattern: of this rank's part of a row, relative to its sum of magnitudes.
+  double largest_change(const Triplets& t) const {
+    struct Row {
+      float change = 0, magnitude = 0;
+    };
+    std::vector<Row> rows(id.n);
+    const auto add = [&](int i, Number before, double now) {
+      rows[i - 1].change += static_cast<float>(std::abs(now - before));
+      rows[i - 1].magnitude += static_cast<float>(std::abs(before));
+    };
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      add(row[k], value[k], t.value[k]);
+      if (id.sym == 2 && col[k] != row[k]) add(col[k], value[k], t.value[k]);
+    }
+    double largest = 0;
+    for (const Row& r : rows)
+      if (r.change > 0) largest = std::max(largest, static_cast<double>(r.change / r.magnitude));
+      else if (std::isnan(r.change)) return std::numeric_limits<double>::infinity();
+    return largest;
   }
 
   FactorReport& analyse() override {
@@ -258,14 +299,16 @@ Mumps::Mumps(const Comm& comm, MumpsOptions options) {
 Mumps::~Mumps() = default;
 
 FactorReport Mumps::analyse(Triplets matrix, long long n, bool symmetric) {
-  m_->take(std::move(matrix), n, symmetric);
+  m_->take(std::move(matrix), n, symmetric, 0);
   return m_->analyse();
 }
 
 FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric) {
-  bool known = m_->take(std::move(matrix), n, symmetric);
-  if (!known && !m_->analyse().ok) return m_->report;
-  if (known) m_->report.seconds_analysis = 0;
+  const auto taken = m_->take(std::move(matrix), n, symmetric, tolerated_);
+  kept_ = taken == Instance::Taken::near;
+  if (kept_) return m_->report;
+  if (taken == Instance::Taken::unknown && !m_->analyse().ok) return m_->report;
+  if (taken == Instance::Taken::known) m_->report.seconds_analysis = 0;
   return m_->factorise();
 }
 

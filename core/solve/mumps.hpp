@@ -14,6 +14,7 @@ enum class MumpsOrdering { amd = 0, scotch = 3, pord = 4, metis = 5, qamd = 6, a
 struct MumpsOptions {
   Precision precision = Precision::full;  ///< of matrix, factors and solutions
   MumpsOrdering ordering = MumpsOrdering::scotch;
+  bool joined = false;  ///< entries that a matrix lacks of the last one become zeros, so that it needs no analysis; triplets come sorted, each once
   int refinements = 0;  ///< most steps of iterative refinement in a solve
   int relaxations = 5;  ///< times that the workspace may be doubled when pivoting outgrows the estimate
   double memory_limit_mb = 0;  ///< over all ranks: refuse to factorise when matrix and estimate are larger; 0: no limit
@@ -50,6 +51,10 @@ class Mumps {
   FactorReport analyse(Triplets matrix, long long n, bool symmetric);
   /// The same and the factors. A matrix with the rows and columns of the last one is not analysed anew.
   FactorReport factorise(Triplets matrix, long long n, bool symmetric);
+  /// From now on factors stay as long as no row of a matrix differs from theirs by more than this part of its magnitude; 0: never.
+  void tolerate(double change) { tolerated_ = change; }
+  /// Are the factors those of an earlier matrix than the last one that was given?
+  bool kept() const { return kept_; }
   /// A x = b, both distributed by contiguous rows in the order of the ranks. False without factors or if
   /// MUMPS fails; x is then not touched.
   bool solve(std::span<const double> b, std::span<double> x);
@@ -59,6 +64,8 @@ class Mumps {
   template <class Id>
   struct InstanceOf;
   std::unique_ptr<Instance> m_;
+  double tolerated_ = 0;
+  bool kept_ = false;
 };
 
 }  // namespace bulbus

@@ -60,7 +60,7 @@ struct LinearSettings {
   std::string displacement = "auto";
   std::string op = "recompute";
   std::string smoothing = "single";
-  double gamma = 5, smoothed_part = 0.05, reuse = 0;
+  double gamma = 5, smoothed_part = 0.05, reuse = 0, coarse_change = 0.2;
   int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;
   AggregationSettings aggregation;
   MultigridSettings multigrid;
@@ -88,6 +88,9 @@ struct LinearSettings {
     v("reuse", reuse,
       About{"a preconditioner is kept for later linearisations of its step as long as these take no more than so many times the Krylov "
             "iterations per digit of its own; 0: each has its own"}.between(0, 100));
+    v("coarse_change", coarse_change,
+      About{"factors of the coarsest matrix are kept for later linearisations of their step as long as no row of it has changed by more than this "
+            "part and solves take no more than twice the Krylov iterations per digit; 0: each has its own"}.between(0, 1));
     v("restart", restart, About{"Krylov basis before a restart"}.between(2, 500));
     v("max_iterations", max_iterations, About{"Krylov iterations before the increment is cut"}.between(1, 100000));
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));

@@ -21,16 +21,18 @@ LinearReport solve(Linearised& l, LinearSolver& solver) {
   return report;
 }
 
-// Widens the eye by 1 %.
-void widen(Linearised& l) {
-  for (double& x : l.state.x) x *= 1.01;
+// The first time zonules become taut, which are much of their neighbourhood's stiffness.
+void widen(Linearised& l, double part = .01) {
+  for (double& x : l.state.x) x *= 1 + part;
   l.system.linearize(l.state, l.problem.residual(l.state));
 }
 
 // A solve a little way off, by what was set up before or for it.
-LinearReport solved_after(double reuse) {
+LinearReport solved_after(double reuse, double coarse_change = 0) {
   Linearised l(small_eye(8), 0, 0);
+  widen(l);
   l.settings.reuse = reuse;
+  l.settings.coarse_change = coarse_change;
   Meters meters;
   const auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
   solve(l, *solver);
@@ -42,6 +44,28 @@ TEST(Reuse, SolvesThePresentSystemWithAnEarlierPreconditioner) {
   const LinearReport own = solved_after(0), kept = solved_after(2);
   EXPECT_NE(own.reduction, kept.reduction) << "nothing was kept";
   EXPECT_LE(kept.iterations, 1.5 * own.iterations);
+}
+
+TEST(Reuse, SolvesThePresentSystemWithEarlierCoarseFactors) {
+  const LinearReport own = solved_after(0), kept = solved_after(0, .5);
+  EXPECT_NE(own.reduction, kept.reduction) << "nothing was kept";
+  EXPECT_LE(kept.iterations, own.iterations + 1);
+}
+
+TEST(Reuse, KeepsCoarseFactorsWhileTheirMatrixHardlyChanges) {
+  for (int refinements : {0, 1}) {
+    Linearised l(small_eye(4), refinements, 0);
+    widen(l);
+    Meters meters;
+    const auto make = make_preconditioner_factory(l.settings, meters);
+    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::anew);  // there are none yet
+    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::factors_kept);
+    EXPECT_EQ(make(l.system, SetUp::anew).how, SetUp::anew);
+    widen(l, .001);
+    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::factors_kept);
+    widen(l, .3);
+    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::anew);
+  }
 }
 
 TEST(Reuse, KeepsOnlyWhatFits) {

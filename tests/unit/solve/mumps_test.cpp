@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -130,6 +131,62 @@ TEST_F(MumpsTest, AnalysesAKnownPatternOnce) {
   EXPECT_LT(error_of_solve(mumps, c.mine, 512, comm), 1e-11);
   EXPECT_GT(mumps.factorise(c.mine, 512, false).seconds_analysis, 0);
   EXPECT_LT(error_of_solve(mumps, c.mine, 512, comm), 1e-11);
+}
+
+// 4 on the diagonal, −1 beside it and `far` two beyond, sorted; the first diagonal entry is `first`.
+Triplets band_matrix(int n, double first, double far, const Comm& comm) {
+  Triplets t;
+  const auto [from, to] = share(n, comm);
+  const auto add = [&](int i, int j, double v) {
+    if (v != 0 && j >= 0 && j < n) t.row.push_back(i), t.col.push_back(j), t.value.push_back(v);
+  };
+  for (int i = from; i < to; ++i) add(i, i - 2, far), add(i, i - 1, -1), add(i, i, i == 0 ? first : 4), add(i, i + 1, -1), add(i, i + 2, far);
+  return t;
+}
+
+TEST_F(MumpsTest, JoinsPatterns) {
+  Mumps joined(comm, {.joined = true}), own(comm);
+  const Triplets narrow = band_matrix(50, 4, 0, comm), wide = band_matrix(50, 4, -.01, comm);
+  for (Mumps* mumps : {&joined, &own}) {
+    EXPECT_GT(mumps->factorise(wide, 50, true).seconds_analysis, 0);
+    EXPECT_EQ(mumps->factorise(narrow, 50, true).seconds_analysis == 0, false) << "two thirds more entries than it has";
+  }
+  Triplets holed = wide;
+  const auto inside = std::ranges::find(holed.value, -.01) - holed.value.begin();
+  for (auto* v : {&holed.row, &holed.col})
+    if (comm.rank() == 0) v->erase(v->begin() + inside);
+  if (comm.rank() == 0) holed.value.erase(holed.value.begin() + inside);
+  for (Mumps* mumps : {&joined, &own}) {
+    mumps->factorise(wide, 50, false);
+    EXPECT_EQ(mumps->factorise(holed, 50, false).seconds_analysis == 0, mumps == &joined);
+    EXPECT_LT(error_of_solve(*mumps, holed, 50, comm), 1e-13);
+  }
+}
+
+TEST_F(MumpsTest, KeepsFactorsOfAMatrixThatHardlyDiffers) {
+  Mumps mumps(comm);
+  const Triplets old = band_matrix(50, 4, 0, comm);
+  mumps.factorise(old, 50, true);
+  mumps.factorise(band_matrix(50, 4.2, 0, comm), 50, true);
+  EXPECT_FALSE(mumps.kept()) << "nobody allowed it";
+  mumps.tolerate(.1);
+  mumps.factorise(old, 50, true);
+  EXPECT_TRUE(mumps.kept());
+  mumps.tolerate(.01);
+  mumps.factorise(old, 50, true);
+  EXPECT_FALSE(mumps.kept());
+  mumps.tolerate(.1);  // of |4| + |−1|
+  for (double first : {4.2, 4.4, 4.49}) {
+    EXPECT_TRUE(mumps.factorise(band_matrix(50, first, 0, comm), 50, true).ok);
+    EXPECT_TRUE(mumps.kept()) << first;
+    EXPECT_LT(error_of_solve(mumps, old, 50, comm), 1e-13);
+  }
+  const Triplets far = band_matrix(50, 4.6, 0, comm);
+  mumps.factorise(far, 50, true);
+  EXPECT_FALSE(mumps.kept());
+  EXPECT_LT(error_of_solve(mumps, far, 50, comm), 1e-13);
+  const Triplets broken = band_matrix(50, NAN, 0, comm);
+  EXPECT_FALSE(mumps.factorise(broken, 50, true).ok);
 }
 
 TEST_F(MumpsTest, SingularMatrixIsAValue) {
