@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <numeric>
 
 namespace bulbus {
-namespace {
-
-long long key(int row, int column) { return (static_cast<long long>(row) << 32) + column; }
-
-}  // namespace
-
 PatternMatrix::Assembly::Assembly(const Problem& problem, PatternMatrix& to)
     : problem_(problem),
       to_(to),
@@ -38,13 +33,18 @@ void PatternMatrix::Assembly::visit(int node, Use use) const {
 }
 
 void PatternMatrix::Assembly::add_lines(const LineJacobi& lines) {
-  for (int line = 0; line < lines.count(); ++line) couple(lines.nodes(line));
-  to_.pairs_.reserve(at_.size());
-  for (const auto& [key, at] : at_) to_.pairs_.push_back({static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffff)});
-  std::ranges::sort(to_.pairs_);
-  for (std::size_t k = 0; k < to_.pairs_.size(); ++k) at_[key(to_.pairs_[k].row, to_.pairs_[k].column)] = k;
+  row_.resize(coarser_);
+  for (int line = 0; line < lines.count(); ++line) {
+    find_columns(lines.nodes(line));
+    couple();
+  }
+  for (int row = 0; row < coarser_; ++row) {
+    start_.push_back(to_.pairs_.size());
+    for (int column : row_[row]) to_.pairs_.push_back({row, column});
+    std::vector<int>().swap(row_[row]);
+  }
   constexpr int beyond = 6;  // numbers that are loaded along with the last row
-  to_.blocks_.resize(at_.size() * count_ * count_ + beyond);
+  to_.blocks_.resize(to_.pairs_.size() * count_ * count_ + beyond);
   for (int line = 0; line < lines.count(); ++line) add(line, lines);
 }
 
@@ -55,10 +55,16 @@ void PatternMatrix::Assembly::find_columns(std::span<const int> nodes) {
   columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
 }
 
-void PatternMatrix::Assembly::couple(std::span<const int> nodes) {
-  find_columns(nodes);
-  for (std::size_t a = 0; a < columns_.size(); ++a)
-    for (std::size_t b = a; b < columns_.size(); ++b) at_.emplace(key(columns_[a], columns_[b]), 0);
+void PatternMatrix::Assembly::couple() {
+  std::vector<int> both;
+  for (std::size_t a = 0; a < columns_.size(); ++a) {
+    auto& row = row_[columns_[a]];
+    const auto more = std::span(columns_).subspan(a);
+    if (std::ranges::includes(row, more)) continue;
+    both.clear();
+    std::ranges::set_union(row, more, std::back_inserter(both));
+    row = both;
+  }
 }
 
 void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
@@ -72,10 +78,13 @@ void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
     if (problem_.dofs().held(nodes[i])) hold(nodes[i], 3 * i);
   }
   const Eigen::MatrixXf energy = lines.energy(line, F_);
-  for (std::size_t a = 0; a < columns_.size(); ++a)
-    for (std::size_t b = a; b < columns_.size(); ++b)
-      LineJacobi::Rows::Map(&to_.blocks_[count_ * count_ * at_.at(key(columns_[a], columns_[b]))], count_, count_) +=
-          energy.block(count_ * a, count_ * b, count_, count_);
+  for (std::size_t a = 0; a < columns_.size(); ++a) {
+    std::size_t at = start_[columns_[a]];
+    for (std::size_t b = a; b < columns_.size(); ++b) {
+      while (to_.pairs_[at].column != columns_[b]) ++at;
+      LineJacobi::Rows::Map(&to_.blocks_[count_ * count_ * at], count_, count_) += energy.block(count_ * a, count_ * b, count_, count_);
+    }
+  }
 }
 
 void PatternMatrix::Assembly::hold(int node, Eigen::Index row) {

@@ -1,6 +1,4 @@
 #pragma once
-#include <unordered_map>
-
 #include "core/mesh/corners.hpp"
 #include "precond/pattern_matrix.hpp"
 
@@ -29,7 +27,7 @@ class PatternMatrix::Assembly {
   void exchange();
   void receive(std::span<const long long> data, std::span<const int> nodes, std::vector<int>& ghosts);
   void find_columns(std::span<const int> nodes);
-  void couple(std::span<const int> nodes);
+  void couple();
   void add(int line, const LineJacobi& lines);
   void hold(int node, Eigen::Index row);
 
@@ -39,8 +37,9 @@ class PatternMatrix::Assembly {
   Corners corners_;
   std::vector<std::array<float, 24>> constraints_;  // of every hexahedron: ∂V_e/∂u at its corners
   std::vector<NodeForce> foreign_;    // of other ranks' hexahedra, by nodes
-  std::unordered_map<long long, std::size_t> at_;  // of a pair
-  std::vector<int> columns_;          // coarser hexahedra that act on a line
+  std::vector<int> columns_;          // coarser hexahedra that act on a line, ascending
+  std::vector<std::vector<int>> row_;  // every coarser hexahedron's columns, ascending, until pairs are made of them
+  std::vector<std::size_t> start_;     // its first pair
   LineJacobi::Rows F_;
 };
 
