@@ -145,6 +145,7 @@ struct Mumps::InstanceOf final : Instance {
     for (int i : {1, 2, 3, 4}) control(i) = i < 4 ? -1 : 0;  // silent
     control(7) = static_cast<int>(options.ordering);
     control(10) = options.refinements;
+    if (options.block > 1) control(15) = -options.block;
     control(13) = 1;  // no ScaLAPACK at the root: its pivots would be missing in the inertia
     control(18) = 3;  // entries are distributed
     control(28) = 1;  // sequential analysis

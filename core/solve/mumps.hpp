@@ -14,6 +14,7 @@ enum class MumpsOrdering { amd = 0, scotch = 3, pord = 4, metis = 5, qamd = 6, a
 struct MumpsOptions {
   Precision precision = Precision::full;  ///< of matrix, factors and solutions
   MumpsOrdering ordering = MumpsOrdering::scotch;
+  int block = 1;        ///< unknowns that stand together in nodes, for the analysis: all have so many, side by side
   bool joined = false;  ///< entries that a matrix lacks of the last one become zeros, so that it needs no analysis; triplets come sorted, each once
   int refinements = 0;  ///< most steps of iterative refinement in a solve
   int relaxations = 5;  ///< times that the workspace may be doubled when pivoting outgrows the estimate
