@@ -6,19 +6,20 @@
 
 namespace bulbus {
 
-BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures)
+BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures, Parts& parts)
     : system_(system),
       displacement_(displacement.inverse),
-      inverse_schur_(system, displacement.lines, pressures),
+      inverse_schur_(system, displacement.lines, pressures, parts.weak),
+      Z_(parts.Z),
       work_(system.layout().primal()) {
   const auto& g = system.liquid_columns();
   for (int i = 0; i < static_cast<int>(g.size()); ++i)
-    if (system.problem().liquids()[i].coupled()) {
-      coupled_.push_back(i);
-      Z_.emplace_back(g[i].size());
-      displacement_->apply(g[i], Z_.back());
-    }
+    if (system.problem().liquids()[i].coupled()) coupled_.push_back(i);
   const int n = static_cast<int>(coupled_.size());
+  if (parts.Z.size() != coupled_.size()) {
+    parts.Z.clear();
+    for (int i : coupled_) displacement_->apply(g[i], parts.Z.emplace_back(g[i].size()));
+  }
   std::vector<double> omega(g.size());
   if (n == 0) return;
   Eigen::MatrixXd H(n, n), Omega = Eigen::MatrixXd::Zero(n, n), C = Omega, column = Omega;

@@ -19,8 +19,13 @@ namespace bulbus {
 /// to K/V_i where pressures are eliminated, where the last column is empty.
 class BlockTriangular final : public CoupledPreconditioner {
  public:
-  /// Collective.
-  BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures);
+  /// What may be an earlier linearisation's.
+  struct Parts {
+    std::vector<std::vector<double>> Z;
+    PressureSchur::Weak weak;
+  };
+  /// Makes what `parts`, which have to outlive it, lack. Collective.
+  BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures, Parts& parts);
   int size() const override { return system_.size(); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return displacement_->fixed(); }
@@ -37,7 +42,7 @@ class BlockTriangular final : public CoupledPreconditioner {
   CoupledSystem& system_;
   std::shared_ptr<const Preconditioner> displacement_;
   PressureSchur inverse_schur_;
-  std::vector<std::vector<double>> Z_;
+  const std::vector<std::vector<double>>& Z_;
   std::vector<int> coupled_;           // liquids with an unknown pressure
   Eigen::MatrixXd woodbury_;           // (Ω⁻¹ + GᵀZ)⁻¹
   Eigen::MatrixXd inverse_liquid_schur_;

@@ -52,9 +52,9 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   return {e.minCoeff(), e.maxCoeff()};
 }
 
-DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm)
-    : A_(A), D_(D), part_(lowest), comm_(comm) {
-  follow();
+DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm, double largest)
+    : A_(A), D_(D), part_(lowest), largest_(largest), comm_(comm) {
+  if (largest_ == 0) follow();
   own_ = largest_;
 }
 
@@ -64,8 +64,8 @@ bool DampedSpectrum::follow() {
   return largest_ < growth * own_;
 }
 
-Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm)
-    : A_(A), D_(D), degree_(degree), spectrum_(A, D, smoothed_part, comm), r_(A.size()), z_(A.size()), d_(A.size()) {}
+Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm, double largest)
+    : A_(A), D_(D), degree_(degree), spectrum_(A, D, smoothed_part, comm, largest), r_(A.size()), z_(A.size()), d_(A.size()) {}
 
 void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
   auto steps = spectrum_.steps();

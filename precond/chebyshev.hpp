@@ -16,8 +16,8 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
 /// The part [lowest, 1.1]·λ_max of the spectrum of D⁻¹A that a Chebyshev polynomial damps.
 class DampedSpectrum {
  public:
-  /// Estimates λ_max by a few Lanczos steps. `A` and `D` must outlive this. Collective.
-  DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm);
+  /// Estimates λ_max by a few Lanczos steps, unless it is given. `A` and `D` must outlive this. Collective.
+  DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm, double largest = 0);
   /// Estimates the largest eigenvalue of the present A; false if it has grown so much that D does not fit any more: of stiffness that is
   /// new, of a contact, D knows nothing.
   bool follow();
@@ -44,7 +44,7 @@ class DampedSpectrum {
  private:
   const LinearOperator& A_;
   const Preconditioner& D_;
-  double part_, own_ = 0, largest_ = 0;
+  double part_, own_ = 0, largest_;
   Comm comm_;
 };
 
@@ -52,7 +52,7 @@ class DampedSpectrum {
 class Chebyshev final : public Preconditioner {
  public:
   /// `A` and `D` must outlive this. Collective.
-  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm);
+  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm, double largest = 0);
   int size() const override { return A_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }

@@ -7,7 +7,7 @@
 namespace bulbus {
 
 MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
-    : problem_(finest), base_(std::make_shared<Mumps>(finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .joined = true})) {
+    : problem_(finest), base_(std::make_shared<Mumps>(finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
     levels_.push_back({find_lines(*p), std::make_shared<ProjectedTerm>(), std::make_unique<CoupledSystem>(*p->coarser(), settings), {}});
     p->coarser()->add(levels_.back().projected);
@@ -16,6 +16,7 @@ MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settin
 
 Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing)
     : visits_(settings.visits) {
+  std::vector<Interpolation> interpolations;
   const CoupledSystem* fine = &finest;
   for (auto& level : plan.levels()) {
     const Problem& problem = fine->problem();
@@ -25,21 +26,28 @@ Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const Mul
     // only the geometry of rigid bodies asks for the residual
     const bool bodies = !problem.dofs().bodies().empty();
     level.coarser->linearize(level.state, bodies ? problem.coarser()->residual(level.state) : Residual{});
-    levels_.push_back(std::make_unique<Level>(*fine, *level.coarser, std::move(P), level.lines, settings, smoothing));
+    interpolations.push_back(std::move(P));
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
   }
   base_ = std::make_unique<ExactBlock>(*fine, plan.base());
+  fine = &finest;
+  for (std::size_t i = 0; i < interpolations.size(); ++i) {
+    auto& level = plan.levels()[i];
+    if (!plan.base()->kept()) level.largest_eigenvalue = 0;
+    levels_.push_back(std::make_unique<Level>(*fine, level, std::move(interpolations[i]), settings, smoothing));
+    level.largest_eigenvalue = levels_.back()->smoother->largest_eigenvalue();
+    fine = level.coarser.get();
+  }
 }
 
-Multigrid::Level::Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation given, const Lines& lines, const MultigridSettings& settings,
-                        Precision smoothing)
+Multigrid::Level::Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation given, const MultigridSettings& settings, Precision smoothing)
     : fine(fine),
-      coarse(coarse),
+      coarse(*plan.coarser),
       P(std::move(given)),
       block(fine),
-      jacobi(fine, lines, matrices_of(smoothing)),
-      smoother(make_smoother(fine, jacobi, settings, smoothing)),
+      jacobi(fine, plan.lines, matrices_of(smoothing)),
+      smoother(make_smoother(fine, jacobi, settings, smoothing, plan.largest_eigenvalue)),
       correction(fine.layout().primal()),
       coarse_residual(coarse.layout().primal()),
       coarse_correction(coarse.layout().primal()),

@@ -12,8 +12,8 @@
 
 namespace bulbus {
 
-/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every refined level, and the base
-/// matrix's analysis.
+/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every refined level, the base matrix's
+/// analysis, and as long as its factors are kept the smoothers' largest eigenvalues: what changes these changes the matrix, too.
 class MultigridPlan {
  public:
   /// Adds a ProjectedTerm to every coarser problem. Collective.
@@ -24,6 +24,7 @@ class MultigridPlan {
     std::shared_ptr<ProjectedTerm> projected;  ///< of this level's added terms, on the next coarser one
     std::unique_ptr<CoupledSystem> coarser;
     State state;                               ///< of `coarser`
+    double largest_eigenvalue = 0;             ///< of the smoother
   };
   const Problem& problem() const { return problem_; }
   std::vector<Level>& levels() { return levels_; }
@@ -54,8 +55,7 @@ class Multigrid final : public Preconditioner {
 
  private:
   struct Level {
-    Level(const CoupledSystem& fine, const CoupledSystem& coarse, Interpolation P, const Lines& lines, const MultigridSettings& settings,
-          Precision smoothing);
+    Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation P, const MultigridSettings& settings, Precision smoothing);
     void restrict_residual();
     void prolong();
 

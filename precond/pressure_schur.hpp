@@ -19,10 +19,18 @@ namespace bulbus {
 /// size, but a refined mesh knows its chessboards, and the slow ones among them are few. Taken up when a solve drags, or at once.
 class PressureSchur final : public Preconditioner {
  public:
-  /// `lines` may be null: then there is the first part only.
-  PressureSchur(const CoupledSystem& system, const LineJacobi* lines, const PressureSettings& settings);
-  bool holds_back() const { return lines_ && weak_.empty(); }
-  /// Takes up the other parts, of the present linearisation. Collective.
+  /// The weak parts and what they are made of.
+  struct Weak {
+    std::unique_ptr<const LineJacobi> softened;  // these two where a part needs them
+    std::unique_ptr<const LinePressureStiffness> K;
+    std::vector<std::unique_ptr<WeakPart>> parts;
+    std::size_t bytes() const;
+  };
+  /// `lines` may be null: then there is the first part only. `weak` may be an earlier linearisation's; it has to outlive this, and on meshes
+  /// that are not refined `lines` have to outlive it.
+  PressureSchur(const CoupledSystem& system, const LineJacobi* lines, const PressureSettings& settings, Weak& weak);
+  bool holds_back() const { return lines_ && !strong_; }
+  /// Takes up the other parts, and makes them if they are not there. Collective.
   void strengthen();
   int size() const override { return static_cast<int>(diagonal_.size()); }
   void apply(std::span<const double> r, std::span<double> z) const override;
@@ -34,9 +42,8 @@ class PressureSchur final : public Preconditioner {
   const LineJacobi* lines_;
   PressureSettings settings_;
   std::vector<double> diagonal_;
-  std::unique_ptr<const LineJacobi> softened_;      // these two where a part needs them
-  std::unique_ptr<const LinePressureStiffness> K_;
-  std::vector<std::unique_ptr<WeakPart>> weak_;
+  Weak& weak_;
+  bool strong_ = false;
 };
 
 }  // namespace bulbus

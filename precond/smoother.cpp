@@ -13,8 +13,8 @@ namespace {
 
 class FullSmoother final : public Smoother {
  public:
-  FullSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s)
-      : A_(system), S_(A_, lines, s.degree, s.smoothed_part, system.problem().comm()), rest_(A_.size()), correction_(A_.size()) {}
+  FullSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s, double largest)
+      : A_(system), S_(A_, lines, s.degree, s.smoothed_part, system.problem().comm(), largest), rest_(A_.size()), correction_(A_.size()) {}
 
   void before(std::span<const double> b, std::span<double> x, std::span<double> r) const override {
     S_.apply(b, x);
@@ -33,6 +33,7 @@ class FullSmoother final : public Smoother {
     after(e, x);
   }
   bool follow() override { return S_.follow(); }
+  double largest_eigenvalue() const override { return S_.largest_eigenvalue(); }
   std::size_t bytes() const override { return S_.bytes() + bytes_of(rest_) + bytes_of(correction_); }
 
  private:
@@ -44,8 +45,8 @@ class FullSmoother final : public Smoother {
 // Held directions are taken out first and solved for as what they are, identity rows.
 class SingleSmoother final : public Smoother {
  public:
-  SingleSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s)
-      : A_(system), lines_(lines), degree_(s.degree), spectrum_(A_, lines, s.smoothed_part, system.problem().comm()), r_(system), x_(system) {}
+  SingleSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s, double largest)
+      : A_(system), lines_(lines), degree_(s.degree), spectrum_(A_, lines, s.smoothed_part, system.problem().comm(), largest), r_(system), x_(system) {}
 
   void before(std::span<const double> b, std::span<double> x, std::span<double> r) const override {
     load(b);
@@ -76,6 +77,7 @@ class SingleSmoother final : public Smoother {
     A_.follow();
     return spectrum_.follow();
   }
+  double largest_eigenvalue() const override { return spectrum_.largest_eigenvalue(); }
   std::size_t bytes() const override { return A_.bytes() + r_.bytes() + x_.bytes(); }
 
  private:
@@ -137,9 +139,10 @@ class SingleSmoother final : public Smoother {
 
 }  // namespace
 
-std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& settings, Precision precision) {
-  if (precision == Precision::single) return std::make_unique<SingleSmoother>(system, lines, settings);
-  return std::make_unique<FullSmoother>(system, lines, settings);
+std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& settings, Precision precision,
+                                        double largest_eigenvalue) {
+  if (precision == Precision::single) return std::make_unique<SingleSmoother>(system, lines, settings, largest_eigenvalue);
+  return std::make_unique<FullSmoother>(system, lines, settings, largest_eigenvalue);
 }
 
 }  // namespace bulbus

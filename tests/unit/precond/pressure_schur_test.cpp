@@ -43,7 +43,8 @@ TEST(LinePressureStiffness, IsTheProductOfItsFactors) {
 TEST(PressureSchur, IsSymmetricAndPositive) {
   for (const auto& [scene, refine] : {std::pair(small_eye(8), 0), {filled_shell("half"), 1}, {filled_shell("octant"), 2}}) {
     WithLines l(scene, refine, shake);
-    PressureSchur schur(l.system, &l.jacobi, {});
+    PressureSchur::Weak weak;
+    PressureSchur schur(l.system, &l.jacobi, {}, weak);
     schur.strengthen();
     const auto p = noise(schur.size(), 1), q = noise(schur.size(), 2);
     std::vector<double> Sp(p.size()), Sq(p.size());
@@ -57,7 +58,8 @@ TEST(PressureSchur, IsSymmetricAndPositive) {
 TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
   for (int refine : {0, 1, 2}) {
     WithLines l(filled_shell("half"), refine, shake);
-    PressureSchur schur(l.system, &l.jacobi, {});
+    PressureSchur::Weak weak;
+    PressureSchur schur(l.system, &l.jacobi, {}, weak);
     const auto p = noise(schur.size(), 1);
     std::vector<double> before(p.size()), after(p.size());
     schur.apply(p, before);
@@ -78,7 +80,8 @@ TEST(CarriedByLines, AFilmIsAndABulkIsNot) {
 
 TEST(PressureSchur, HoldsBackUntilItIsAsked) {
   WithLines l(small_eye(8), 0, shake);
-  PressureSchur schur(l.system, &l.jacobi, {});
+  PressureSchur::Weak weak;
+  PressureSchur schur(l.system, &l.jacobi, {}, weak);
   const auto p = noise(schur.size(), 1), diagonal = l.system.inverse_pressure_schur();
   std::vector<double> z(p.size());
   EXPECT_TRUE(schur.holds_back());
@@ -86,7 +89,26 @@ TEST(PressureSchur, HoldsBackUntilItIsAsked) {
   for (std::size_t e = 0; e < p.size(); ++e) EXPECT_EQ(z[e], diagonal[e] * p[e]);
   schur.strengthen();
   EXPECT_FALSE(schur.holds_back());
-  EXPECT_FALSE(PressureSchur(l.system, nullptr, {}).holds_back());
+  EXPECT_FALSE(PressureSchur(l.system, nullptr, {}, weak).holds_back());
+}
+
+TEST(PressureSchur, TakesUpWeakPartsThatAreThere) {
+  WithLines l(filled_shell("half"), 1, shake);
+  PressureSchur::Weak weak;
+  PressureSchur first(l.system, &l.jacobi, {}, weak);
+  first.strengthen();
+  const WeakPart* part = weak.parts.front().get();
+  const auto p = noise(first.size(), 1);
+  std::vector<double> of_first(p.size()), before(p.size()), after(p.size());
+  first.apply(p, of_first);
+  PressureSchur then(l.system, &l.jacobi, {}, weak);
+  EXPECT_TRUE(then.holds_back());
+  then.apply(p, before);
+  EXPECT_NE(before, of_first);
+  then.strengthen();
+  then.apply(p, after);
+  EXPECT_EQ(after, of_first);
+  EXPECT_EQ(weak.parts.front().get(), part);
 }
 
 // Noise is rich in the patterns that Q1/P0 leaves almost free.

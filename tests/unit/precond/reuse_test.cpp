@@ -52,6 +52,25 @@ TEST(Reuse, SolvesThePresentSystemWithEarlierCoarseFactors) {
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 
+// Of a refined mesh with an enclosed liquid: base factors, largest eigenvalues, weak patterns and the liquid's column.
+TEST(Reuse, SolvesThePresentCoupledSystemWithEarlierParts) {
+  const auto solved = [](double coarse_change) {
+    Linearised l(small_eye(4), 1, 0);
+    l.problem.end_step();
+    l.problem.begin_step(1, l.state);
+    widen(l);
+    l.settings.coarse_change = coarse_change;
+    Meters meters;
+    const auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
+    solve(l, *solver);
+    widen(l);
+    return solve(l, *solver);
+  };
+  const LinearReport own = solved(0), kept = solved(.5);
+  EXPECT_NE(own.reduction, kept.reduction) << "nothing was kept";
+  EXPECT_LE(kept.iterations, own.iterations + 1);
+}
+
 TEST(Reuse, KeepsCoarseFactorsWhileTheirMatrixHardlyChanges) {
   for (int refinements : {0, 1}) {
     Linearised l(small_eye(4), refinements, 0);
