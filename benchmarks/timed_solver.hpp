@@ -32,6 +32,8 @@ class TimedSolver final : public LinearSolver {
     reductions.push_back(report.reduction);
     return report;
   }
+  void renew() override { inner_->renew(); }
+  void increment_begins() override { inner_->increment_begins(); }
   std::vector<double> setup, solution, reductions;
   std::vector<int> iterations;
   std::optional<FactorReport> factor;  ///< the last
