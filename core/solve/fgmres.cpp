@@ -139,7 +139,9 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   Room room{{}, std::vector<double>(b.size())};
   auto problem = rcp(new Problem(rcp(new Wrapped(A, room)), wrap(x.data()), wrap(const_cast<double*>(b.data()))));  // Belos only reads b
   if (M) problem->setRightPrec(rcp(new Wrapped(*M, room)));
-  problem->setProblem();  // computes b - A x
+  const bool from_zero = norm(x, comm) == 0;
+  if (from_zero) problem->setInitResVec(wrap(const_cast<double*>(b.data())));
+  problem->setProblem();  // computes b - A x elsewhere
   std::vector<double> initial(1);
   problem->getInitResVec()->MvNorm(initial);
   report.initial = initial[0];
@@ -147,7 +149,7 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   if (!std::isfinite(report.initial)) return ends(false, "the initial residual is not finite");
   if (report.initial <= options.tolerance * scale) return ends(true, "the initial guess suffices");
 
-  const std::vector<double> guess = norm(x, comm) > 0 ? std::vector(x.begin(), x.end()) : std::vector<double>();
+  const std::vector<double> guess = from_zero ? std::vector<double>() : std::vector(x.begin(), x.end());
   std::string failure =
       run(problem, rcp(new Recorder(report.history, observer, flexible)), options, flexible);
   report.iterations = std::max(0, static_cast<int>(report.history.size()) - 1);

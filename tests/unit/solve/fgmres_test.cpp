@@ -176,13 +176,16 @@ TEST_F(Fgmres, ReportsExhaustedIterations) {
 TEST_F(Fgmres, BreakdownIsAValue) {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (int good : {0, 4}) {
-      std::vector<double> y(A.size(), 0.0);
+      std::vector<double> y(A.size(), 1.0);
       Broken B(A.size(), good, bad);
       KrylovReport r = fgmres(B, nullptr, b, y, {.tolerance = 1e-12, .max_iterations = 30}, comm);
       EXPECT_FALSE(r.converged);
       EXPECT_FALSE(r.reason.empty());
       EXPECT_EQ(std::isfinite(r.final), good > 0);  // else not even the guess has a residual
       for (double v : y) EXPECT_TRUE(std::isfinite(v));
+      std::vector<double> zero(A.size(), 0.0);  // its residual is b
+      EXPECT_TRUE(std::isfinite(fgmres(Broken(A.size(), good, bad), nullptr, b, zero, {.tolerance = 1e-12, .max_iterations = 30}, comm).final));
+      for (double v : zero) EXPECT_TRUE(std::isfinite(v));
     }
 }
 
