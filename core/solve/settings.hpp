@@ -60,7 +60,7 @@ struct LinearSettings {
   std::string displacement = "auto";
   std::string op = "recompute";
   std::string smoothing = "single";
-  double gamma = 5, smoothed_part = 0.05, reuse = 0, coarse_change = 0.2;
+  double gamma = 5, smoothed_part = 0.05, reuse = 0, coarse_change = 0.1;
   int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;
   AggregationSettings aggregation;
   MultigridSettings multigrid;
