@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "core/mesh/corners.hpp"
@@ -25,25 +24,28 @@ double squared_length(std::span<const double> X, int a, int b) {
   return sum;
 }
 
-// Each edge once, between owned nodes.
+// Each edge once, between owned nodes, at the lower one's place.
 std::vector<Edge> edges_of(const Problem& problem) {
   const LocalMesh& mesh = problem.mesh();
   const auto V = problem.solid().reference_volumes();
-  std::vector<Edge> edges;
+  std::vector<std::vector<Edge>> of(mesh.owned);
   for (const SolidRegion& r : problem.solid().regions()) {
     const double mu = initial_shear_modulus(r.material);
     for (int h = r.first; h < r.first + r.count; ++h)
       for (const auto& e : hex_edges) {
         const auto [a, b] = std::minmax(mesh.hexes[h][e[0]], mesh.hexes[h][e[1]]);
-        if (b < mesh.owned) edges.push_back({a, b, mu * V[h] / squared_length(mesh.X, a, b)});
+        if (b >= mesh.owned) continue;
+        const double strength = mu * V[h] / squared_length(mesh.X, a, b);
+        const auto known = std::ranges::find(of[a], b, &Edge::b);
+        if (known == of[a].end()) of[a].push_back({a, b, strength});
+        else known->strength += strength;
       }
   }
-  std::ranges::sort(edges, [](const Edge& p, const Edge& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < edges.size(); ++i)
-    if (edges[i].a == edges[last].a && edges[i].b == edges[last].b) edges[last].strength += edges[i].strength;
-    else edges[++last] = edges[i];
-  if (!edges.empty()) edges.resize(last + 1);
+  std::vector<Edge> edges;
+  for (auto& some : of) {
+    std::ranges::sort(some, {}, &Edge::b);
+    edges.insert(edges.end(), some.begin(), some.end());
+  }
   return edges;
 }
 
