@@ -80,7 +80,7 @@ LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const Li
     if (!factorise(k, blocks)) factorise_nodes(k, blocks);
     longest_ = std::max(longest_, nodes(k).size());
   }
-  on_line_.resize(longest_);
+  on_lines_.resize(at_once * longest_);
 }
 
 LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, Matrices matrices) : LineJacobi(system, lines, blocks_of(system, lines, matrices)) {}
@@ -111,68 +111,93 @@ void LineJacobi::factorise_nodes(int line, const LineBlocks& blocks) {
   }
 }
 
-// L D Lᵀ y = y, with the nodes of a line one after the other.
-template <class Number>
-void LineJacobi::solve(int line, Number* y, int stride) const {
-  const int count = lines_.start[line + 1] - lines_.start[line];
-  const auto* L = lower_.data() + lines_.start[line] - line;
-  const auto* D = inverse_.data() + lines_.start[line];
-  for (int i = 1; i < count; ++i) {
-    const Number* before = y + stride * (i - 1);
-    Number* to = y + stride * i;
-    for (int r = 0; r < 3; ++r) to[r] -= L[i - 1][3 * r] * before[0] + L[i - 1][3 * r + 1] * before[1] + L[i - 1][3 * r + 2] * before[2];
-  }
-  for (int i = count - 1; i >= 0; --i) {
-    Number* to = y + stride * i;
-    const Number p = to[0], q = to[1], r = to[2];
-    to[0] = D[i][0] * p + D[i][1] * q + D[i][2] * r;
-    to[1] = D[i][1] * p + D[i][3] * q + D[i][4] * r;
-    to[2] = D[i][2] * p + D[i][4] * q + D[i][5] * r;
-    if (i + 1 == count) continue;
-    const Number* after = to + stride;
-    for (int c = 0; c < 3; ++c) to[c] -= L[i][c] * after[0] + L[i][3 + c] * after[1] + L[i][6 + c] * after[2];
+// use(first line, how many): neighbours of one length at once, or one line alone.
+template <class Use>
+void LineJacobi::for_each_group(Use use) const {
+  const auto size = [&](int line) { return lines_.start[line + 1] - lines_.start[line]; };
+  for (int k = 0; k < count();) {
+    int same = 1;
+    while (same < at_once && k + same < count() && size(k + same) == size(k)) ++same;
+    if (same < at_once) same = 1;
+    use(k, same);
+    k += same;
   }
 }
 
-void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
-  std::vector<double> on_line(3 * longest_);
-  for (int k = 0; k < count(); ++k) {
-    const auto line = nodes(k);
-    for (std::size_t i = 0; i < line.size(); ++i) std::copy_n(&x[3 * static_cast<std::size_t>(line[i])], 3, &on_line[3 * i]);
-    solve(k, on_line.data(), 3);
-    for (std::size_t i = 0; i < line.size(); ++i) std::copy_n(&on_line[3 * i], 3, &y[3 * static_cast<std::size_t>(line[i])]);
+// L D Lᵀ y = y of lines of one length, the nodes of a line one after the other. Each waits for the one before; several lines do not wait for
+// each other.
+template <int Many, class Number>
+void LineJacobi::solve(int first, Number* y, int stride) const {
+  const int count = lines_.start[first + 1] - lines_.start[first];
+  const std::array<float, 9>* L[Many];
+  const std::array<float, 6>* D[Many];
+  Number* of[Many];
+  for (int m = 0; m < Many; ++m) {
+    L[m] = lower_.data() + lines_.start[first + m] - (first + m);
+    D[m] = inverse_.data() + lines_.start[first + m];
+    of[m] = y + static_cast<std::ptrdiff_t>(stride) * count * m;
   }
+  for (int i = 1; i < count; ++i)
+    for (int m = 0; m < Many; ++m) {
+      const auto& l = L[m][i - 1];
+      const Number* before = of[m] + stride * (i - 1);
+      Number* to = of[m] + stride * i;
+      for (int r = 0; r < 3; ++r) to[r] -= l[3 * r] * before[0] + l[3 * r + 1] * before[1] + l[3 * r + 2] * before[2];
+    }
+  for (int i = count - 1; i >= 0; --i)
+    for (int m = 0; m < Many; ++m) {
+      const auto& d = D[m][i];
+      Number* to = of[m] + stride * i;
+      const Number p = to[0], q = to[1], r = to[2];
+      to[0] = d[0] * p + d[1] * q + d[2] * r;
+      to[1] = d[1] * p + d[3] * q + d[4] * r;
+      to[2] = d[2] * p + d[4] * q + d[5] * r;
+      if (i + 1 == count) continue;
+      const auto& l = L[m][i];
+      const Number* after = to + stride;
+      for (int c = 0; c < 3; ++c) to[c] -= l[c] * after[0] + l[3 + c] * after[1] + l[6 + c] * after[2];
+    }
+}
+
+void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
+  std::vector<double> on_lines(3 * at_once * longest_);
+  for_each_group([&](int k, int many) {
+    const auto group = nodes(k, many);
+    for (std::size_t i = 0; i < group.size(); ++i) std::copy_n(&x[3 * static_cast<std::size_t>(group[i])], 3, &on_lines[3 * i]);
+    many == 1 ? solve<1>(k, on_lines.data(), 3) : solve<at_once>(k, on_lines.data(), 3);
+    for (std::size_t i = 0; i < group.size(); ++i) std::copy_n(&on_lines[3 * i], 3, &y[3 * static_cast<std::size_t>(group[i])]);
+  });
   const std::size_t nodal = 3 * lines_.nodes.size();
   bodies_.apply(x.subspan(nodal), y.subspan(nodal));
 }
 
 void LineJacobi::apply(std::span<NodeSingle> v) const {
-  for (int k = 0; k < count(); ++k) {
-    const auto line = nodes(k);
-    for (std::size_t i = 0; i < line.size(); ++i) on_line_[i] = v[line[i]];
-    solve(k, numbers(on_line_).data(), 4);
-    for (std::size_t i = 0; i < line.size(); ++i) v[line[i]] = on_line_[i];
-  }
+  for_each_group([&](int k, int many) {
+    const auto group = nodes(k, many);
+    for (std::size_t i = 0; i < group.size(); ++i) on_lines_[i] = v[group[i]];
+    many == 1 ? solve<1>(k, numbers(on_lines_).data(), 4) : solve<at_once>(k, numbers(on_lines_).data(), 4);
+    for (std::size_t i = 0; i < group.size(); ++i) v[group[i]] = on_lines_[i];
+  });
 }
 
 void LineJacobi::step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d, std::span<NodeSingle> x) const {
   constexpr std::size_t ahead = 12;  // nodes, whose numbers are soon to be asked for
   const std::size_t last = lines_.nodes.size() - 1;
-  for (int k = 0; k < count(); ++k) {
-    const auto line = nodes(k);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const int n = line[i], soon = lines_.nodes[std::min(lines_.start[k] + i + ahead, last)];
+  for_each_group([&](int k, int many) {
+    const auto group = nodes(k, many);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const int n = group[i], soon = lines_.nodes[std::min(lines_.start[k] + i + ahead, last)];
       for (const auto& v : {r, z, d, x}) __builtin_prefetch(&v[soon], 1);
-      on_line_[i] = r[n] -= z[n];
+      on_lines_[i] = r[n] -= z[n];
       z[n] = NodeSingle{};
     }
-    solve(k, numbers(on_line_).data(), 4);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const int n = line[i];
-      d[n] = keep * d[n] + add * on_line_[i];
+    many == 1 ? solve<1>(k, numbers(on_lines_).data(), 4) : solve<at_once>(k, numbers(on_lines_).data(), 4);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const int n = group[i];
+      d[n] = keep * d[n] + add * on_lines_[i];
       x[n] += d[n];
     }
-  }
+  });
 }
 
 Eigen::MatrixXf LineJacobi::energy(int line, Rows& F) const {

@@ -51,8 +51,10 @@ class LineJacobi final : public Preconditioner {
   const BodyBlocks& bodies() const { return bodies_; }
   const Lines& lines() const { return lines_; }
   int count() const { return lines_.count(); }
-  /// Of one line.
-  std::span<const int> nodes(int line) const { return std::span(lines_.nodes).subspan(lines_.start[line], lines_.start[line + 1] - lines_.start[line]); }
+  /// Of one line, or of several one after the other.
+  std::span<const int> nodes(int line, int many = 1) const {
+    return std::span(lines_.nodes).subspan(lines_.start[line], lines_.start[line + many] - lines_.start[line]);
+  }
   /// Three rows per node of a line.
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   /// Fᵀ A⁻¹ F, A: the part on one line. F is used up.
@@ -61,10 +63,13 @@ class LineJacobi final : public Preconditioner {
   std::size_t bytes() const override;
 
  private:
+  static constexpr int at_once = 4;  // lines that are solved side by side
   bool factorise(int line, const LineBlocks& blocks);
   void factorise_nodes(int line, const LineBlocks& blocks);
-  template <class Number>
-  void solve(int line, Number* y, int stride) const;
+  template <int Many, class Number>
+  void solve(int first, Number* y, int stride) const;
+  template <class Use>
+  void for_each_group(Use use) const;
 
   int size_;
   const Lines& lines_;
@@ -73,7 +78,7 @@ class LineJacobi final : public Preconditioner {
   std::vector<std::array<float, 9>> lower_;
   BodyBlocks bodies_;
   std::size_t longest_ = 0;  // nodes of a line
-  mutable std::vector<NodeSingle> on_line_;
+  mutable std::vector<NodeSingle> on_lines_;
 };
 
 }  // namespace bulbus
