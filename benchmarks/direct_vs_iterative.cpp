@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
                     "in the run that is the median of the repetitions; peak_mb: VmHWM of the process; estimated: by MUMPS's analysis; "
                     "growth: p of unknowns^p by least squares, from size n on";
   for (int n : o.sizes) {
-    const int repetitions = n > 20 || o.refine > 0 ? 1 : o.repetitions;
+    const int repetitions = n << o.refine > 20 ? 1 : o.repetitions;
     const json iterative = median_run("iterative", n, o.refine, repetitions, memory_mb), direct = median_run("direct", n, o.refine, repetitions, memory_mb);
     report["rows"].push_back(iterative);
     report["rows"].push_back(direct);
