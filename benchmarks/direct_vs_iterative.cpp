@@ -145,8 +145,9 @@ int main(int argc, char** argv) {
                     "in the run that is the median of the repetitions; peak_mb: VmHWM of the process; estimated: by MUMPS's analysis; "
                     "growth: p of unknowns^p by least squares, from size n on";
   for (int n : o.sizes) {
-    const int repetitions = n << o.refine > 20 ? 1 : o.repetitions;
-    const json iterative = median_run("iterative", n, o.refine, repetitions, memory_mb), direct = median_run("direct", n, o.refine, repetitions, memory_mb);
+    const int cells = n << o.refine;
+    const json iterative = median_run("iterative", n, o.refine, cells > 40 ? 1 : o.repetitions, memory_mb);
+    const json direct = median_run("direct", n, o.refine, cells > 20 ? 1 : o.repetitions, memory_mb);
     report["rows"].push_back(iterative);
     report["rows"].push_back(direct);
     if (!failed(iterative) && !failed(direct)) report["ratios"].push_back(ratio(iterative, direct));

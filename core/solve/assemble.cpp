@@ -146,6 +146,7 @@ class BlockCollector {
   int number(int dof) const { return static_cast<int>(mesh_.number[dof / 3]); }
   std::array<double, 9>& at(int row, int column) {
     auto& blocks = rows_[row];
+    if (blocks.empty()) blocks.reserve(upper_ ? 14 : 27);  // of a node inside of a regular mesh
     const auto place = std::ranges::lower_bound(blocks, column, {}, &Block::column);
     if (place != blocks.end() && place->column == column) return place->values;
     return blocks.insert(place, {column, {}})->values;
