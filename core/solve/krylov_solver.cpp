@@ -63,8 +63,9 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
 // Krylov iterations that a digit costs where solves are easy.
 constexpr double per_digit = 1.5;
 
-// Times the Krylov iterations per digit after which nothing of an earlier linearisation is kept.
-constexpr double much_slower = 2;
+// Coarse factors are not kept after so many times the Krylov iterations per digit of their own solve, nor after so many in themselves: beside
+// such a solve a set-up is cheap, and near limit points, where a matrix changes its sign, it is needed.
+constexpr double much_slower = 2, hard = 4;
 
 // What two solves in a row did, the second from where the first had come to.
 KrylovReport joined(KrylovReport first, KrylovReport then) {
@@ -156,7 +157,7 @@ class KrylovSolver final : public LinearSolver {
   SetUp wanted() const {
     if (solves_ == 0) return SetUp::anew;
     if (last_ <= settings_.reuse * first_) return SetUp::kept;
-    return last_ <= much_slower * first_ ? SetUp::factors_kept : SetUp::anew;
+    return last_ <= std::min(much_slower * first_, hard) ? SetUp::factors_kept : SetUp::anew;
   }
 
   void strengthen() {

@@ -90,7 +90,7 @@ struct LinearSettings {
             "iterations per digit of its own; 0: each has its own"}.between(0, 100));
     v("coarse_change", coarse_change,
       About{"factors of the coarsest matrix are kept for later linearisations of their step as long as no row of it has changed by more than this "
-            "part and solves take no more than twice the Krylov iterations per digit; 0: each has its own"}.between(0, 1));
+            "part and solves are easy: at most four Krylov iterations per digit, and twice those of their own solve; 0: each has its own"}.between(0, 1));
     v("restart", restart, About{"Krylov basis before a restart"}.between(2, 500));
     v("max_iterations", max_iterations, About{"Krylov iterations before the increment is cut"}.between(1, 100000));
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
