@@ -159,12 +159,18 @@ void LineJacobi::solve(int first, Number* y, int stride) const {
     }
 }
 
+// many: as for_each_group has it.
+template <class Number>
+void LineJacobi::solve(int first, int many, Number* y, int stride) const {
+  many == 1 ? solve<1>(first, y, stride) : solve<at_once>(first, y, stride);
+}
+
 void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
   std::vector<double> on_lines(3 * at_once * longest_);
   for_each_group([&](int k, int many) {
     const auto group = nodes(k, many);
     for (std::size_t i = 0; i < group.size(); ++i) std::copy_n(&x[3 * static_cast<std::size_t>(group[i])], 3, &on_lines[3 * i]);
-    many == 1 ? solve<1>(k, on_lines.data(), 3) : solve<at_once>(k, on_lines.data(), 3);
+    solve(k, many, on_lines.data(), 3);
     for (std::size_t i = 0; i < group.size(); ++i) std::copy_n(&on_lines[3 * i], 3, &y[3 * static_cast<std::size_t>(group[i])]);
   });
   const std::size_t nodal = 3 * lines_.nodes.size();
@@ -175,7 +181,7 @@ void LineJacobi::apply(std::span<NodeSingle> v) const {
   for_each_group([&](int k, int many) {
     const auto group = nodes(k, many);
     for (std::size_t i = 0; i < group.size(); ++i) on_lines_[i] = v[group[i]];
-    many == 1 ? solve<1>(k, numbers(on_lines_).data(), 4) : solve<at_once>(k, numbers(on_lines_).data(), 4);
+    solve(k, many, numbers(on_lines_).data(), 4);
     for (std::size_t i = 0; i < group.size(); ++i) v[group[i]] = on_lines_[i];
   });
 }
@@ -191,7 +197,7 @@ void LineJacobi::step(float keep, float add, std::span<NodeSingle> r, std::span<
       on_lines_[i] = r[n] -= z[n];
       z[n] = NodeSingle{};
     }
-    many == 1 ? solve<1>(k, numbers(on_lines_).data(), 4) : solve<at_once>(k, numbers(on_lines_).data(), 4);
+    solve(k, many, numbers(on_lines_).data(), 4);
     for (std::size_t i = 0; i < group.size(); ++i) {
       const int n = group[i];
       d[n] = keep * d[n] + add * on_lines_[i];

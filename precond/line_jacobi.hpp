@@ -66,6 +66,8 @@ class LineJacobi final : public Preconditioner {
   static constexpr int at_once = 4;  // lines that are solved side by side
   bool factorise(int line, const LineBlocks& blocks);
   void factorise_nodes(int line, const LineBlocks& blocks);
+  template <class Number>
+  void solve(int first, int many, Number* y, int stride) const;
   template <int Many, class Number>
   void solve(int first, Number* y, int stride) const;
   template <class Use>

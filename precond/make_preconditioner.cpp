@@ -8,12 +8,13 @@ namespace bulbus {
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Meters& meters) {
   return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures, displacement = DisplacementInverse(),
           parts = std::make_shared<BlockTriangular::Parts>(), &meters](CoupledSystem& system, SetUp how) mutable {
-    if (how == SetUp::anew) *parts = {};
     if (how != SetUp::kept || !displacement.inverse || !displacement.inverse->follow()) {
+      const bool own_lines = system.problem().mesh().refinements > 0;  // have the weak parts
+      if (how == SetUp::anew || !own_lines) *parts = {};
       displacement = {};  // two would need the room of both
       displacement = factory->make(system, how != SetUp::anew);
       how = displacement.factors_kept ? SetUp::factors_kept : SetUp::anew;
-      if (how == SetUp::anew || system.problem().mesh().refinements == 0) *parts = {};
+      if (how == SetUp::anew) *parts = {};
     }
     meters.memory.set("displacement preconditioner", displacement.inverse->bytes());
     return MadePreconditioner{std::make_unique<BlockTriangular>(system, displacement, pressures, *parts), how};

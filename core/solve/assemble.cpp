@@ -171,15 +171,8 @@ void add_contributions(const CoupledSystem& system, bool augmented, const Number
 // add(node, block): identity rows of held directions and of bodies' nodes.
 template <class Add>
 void visit_held(const CoupledSystem& system, Add add) {
-  const DofMap& dofs = system.problem().dofs();
-  for (int n = 0; n < system.problem().mesh().owned; ++n) {
-    if (!dofs.held(n)) continue;
-    const Mat3<double> P = dofs.projector(n);
-    std::array<double, 9> block;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) block[3 * i + j] = system.held_scale() * ((i == j) - P(i, j));
-    add(n, block);
-  }
+  for (int n = 0; n < system.problem().mesh().owned; ++n)
+    if (system.problem().dofs().held(n)) add(n, system.held_block(n));
 }
 
 // Columns and rows of the liquids, and ω g gᵀ, which needs the whole of g on every rank.

@@ -233,13 +233,19 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
 }
 
 void CoupledSystem::add_held_blocks(std::span<double> blocks) const {
-  const DofMap& dofs = problem_.dofs();
   for (int n = 0; n < problem_.mesh().owned; ++n)
-    if (dofs.held(n)) {
-      const Mat3<double> P = dofs.projector(n);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) blocks[9 * static_cast<std::size_t>(n) + 3 * i + j] += held_scale_ * ((i == j) - P(i, j));
+    if (problem_.dofs().held(n)) {
+      const auto block = held_block(n);
+      for (int i = 0; i < 9; ++i) blocks[9 * static_cast<std::size_t>(n) + i] += block[i];
     }
+}
+
+std::array<double, 9> CoupledSystem::held_block(int node) const {
+  const Mat3<double> P = problem_.dofs().projector(node);
+  std::array<double, 9> block;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) block[3 * i + j] = held_scale_ * ((i == j) - P(i, j));
+  return block;
 }
 
 std::vector<double> CoupledSystem::nodal_blocks() const {

@@ -85,6 +85,8 @@ class CoupledSystem final : public LinearOperator {
   std::vector<double> nodal_blocks() const;
   /// What held directions add to such blocks.
   void add_held_blocks(std::span<double> blocks) const;
+  /// Of one node: its projector's complement times held_scale(), by rows.
+  std::array<double, 9> held_block(int node) const;
   /// 6×6 block of every body, the same on every rank.
   const std::vector<std::array<double, 36>>& body_blocks() const { return body_blocks_; }
   double held_scale() const { return held_scale_; }

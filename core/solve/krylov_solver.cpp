@@ -126,8 +126,8 @@ class KrylovSolver final : public LinearSolver {
 
  private:
   // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with the strengthened
-  // preconditioner; where plain GMRES, which needs one basis only, still fails, as near limit points, the flexible one, anew from where it has come to as long as
-  // rounding ends it and each time gains a digit.
+  // preconditioner; where plain GMRES, which needs one basis only, still fails, as near limit points, the flexible one, anew from where it
+  // has come to as long as rounding ends it and each time gains a digit.
   KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
                                double tolerance, const Comm& comm, const KrylovObserver& observer) {
     KrylovReport report;
