@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace bulbus {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/study_design.hpp"
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace bulbus::test {
 

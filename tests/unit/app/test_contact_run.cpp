@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/io/hdf5_read.hpp"
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace {
 

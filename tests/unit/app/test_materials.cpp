@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/scene.hpp"
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // What the command says of rigid bodies, contacts and sutures that cannot be.
 #include <gtest/gtest.h>
 
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "core/io/hdf5_read.hpp"
 #include "tests/support/left.hpp"
 #include "tests/support/numbers.hpp"
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include "core/io/hdf5_read.hpp"
 #include "core/solve/dump.hpp"
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace {
 

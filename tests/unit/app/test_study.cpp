@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 #include "tests/unit/app/studies.hpp"
 
 namespace {

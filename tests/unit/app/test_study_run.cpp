@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/unit/app/run_scene.hpp"
+#include "tests/support/run_scene.hpp"
 #include "tests/unit/app/studies.hpp"
 
 namespace {

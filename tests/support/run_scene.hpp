@@ -12,7 +12,7 @@ namespace bulbus::test {
 struct Ran {
   std::filesystem::path folder;
   int status = 0;
-  std::string err;
+  std::string err, out;
   bool wrote(const std::string& file) const { return std::filesystem::exists(folder / "out" / file); }
   nlohmann::json summary() const { return nlohmann::json::parse(text("summary.json")); }
   std::string text(const std::string& file) const {
@@ -36,7 +36,7 @@ inline Ran call(const std::string& command, const std::filesystem::path& folder,
   for (const std::string& s : set) arguments.insert(arguments.end(), {"--set", s});
   std::ostringstream out, err;
   const int status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
-  return {folder, status, err.str()};
+  return {folder, status, err.str(), out.str()};
 }
 
 inline std::filesystem::path fresh_folder(const std::string& name) {
