@@ -23,6 +23,7 @@ int check(const Scene& scene, const Comm& comm) {
   print(log, lines_of(prepared.quality));
   print(log, lines_of(sizes));
   print(log, liquid_lines(problem));
+  for (const std::string& warning : prepared.warnings) log.warn(warning);
   log.info(fmt::format("memory to expect with the {} solver, over all ranks (MB):",
                        scene.solver.linear.method));
   const auto parts = forecast_memory(prepared, scene);

@@ -16,6 +16,7 @@ int check_study(const Study& study, const Comm& comm) {
     of_run(study, run, [&] {
       const Prepared prepared = prepare(run.scene, comm);
       const long long unknowns = sizes_of(*prepared.problem).unknowns();
+      for (const std::string& warning : prepared.warnings) log.warn(run.name + ": " + warning);
       log.info(fmt::format("{}: {}; {} unknowns", run.name, words_of(study, run.levels), unknowns));
     });
   return 0;

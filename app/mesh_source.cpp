@@ -16,6 +16,7 @@ void MeshSource::validate() const {
       if (member) given.emplace_back(key);
     }
   });
+  if (scale != 1 && !file) throw input_error("`scale` is given for a mesh that is not read from a file", "leave it out, or give the shape its lengths in mm");
   if (given.size() == 1) return;
   const std::string all = alternatives(known);
   if (given.empty()) throw input_error("the mesh has no source", "give one of " + all);
@@ -26,8 +27,15 @@ void MeshSource::validate() const {
 
 namespace {
 
+Mesh read_scaled(const std::string& file, double scale) {
+  Mesh mesh = read_gmsh(file);
+  for (Point& p : mesh.points)
+    for (double& x : p) x *= scale;
+  return mesh;
+}
+
 Mesh make_base(const MeshSource& source) {
-  if (source.file) return read_gmsh(*source.file);
+  if (source.file) return read_scaled(*source.file, source.scale);
   if (source.eye) return generate(*source.eye);
   if (source.block) return generate(*source.block);
   if (source.shell) return generate(*source.shell);

@@ -17,10 +17,12 @@ struct MeshSource {
   std::optional<ShellShape> shell;
   std::optional<BallShape> ball;
   std::optional<CylinderShape> cylinder;
+  double scale = 1;
   int refine = 0;
   template <class V>
   void describe(V&& v) {
-    v("file", file, About{"Gmsh file (MSH 4.1 or 2.2) of 8-node hexahedra; lengths in mm"});
+    v("file", file, About{"Gmsh file (MSH 4.1 or 2.2) of 8-node hexahedra; lengths in mm, but for `scale`"});
+    v("scale", scale, About{"multiplies the coordinates of `file`: 1000 for a file in metres"}.positive());
     v("eye", eye, About{"the parametric half eye"});
     v("block", block, About{"a box of equal cells"});
     v("shell", shell, About{"a spherical shell, or a part of one"});

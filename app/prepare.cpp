@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/tissues.hpp"
 #include "core/problem/validate.hpp"
+#include "core/problem/warnings.hpp"
 
 namespace bulbus {
 namespace {
@@ -53,9 +54,10 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   validate(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
-  Prepared prepared{std::make_unique<Problem>(std::move(levels), model), nullptr, {}};
+  Prepared prepared{std::make_unique<Problem>(std::move(levels), model), nullptr, {}, {}};
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
+  prepared.warnings = warnings_of(meshes.base, model);
   prepared.operation = Operation::attach(*prepared.problem, meshes.base);
   return prepared;
 }

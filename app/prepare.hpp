@@ -14,6 +14,7 @@ struct Prepared {
   std::unique_ptr<Problem> problem;
   std::shared_ptr<const Operation> operation;
   std::vector<RegionQuality> quality;
+  std::vector<std::string> warnings;  ///< of mesh and model, the same on every rank
 };
 
 /// Makes the mesh, checks it and builds the problem. All steps are set up once in rehearsal, so that a slip

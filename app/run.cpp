@@ -57,6 +57,7 @@ void write_header(const Log& log, const Scene& scene, const std::string& scene_p
   tell(log, liquid_lines(*prepared.problem));
   log.info("linear solver: " + name_of_solver(scene.solver.linear, *prepared.problem));
   tell(log, lines_of_levels(*prepared.problem));
+  for (const std::string& warning : prepared.warnings) log.warn(warning);
 }
 
 // The regions that `materials` stands for come out one by one.

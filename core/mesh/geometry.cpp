@@ -38,6 +38,14 @@ double jacobian(const std::array<Point, 8>& x, double xi, double eta, double zet
 
 }  // namespace
 
+double diagonal(const Mesh& mesh) {
+  if (mesh.points.empty()) return 0;
+  Point low = mesh.points.front(), high = low;
+  for (const Point& p : mesh.points)
+    for (int c = 0; c < 3; ++c) low[c] = std::min(low[c], p[c]), high[c] = std::max(high[c], p[c]);
+  return norm(high - low);
+}
+
 Point volume_flux(const std::array<Point, 4>& x) {
   Point flux{};
   for (double xi : {-gauss, gauss})

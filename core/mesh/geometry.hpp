@@ -23,6 +23,8 @@ double hex_volume(const Mesh& mesh, int hex);
 
 std::array<Point, 8> corners(const Mesh& mesh, int hex);
 std::array<Point, 4> corners(const Mesh& mesh, const Quad& quad);
+/// Of the box around all nodes, mm.
+double diagonal(const Mesh& mesh);
 /// Mean of the corners.
 Point center(const Mesh& mesh, int hex);
 

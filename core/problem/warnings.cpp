@@ -1,0 +1,34 @@
+#include "core/problem/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/mesh/geometry.hpp"
+
+namespace bulbus {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+// An eye measures some 24 mm: in metres it would be below the lower bound, in micrometres above the upper.
+constexpr double smallest_size = .1, largest_size = 1000;  // mm
+
+void warn_of_size(const Mesh& mesh, Warnings& warnings) {
+  const double size = diagonal(mesh);
+  if (size >= smallest_size && size <= largest_size) return;
+  warnings.push_back(fmt::format("the mesh measures only {:.3g} mm from corner to corner: are its coordinates in metres? Then give `scale: 1000` under `mesh`.", size));
+  if (size > largest_size)
+    warnings.back() = fmt::format("the mesh measures {:.3g} mm from corner to corner: are its coordinates in micrometres? Then give `scale: 0.001` under `mesh`.", size);
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Mesh& mesh, const Model&) {
+  Warnings warnings;
+  warn_of_size(mesh, warnings);
+  return warnings;
+}
+
+}  // namespace bulbus
