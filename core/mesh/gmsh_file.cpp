@@ -1,5 +1,9 @@
 #include "core/mesh/gmsh_file.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "core/base/error.hpp"
 
 namespace bulbus {
@@ -17,11 +21,11 @@ std::string type_name(int type) {
   return at != names.end() ? at->second : "of Gmsh type " + std::to_string(type) + ", of higher order";
 }
 
-int dimension_of(int type) { return type == 5 ? 3 : type == 3 ? 2 : type == 1 ? 1 : 0; }
-
 std::string name_of(long long number) { return "element " + std::to_string(number); }
 
 }  // namespace
+
+int GmshFile::dimension_of(int type) { return type == 5 ? 3 : type == 3 ? 2 : type == 1 ? 1 : 0; }
 
 int GmshFile::node_count(const GmshScanner& at, int type, long long number, bool binary) {
   switch (type) {
@@ -43,6 +47,10 @@ void GmshFile::add_node(const GmshScanner& at, long long tag, const Point& p) {
   if (!index.try_emplace(tag, static_cast<int>(points.size())).second)
     throw input_error(path, binary ? 0 : at.line(), "node " + std::to_string(tag) + " appears twice",
                       "give every node a number of its own");
+  for (double x : p)
+    if (!std::isfinite(x))
+      throw input_error(path, binary ? 0 : at.line(), fmt::format("node {} has the coordinate {}", tag, x),
+                        "give the node a finite place, or mesh the model again");
   points.push_back(p);
 }
 

@@ -34,6 +34,8 @@ struct GmshFile {
 
   /// Nodes of an element type; refuses types that are not supported.
   static int node_count(const GmshScanner& at, int type, long long number, bool binary);
+  /// Of a supported type.
+  static int dimension_of(int type);
   /// Name of a physical group, made up from its tag if it has none.
   std::string group_name(int dimension, int tag) const;
   /// `file:line: element NUMBER what`.
@@ -47,6 +49,10 @@ void read_elements2(GmshScanner& in, GmshFile& file);
 /// Physical tags per entity (dimension, tag).
 using GmshEntities = std::map<std::pair<int, int>, std::vector<int>>;
 GmshEntities read_entities4(GmshScanner& in, const GmshFile& file);
+/// Physical tags of one entity, behind its own tag (and parent).
+std::vector<int> read_entity4(GmshScanner& in, bool binary, int dimension);
+/// Adds the parts of a partitioned mesh's entities, with the physical tags of their parents where they have none.
+void read_partitioned4(GmshScanner& in, const GmshFile& file, GmshEntities& entities);
 void read_nodes4(GmshScanner& in, GmshFile& file);
 void read_elements4(GmshScanner& in, GmshFile& file, const GmshEntities& entities);
 

@@ -1,12 +1,16 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <set>
+#include <stdexcept>
 
 #include "core/base/error.hpp"
 #include "core/mesh/embed.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/gmsh_file.hpp"
+#include "core/mesh/repeated.hpp"
 
 namespace bulbus {
 namespace {
@@ -50,6 +54,24 @@ void add_hexes(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
     if (hex_volume(mesh, static_cast<int>(mesh.hexes.size()) - 1) < 0)
       mesh.hexes.back() = {h[4], h[5], h[6], h[7], h[0], h[1], h[2], h[3]};
   }
+}
+
+const GmshFile::Element& hexahedron(const GmshFile& file, int number) {
+  for (const auto& e : file.elements)
+    if (e.dimension == 3 && number-- == 0) return e;
+  throw std::out_of_range("no such hexahedron");
+}
+
+void refuse_repeated(const GmshFile& file, const Mesh& mesh) {
+  const auto pairs = repeated(mesh.hexes);
+  if (pairs.empty()) return;
+  const auto [i, j] = pairs.front();
+  const auto& first = hexahedron(file, i);
+  const auto& again = hexahedron(file, j);
+  file.refuse(again, fmt::format("of region '{}' has the same eight nodes as element {}{} of region '{}': {} of {} hexahedra stand twice",
+                                 file.group_name(3, again.group), first.number, first.line > 0 ? fmt::format(" (line {})", first.line) : "",
+                                 file.group_name(3, first.group), pairs.size(), mesh.hexes.size()),
+              "let every volume belong to one Physical Volume (MSH 2.2 lists it once for each), and save the mesh again");
 }
 
 void add_surfaces(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
@@ -102,11 +124,16 @@ EmbeddedPoint bar_end(const GmshFile& file, const GmshFile::Element& e, int node
 
 void add_bars(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
   std::vector<Quad> boundary;
+  std::map<std::pair<std::string, std::pair<int, int>>, long long> seen;
   for (const auto& e : file.elements) {
     if (e.dimension != 1) continue;
     if (boundary.empty()) boundary = boundary_faces(mesh);
     std::string name = file.group_name(1, e.group);
     const double share = take_share(name);
+    const auto [first, fresh] = seen.emplace(std::pair{name, std::pair<int, int>(std::minmax(e.nodes[0], e.nodes[1]))}, e.number);
+    if (!fresh)
+      file.refuse(e, fmt::format("joins the same two nodes as bar {} of '{}': it would pull twice", first->second, name),
+                  "list every bar once; a thicker one has a larger `area`");
     mesh.bars[name].push_back({bar_end(file, e, e.nodes[0], id, mesh, boundary),
                                bar_end(file, e, e.nodes[1], id, mesh, boundary), share});
   }
@@ -121,6 +148,7 @@ Mesh mesh_of(const GmshFile& file) {
   if (mesh.hexes.empty())
     throw input_error(file.path, 0, "the mesh has no hexahedra",
                       "mesh the volumes in 3-D with 8-node hexahedra");
+  refuse_repeated(file, mesh);
   add_surfaces(file, id, mesh);
   add_node_sets(file, id, mesh);
   add_bars(file, id, mesh);

@@ -27,9 +27,13 @@ Header read_header(GmshScanner& in) {
 }
 
 void read_names(GmshScanner& in, GmshFile& file) {
-  for (long long n = in.integer(); n > 0; --n) {
-    const int dimension = static_cast<int>(in.integer()), tag = static_cast<int>(in.integer());
-    file.names[{dimension, tag}] = in.quoted();
+  for (long long n = in.count(false); n > 0; --n) {
+    const int dimension = in.whole(false), tag = in.whole(false);
+    if (dimension < 0 || dimension > 3)
+      in.fail(fmt::format("a physical group has dimension {}", dimension), "save the mesh again as MSH 4.1 or 2.2");
+    const std::string name = in.quoted();
+    if (const auto [old, fresh] = file.names.emplace(std::pair{dimension, tag}, name); !fresh && old->second != name)
+      in.fail(fmt::format("physical group {} of dimension {} is named '{}' and '{}'", tag, dimension, old->second, name), "give it one name");
   }
 }
 
@@ -46,7 +50,8 @@ Mesh read_gmsh(const std::string& path) {
     const std::string section(in.word());
     if (section.size() < 2 || section[0] != '$')
       in.fail(fmt::format("'{:.40}' is no section", section), "save the mesh again");
-    const bool data = section == "$Nodes" || section == "$Elements" || section == "$Entities";
+    const bool data = section == "$Nodes" || section == "$Elements" || section == "$Entities" ||
+                      section == "$PartitionedEntities";
     if (header.binary && data && header.version4) in.skip_line();
     if (section == "$PhysicalNames")
       read_names(in, file);
@@ -54,6 +59,8 @@ Mesh read_gmsh(const std::string& path) {
       header.version4 ? read_nodes4(in, file) : read_nodes2(in, file);
     else if (section == "$Elements")
       header.version4 ? read_elements4(in, file, entities) : read_elements2(in, file);
+    else if (section == "$PartitionedEntities")
+      read_partitioned4(in, file, entities);
     else if (section == "$Entities")
       entities = read_entities4(in, file);
     else {

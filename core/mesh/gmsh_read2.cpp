@@ -9,8 +9,9 @@ std::vector<int> physical(std::span<const int> tags) {
 
 /// Number, tags and nodes of one element.
 void read_element(GmshScanner& in, GmshFile& file, int type, int tag_count, long long number) {
+  if (tag_count < 0) in.fail("an element has a negative number of tags", "save the mesh again as MSH 4.1 or 2.2");
   std::vector<int> tags;
-  for (int i = 0; i < tag_count; ++i) tags.push_back(static_cast<int>(in.number<int>(file.binary)));
+  for (int i = 0; i < tag_count; ++i) tags.push_back(in.whole(file.binary));
   std::vector<long long> nodes(GmshFile::node_count(in, type, number, file.binary));
   for (long long& k : nodes) k = in.number<int>(file.binary);
   file.add(in, type, number, nodes, physical(tags));
@@ -19,7 +20,7 @@ void read_element(GmshScanner& in, GmshFile& file, int type, int tag_count, long
 }  // namespace
 
 void read_nodes2(GmshScanner& in, GmshFile& file) {
-  const long long count = in.integer();
+  const long long count = in.count(false);
   if (file.binary) in.skip_line();
   for (long long n = 0; n < count; ++n) {
     const long long tag = in.number<int>(file.binary);
@@ -30,12 +31,12 @@ void read_nodes2(GmshScanner& in, GmshFile& file) {
 }
 
 void read_elements2(GmshScanner& in, GmshFile& file) {
-  const long long count = in.integer();
+  const long long count = in.count(false);
   if (file.binary) in.skip_line();
   for (long long n = 0; n < count;) {
     if (!file.binary) {
       const long long number = in.integer();
-      const int type = static_cast<int>(in.integer()), tags = static_cast<int>(in.integer());
+      const int type = in.whole(false), tags = in.whole(false);
       read_element(in, file, type, tags, number);
       ++n;
       continue;

@@ -72,6 +72,18 @@ double GmshScanner::real() {
   return value;
 }
 
+int GmshScanner::whole(bool binary) {
+  const long long value = number<int>(binary);
+  if (value != static_cast<int>(value)) fail(fmt::format("{} is too large for a tag", value), save_again);
+  return static_cast<int>(value);
+}
+
+long long GmshScanner::count(bool binary) {
+  const long long value = number<long long>(binary);
+  if (value < 0) fail(fmt::format("a number of entries is negative: {}", value), save_again);
+  return value;
+}
+
 std::string GmshScanner::quoted() {
   skip_space();
   need(1);

@@ -40,6 +40,10 @@ class GmshScanner {
   long long number(bool binary) {
     return binary ? static_cast<long long>(bytes<Binary>()) : integer();
   }
+  /// A tag, dimension or type: four bytes, or a word of text that fits them.
+  int whole(bool binary);
+  /// Eight bytes (text: a word), not negative.
+  long long count(bool binary);
   double real(bool binary) { return binary ? bytes<double>() : real(); }
 
   int line() const { return line_; }
