@@ -2,6 +2,7 @@
 
 #include "contact/operation_probes.hpp"
 #include "core/base/error.hpp"
+#include "core/problem/symmetry_planes.hpp"
 #include "core/problem/tissues.hpp"
 #include "core/problem/validate.hpp"
 #include "core/problem/warnings.hpp"
@@ -14,6 +15,7 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
   try {
     comm.together([&] {
       meshes = make_meshes(scene.mesh);
+      move_onto_planes(meshes.base, scene.model);
       refuse_inverted(meshes.base);
     });
   } catch (const InputError& fault) {

@@ -109,7 +109,7 @@ struct DisplaceSpec {
 /// Load on a surface (pressure) or on the nodes of a set (force). Reached linearly by the end of the step unless it is a
 /// formula in s and t.
 struct LoadSpec {
-  std::string surface, set;
+  std::string surface, set, region;
   std::optional<std::string> pressure;
   bool dead = false;
   Point direction{0, 0, 0};
@@ -118,6 +118,7 @@ struct LoadSpec {
   void describe(V&& v) {
     v("surface", surface, About{"surface that carries `pressure`"});
     v("pressure", pressure, About{"pressure against the body; follows the deformed face", Quantity::stress}.expression());
+    v("region", region, About{"region that `pressure` acts on, where the surface lies between two"});
     v("dead", dead, About{"pressure per reference area in a fixed direction instead"});
     v("direction", direction, About{"direction of a dead pressure; zero: against the reference normal"});
     v("set", set, About{"nodes that carry `force`"});
@@ -197,6 +198,7 @@ struct Model {
   std::map<std::string, BarSpec> bars;
   std::map<std::string, LiquidSpec> liquids;
   std::vector<std::string> symmetry;
+  std::optional<double> symmetry_tolerance;
   std::vector<FixSpec> fix;
   std::map<std::string, RigidBodySpec> rigid_bodies;
   std::vector<ContactSpec> contacts;
@@ -215,6 +217,9 @@ struct Model {
     v("liquids", liquids, About{"enclosed liquids"});
     v("symmetry", symmetry, About{"planes through the origin that cut the model: its nodes on them stay there, and figures "
                                   "report the whole"}.one_of({"x", "y", "z"}));
+    v("symmetry_tolerance", symmetry_tolerance,
+      About{"nodes that are nearer to a plane of symmetry are moved onto it (default: 1e-5 of the mesh's diagonal, and at most a "
+            "fiftieth of a node's edges)", Quantity::length}.at_least(0));
     v("fix", fix, About{"directions that never move"});
     v("rigid_bodies", rigid_bodies, About{"bodies that the scene moves: band, tire, plane, ..."});
     v("contacts", contacts, About{"pairs of surfaces that may touch"});

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/mesh/faces.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/formula.hpp"
 #include "core/problem/problem.hpp"
@@ -34,6 +35,19 @@ std::function<double(double)> ramp(std::shared_ptr<Formula> f, double start, int
   const Vec3<double> origin{0, 0, 0};
   if (f->constant()) return [=, end = (*f)(origin, 1, step + 1)](double s) { return start + (end - start) * s; };
   return [=](double s) { return (*f)(origin, s, step + s); };
+}
+
+// Faces of a surface with normals out of a region that has each of them on one side; its hexahedron may be another rank's.
+std::vector<Quad> faces_towards(const LocalMesh& mesh, const std::string& surface, const std::string& region) {
+  const auto& run = mesh.regions[std::ranges::find(mesh.region_names, region) - mesh.region_names.begin()];
+  const std::vector<Hex> hexes(mesh.hexes.begin() + run.first, mesh.hexes.begin() + run.first + run.count);
+  const FaceTable table(hexes);
+  std::vector<Quad> faces = mesh.surfaces.at(surface);
+  for (Quad& q : faces) {
+    const int face = table.first(q);
+    q = face >= 0 ? face_nodes(hexes, face) : Quad{q[3], q[2], q[1], q[0]};
+  }
+  return faces;
 }
 
 }  // namespace
@@ -136,7 +150,7 @@ void Problem::add_load(const LoadSpec& spec, int step, int index) {
     const std::string name = "surface " + spec.surface;
     const double before = loads_.contains(name) ? loads_[name]->end() : 0;
     auto value = ramp(std::make_shared<Formula>(*spec.pressure, where + ".pressure"), before, step);
-    const auto& faces = mesh_.surfaces.at(spec.surface);
+    const auto faces = spec.region.empty() ? mesh_.surfaces.at(spec.surface) : faces_towards(mesh_, spec.surface, spec.region);
     if (spec.dead)
       loads_[name] = std::make_shared<DeadLoad>(std::vector<double>{}, dead_pressure_pattern(mesh_.X, faces, spec.direction), value);
     else

@@ -7,6 +7,8 @@
 
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/pressed_surfaces.hpp"
+#include "core/problem/symmetry_planes.hpp"
 #include "core/problem/tissues.hpp"
 
 namespace bulbus {
@@ -114,17 +116,6 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
     throw scene_error(key + ".since", "there is no step '" + p.since + "'", known(p.since, steps));
 }
 
-void check_symmetry(const Mesh& mesh, const Model& model) {
-  const double tolerance = mesh_tolerance(mesh);
-  for (const std::string& s : model.symmetry) {
-    const int c = axis_of(s);
-    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(), [c](const Point& a, const Point& b) { return a[c] < b[c]; });
-    if ((*low)[c] < -tolerance && (*high)[c] > tolerance)
-      throw scene_error("symmetry", fmt::format("the mesh lies on both sides of the symmetry plane {0} = 0 (from {1:g} to {2:g} mm)", s, (*low)[c], (*high)[c]),
-                        "A symmetric model is drawn on one side; take the plane out of `symmetry`.");
-  }
-}
-
 }  // namespace
 
 std::vector<Polynomial::Term> terms_of(const RegionSpec& s) {
@@ -172,7 +163,7 @@ void validate(const Mesh& mesh, const Model& model) {
     if (!mesh.bars.contains(name))
       throw scene_error("bars." + name, "the mesh has no bars '" + name + "'", known(name, names_of(mesh.bars)));
   for (const auto& [name, spec] : model.liquids) check_surface(mesh, spec.surface, "liquids." + name + ".surface");
-  check_symmetry(mesh, model);
+  require_at_planes(mesh, model);
   for (const auto& [name, spec] : model.liquids)
     require_closed(mesh, mesh.surfaces.at(spec.surface), model.symmetry, spec.surface, "liquids." + name + ".surface");
   for (std::size_t i = 0; i < model.fix.size(); ++i) {
@@ -182,6 +173,7 @@ void validate(const Mesh& mesh, const Model& model) {
   if (model.steps.empty()) throw scene_error("steps", "there are no steps", "Give at least one.");
   for (std::size_t i = 0; i < model.steps.size(); ++i) check_step(mesh, model, model.steps[i], "steps." + std::to_string(i));
   for (std::size_t i = 0; i < model.probes.size(); ++i) check_probe(mesh, model, model.probes[i], "probes." + std::to_string(i));
+  require_clear_pressures(mesh, model);
   require_supported(mesh, model);
 }
 

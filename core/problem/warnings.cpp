@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "core/mesh/geometry.hpp"
+#include "core/problem/coincident_nodes.hpp"
+#include "core/problem/pressed_surfaces.hpp"
 
 namespace bulbus {
 namespace {
@@ -25,9 +27,11 @@ void warn_of_size(const Mesh& mesh, Warnings& warnings) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const Mesh& mesh, const Model&) {
+std::vector<std::string> warnings_of(const Mesh& mesh, const Model& model) {
   Warnings warnings;
   warn_of_size(mesh, warnings);
+  for (const Warnings& more : {coincident_nodes(mesh, model), overlapping_pressures(mesh, model)})
+    warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }
 
