@@ -61,6 +61,8 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   rehearse(*prepared.problem, meshes.base);
   prepared.warnings = warnings_of(meshes.base, model);
   prepared.operation = Operation::attach(*prepared.problem, meshes.base);
+  for (const auto& [name, body] : prepared.operation->bodies())
+    prepared.warnings.insert(prepared.warnings.end(), body->warnings.begin(), body->warnings.end());
   return prepared;
 }
 

@@ -15,10 +15,10 @@ struct Facets {
 };
 
 /// Finds the neighbours. Throws InputError if an edge belongs to more than two triangles, or if two neighbours
-/// disagree on which side is out.
-Facets make_facets(std::vector<std::array<int, 3>> triangles);
+/// disagree on which side is out; `points`, 3 numbers per corner, tell where.
+Facets make_facets(std::vector<std::array<int, 3>> triangles, std::span<const double> points = {});
 
 /// Two triangles from every quad, 0-1-2 and 0-2-3: triangles 2i and 2i + 1 are of quad i.
-Facets split(std::span<const Quad> quads);
+Facets split(std::span<const Quad> quads, std::span<const double> points = {});
 
 }  // namespace bulbus

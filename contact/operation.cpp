@@ -138,7 +138,7 @@ void Operation::add_contact(const Mesh& base, const ContactSpec& spec, const std
   const double penalty = spec.penalty > 0 ? spec.penalty : stiffness_ratio * mu / thickness;
   const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(local)};
   const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
-                           body == bodies_.end() ? Master(split(local.shared.at(spec.master))) : Master(body->second), model.symmetry};
+                           body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second), model.symmetry};
   const auto term = std::make_shared<ContactTerm>(spec, defaults, sides, problem_.comm());
   if (problem_.comm().sum(static_cast<int>(term->slave().nodes().size())) == 0)
     throw scene_error(key + ".slave", "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave + "' are nodes of '" + spec.master + "' too",

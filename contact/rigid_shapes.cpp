@@ -20,6 +20,7 @@ void append(RigidSurface& body, const Skin& skin, std::vector<std::array<int, 3>
   for (const auto& [a, b, c] : skin.triangles)
     triangles.push_back({a + part.first_point, b + part.first_point, c + part.first_point});
   body.parts.push_back(part);
+  for (const std::string& w : skin.warnings) body.warnings.push_back("rigid body '" + body.name + "': " + w);
 }
 
 void append_arcs(RigidSurface& body, const Section& section, const ArcSpec& arc,
@@ -62,7 +63,7 @@ RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& sp
     append_arcs(body, section_of(*spec.band, key + ".band"), spec.band->arc, given, triangles, key + ".band");
   if (spec.tire)
     append_arcs(body, section_of(*spec.tire, key + ".tire"), spec.tire->arc, given, triangles, key + ".tire");
-  body.facets = make_facets(std::move(triangles));
+  body.facets = make_facets(std::move(triangles), body.reference);
   body.places = body.reference;
   body.normals = body.reference_normals = corner_normals(body.facets, body.reference);
   return body;

@@ -25,6 +25,7 @@ struct RigidSurface {
   /// At the corners of the triangles, as drawn and as moved; empty where every triangle keeps its own normal.
   std::vector<CornerNormals> reference_normals, normals;
   std::vector<Part> parts;
+  std::vector<std::string> warnings;  ///< sentences about the file that it was read from
 };
 
 }  // namespace bulbus

@@ -1,5 +1,8 @@
 #include "contact/skin.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 
 #include "contact/facets.hpp"
@@ -18,7 +21,7 @@ Vec3<double> direction(const Point& v, const std::string& key) {
 Skin surface_of(const std::vector<Quad>& faces, const std::vector<Point>& points) {
   Skin skin;
   std::map<int, int> number;
-  for (std::array<int, 3> t : split(faces).triangles) {
+  for (std::array<int, 3> t : split(faces, {points.front().data(), 3 * points.size()}).triangles) {
     for (int& corner : t) {
       const auto [entry, fresh] = number.emplace(corner, skin.size());
       if (fresh) skin.add(points[corner]);
@@ -29,41 +32,24 @@ Skin surface_of(const std::vector<Quad>& faces, const std::vector<Point>& points
   return skin;
 }
 
-Facets facets_of(const Skin& skin, const std::string& path) {
-  try {
-    return make_facets(skin.triangles);
-  } catch (const InputError& fault) {
-    throw input_error(path, 0, fault.what(), "");
-  }
-}
-
-void require_closed(const Skin& skin, const std::string& path) {
-  const Facets facets = facets_of(skin, path);
-  const auto text = [&](int p) {
-    return "(" + std::to_string(skin.points[3 * p]) + ", " + std::to_string(skin.points[3 * p + 1]) + ", " +
-           std::to_string(skin.points[3 * p + 2]) + ")";
-  };
-  for (std::size_t t = 0; t < facets.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i)
-      if (const auto& corner = facets.triangles[t]; facets.neighbours[t][i] < 0)
-        throw input_error(path, 0,
-                          "the surface is open: nothing continues it across its edge from " +
-                              text(corner[(i + 1) % 3]) + " to " + text(corner[(i + 2) % 3]),
-                          "Close it.");
-}
-
 Skin gmsh_body(const BodyFile& file, const std::string& key) {
   const Mesh mesh = read_gmsh(file.path);
   return surface_of(faces_of(mesh, file.surface, key), mesh.points);
 }
 
 Skin stl_body(const std::string& path) {
-  const Skin skin = read_stl(path);
-  require_closed(skin, path);
-  if (!(enclosed_volume(skin.points, skin.triangles) > 0))
-    throw input_error(path, 0, "the body is inside out: its triangles turn their normals inwards",
-                      "Turn all triangles and save the file again.");
+  const StlSkin skin = read_stl(path);
+  require_body(skin, path);
   return skin;
+}
+
+// A body for an eye measures some millimetres.
+void warn_of_size(Skin& skin, const std::string& path) {
+  Point low{skin.points[0], skin.points[1], skin.points[2]}, high = low;
+  for (std::size_t i = 0; i < skin.points.size(); ++i) low[i % 3] = std::min(low[i % 3], skin.points[i]), high[i % 3] = std::max(high[i % 3], skin.points[i]);
+  if (const double size = norm(minus(high, low)); size < .1 || size > 1000)
+    skin.warnings.push_back(fmt::format("{} measures {:.3g} mm from corner to corner: are its coordinates in {}? Then give `scale: {}` beside its path.", path,
+                                        size, size < .1 ? "metres" : "micrometres", size < .1 ? "1000" : "0.001"));
 }
 
 }  // namespace
@@ -149,6 +135,7 @@ Skin skin_of(const BodyFile& file, const std::string& key) {
     throw InputError(fault.what(), fault.key.empty() ? key + ".path" : fault.key);
   }
   for (double& c : skin.points) c *= file.scale;
+  warn_of_size(skin, file.path);
   return skin;
 }
 

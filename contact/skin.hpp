@@ -13,6 +13,7 @@ namespace bulbus {
 struct Skin {
   std::vector<double> points;  ///< 3 per point, mm
   std::vector<std::array<int, 3>> triangles;
+  std::vector<std::string> warnings;  ///< sentences about the file that it was read from
 
   int size() const { return static_cast<int>(points.size() / 3); }
   /// Returns the number of the new point.

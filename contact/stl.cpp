@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -10,7 +12,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <sstream>
+#include <set>
 
 #include "core/base/error.hpp"
 
@@ -20,10 +22,12 @@ namespace {
 constexpr std::size_t header = 80,
                       facet = 50;  // bytes of a binary file: 12 floats and two bytes per triangle
 
+using Corners = std::array<std::array<double, 3>, 3>;
+
 class Collector {
  public:
   /// False if a coordinate is not finite.
-  bool add(const std::array<std::array<double, 3>, 3>& corners) {
+  bool add(const Corners& corners, int place) {
     std::array<int, 3> t;
     for (int i = 0; i < 3; ++i) {
       for (double c : corners[i])
@@ -32,21 +36,36 @@ class Collector {
       if (fresh) skin_.add(corners[i]);
       t[i] = entry->second;
     }
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) skin_.triangles.push_back(t);
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+      ++flat_;
+    } else if (!seen_.insert(t).second) {
+      ++repeated_;
+    } else {
+      skin_.triangles.push_back(t);
+      skin_.places.push_back(place);
+    }
     return true;
   }
-  Skin take() { return std::move(skin_); }
+  StlSkin take(const std::string& path, bool text) {
+    if (flat_ + repeated_ > 0)
+      skin_.warnings.push_back(fmt::format("{}: {} facets with two equal corners and {} that repeat an earlier one are left out.", path, flat_, repeated_));
+    skin_.text = text;
+    return std::move(skin_);
+  }
 
  private:
-  Skin skin_;
+  StlSkin skin_;
   std::map<std::array<double, 3>, int> number_;
+  std::set<std::array<int, 3>> seen_;
+  int flat_ = 0, repeated_ = 0;
 };
 
 class TextReader {
  public:
   TextReader(const std::string& path, const std::string& text) : path_(path), text_(text) {}
 
-  Skin read() {
+  StlSkin read() {
     expect("solid");
     bool in_solid = true;
     for (skip_line(); in_solid;) {
@@ -64,23 +83,24 @@ class TextReader {
         fail(fmt::format("expected facet or endsolid, found '{:.40}'", w));
       }
     }
-    return collector_.take();
+    return collector_.take(path_, true);
   }
 
  private:
   void read_facet() {
+    const int line = line_;
     expect("normal");
     for (int c = 0; c < 3; ++c) real();
     expect("outer");
     expect("loop");
-    std::array<std::array<double, 3>, 3> corners;
+    Corners corners;
     for (auto& corner : corners) {
       expect("vertex");
       for (double& c : corner) c = real();
     }
     expect("endloop");
     expect("endfacet");
-    if (!collector_.add(corners)) fail("a corner is not finite");
+    if (!collector_.add(corners, line)) fail("a corner is not finite");
   }
   bool at_end() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
@@ -91,7 +111,9 @@ class TextReader {
     if (at_end()) fail("the file ends too early");
     const std::size_t start = at_;
     while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
-    return text_.substr(start, at_ - start);
+    std::string w = text_.substr(start, at_ - start);
+    std::ranges::transform(w, w.begin(), [](unsigned char c) { return std::tolower(c); });
+    return w;
   }
   void expect(const char* wanted) {
     if (const std::string w = word(); w != wanted)
@@ -125,35 +147,40 @@ std::optional<std::uint32_t> binary_count(const std::string& bytes) {
   return count;
 }
 
-Skin read_binary(const std::string& path, const std::string& bytes, std::uint32_t count) {
+StlSkin read_binary(const std::string& path, const std::string& bytes, std::uint32_t count) {
   Collector collector;
   for (std::uint32_t t = 0; t < count; ++t) {
     std::array<float, 12> raw;  // normal and three corners
     std::memcpy(raw.data(), bytes.data() + header + sizeof count + facet * t, sizeof raw);
-    std::array<std::array<double, 3>, 3> corners;
+    Corners corners;
     for (int i = 0; i < 9; ++i) corners[i / 3][i % 3] = raw[3 + i];
-    if (!collector.add(corners))
-      throw input_error(path, 0, fmt::format("triangle {}: a corner is not finite", t + 1),
+    if (!collector.add(corners, static_cast<int>(t) + 1))
+      throw input_error(path, 0, fmt::format("facet {}: a corner is not finite", t + 1),
                         "Save the STL file again.");
   }
-  return collector.take();
+  return collector.take(path, false);
+}
+
+bool begins_as_text(const std::string& bytes) {
+  const std::string solid = "solid";
+  return bytes.size() >= solid.size() && std::equal(solid.begin(), solid.end(), bytes.begin(), [](char a, unsigned char b) { return a == std::tolower(b); });
 }
 
 }  // namespace
 
-Skin read_stl(const std::string& path) {
+StlSkin read_stl(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file)
-    throw input_error(path, 0, "cannot read the STL file",
-                      "Check the path; it is relative to the scene file.");
+    throw input_error(path, 0, "cannot read the STL file", "Check the path; it is relative to the scene file.");
   const auto count = binary_count(bytes);
-  if (!count && bytes.compare(0, 5, "solid") != 0)
+  if (!count && !begins_as_text(bytes))
     throw input_error(path, 0,
-                      "is neither a text STL file, which begins with 'solid', nor a binary one, whose size "
-                      "fits its number of triangles",
+                      fmt::format("is neither a text STL file, which begins with 'solid', nor a binary one, whose size fits its number "
+                                  "of triangles (it has {} bytes)",
+                                  bytes.size()),
                       "Save the STL file again.");
-  Skin skin = count ? read_binary(path, bytes, *count) : TextReader(path, bytes).read();
+  StlSkin skin = count ? read_binary(path, bytes, *count) : TextReader(path, bytes).read();
   if (skin.triangles.empty()) throw input_error(path, 0, "has no triangles", "Save the STL file again.");
   return skin;
 }
