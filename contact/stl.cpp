@@ -15,6 +15,7 @@
 #include <set>
 
 #include "core/base/error.hpp"
+#include "core/mesh/gmsh_scanner.hpp"
 
 namespace bulbus {
 namespace {
@@ -80,7 +81,7 @@ class TextReader {
           skip_line();
         }
       } else {
-        fail(fmt::format("expected facet or endsolid, found '{:.40}'", w));
+        fail(fmt::format("expected facet or endsolid, found '{}'", printable(w)));
       }
     }
     return collector_.take(path_, true);
@@ -117,14 +118,14 @@ class TextReader {
   }
   void expect(const char* wanted) {
     if (const std::string w = word(); w != wanted)
-      fail(fmt::format("expected {}, found '{:.40}'", wanted, w));
+      fail(fmt::format("expected {}, found '{}'", wanted, printable(w)));
   }
   double real() {
     const std::string w = word();
     const char* first = w.data() + (w[0] == '+');
     double value = 0;
     const auto [end, fault] = std::from_chars(first, w.data() + w.size(), value);
-    if (fault != std::errc() || end != w.data() + w.size()) fail(fmt::format("'{:.40}' is no number", w));
+    if (fault != std::errc() || end != w.data() + w.size()) fail(fmt::format("'{}' is no number", printable(w)));
     return value;
   }
   void skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }

@@ -15,7 +15,7 @@ Header read_header(GmshScanner& in) {
     in.fail("this is no Gmsh mesh: $MeshFormat is missing", "give an MSH file, version 4.1 or 2.2");
   const std::string version(in.word());
   if (version != "4.1" && version != "2.2" && version != "2.1" && version != "2")
-    in.fail("MSH version " + version + " is not read", "save as MSH 4.1 or 2.2 (gmsh -format msh41)");
+    in.fail("MSH version " + printable(version) + " is not read", "save as MSH 4.1 or 2.2 (gmsh -format msh41)");
   Header header{version == "4.1", in.integer() == 1};
   if (in.integer() != 8) in.fail("numbers are not of 8 bytes", "save the mesh on a 64-bit machine");
   if (header.binary) {
@@ -49,7 +49,7 @@ Mesh read_gmsh(const std::string& path) {
   while (!in.at_end()) {
     const std::string section(in.word());
     if (section.size() < 2 || section[0] != '$')
-      in.fail(fmt::format("'{:.40}' is no section", section), "save the mesh again");
+      in.fail(fmt::format("'{}' is no section", printable(section)), "save the mesh again as MSH 4.1 or 2.2");
     const bool data = section == "$Nodes" || section == "$Elements" || section == "$Entities" ||
                       section == "$PartitionedEntities";
     if (header.binary && data && header.version4) in.skip_line();

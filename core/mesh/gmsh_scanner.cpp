@@ -17,6 +17,13 @@ const char* const save_again = "save the mesh again as MSH 4.1 or 2.2";
 
 }
 
+std::string printable(std::string_view word) {
+  std::string text(word.substr(0, 40));
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
+  return text;
+}
+
 GmshScanner::GmshScanner(const std::string& path) : path_(path) {
   std::ifstream file(path, std::ios::binary);
   std::error_code failure;
@@ -59,7 +66,7 @@ long long GmshScanner::integer() {
   long long value = 0;
   const auto [end, failure] = std::from_chars(w.data(), w.data() + w.size(), value);
   if (failure != std::errc() || end != w.data() + w.size())
-    fail(fmt::format("'{:.40}' is no whole number", w), save_again);
+    fail(fmt::format("'{}' is no whole number", printable(w)), save_again);
   return value;
 }
 
@@ -68,7 +75,7 @@ double GmshScanner::real() {
   double value = 0;
   const auto [end, failure] = std::from_chars(w.data(), w.data() + w.size(), value);
   if (failure != std::errc() || end != w.data() + w.size())
-    fail(fmt::format("'{:.40}' is no number", w), save_again);
+    fail(fmt::format("'{}' is no number", printable(w)), save_again);
   return value;
 }
 
@@ -96,7 +103,7 @@ std::string GmshScanner::quoted() {
 
 void GmshScanner::expect(std::string_view expected) {
   const std::string_view w = word();
-  if (w != expected) fail(fmt::format("expected {}, found '{:.40}'", expected, w), save_again);
+  if (w != expected) fail(fmt::format("expected {}, found '{}'", printable(expected), printable(w)), save_again);
 }
 
 void GmshScanner::skip_line() {
@@ -106,7 +113,7 @@ void GmshScanner::skip_line() {
 
 void GmshScanner::skip_past(const std::string& marker) {
   const std::size_t found = text_.find("\n" + marker, at_ == 0 ? 0 : at_ - 1);
-  if (found == std::string::npos) fail(marker + " is missing", save_again);
+  if (found == std::string::npos) fail(printable(marker) + " is missing", save_again);
   for (; at_ < found + 1 + marker.size(); ++at_)
     if (text_[at_] == '\n') ++line_;
 }

@@ -5,6 +5,9 @@
 
 namespace bulbus {
 
+/// At most 40 characters of a word of a file as a message shows them: bytes that are no printable ASCII become '?'.
+std::string printable(std::string_view word);
+
 /// Walks through the text or the bytes of a file and knows its line. Every failure is an InputError with that
 /// line.
 class GmshScanner {
