@@ -157,12 +157,11 @@ class Body {
   void require_outside() const {
     std::vector<Box> boxes;
     for (const auto& shell : shells_) boxes.push_back(box_of(shell));
+    const std::string what = "the body is inside out: its triangles turn their normals inwards", remedy = "Turn all triangles of it and save the file again.";
+    if (boxes.size() == 1 && !(boxes[0].volume > 0)) throw input_error(path_, 0, what, remedy);
     for (std::size_t i = 0; i < boxes.size(); ++i)
       if (!(boxes[i].volume > 0) && std::ranges::none_of(boxes, [&](const Box& o) { return o.volume > 0 && o.holds(boxes[i]); }))
-        refuse(shells_[i][0],
-               fmt::format("the body is inside out: its triangles turn their normals inwards (closed surface {} of {}, from the {} on)", i + 1,
-                           boxes.size(), facet(shells_[i][0])),
-               "Turn all triangles of it and save the file again.");
+        refuse(shells_[i][0], fmt::format("{} (closed surface {} of {}, from the {} on)", what, i + 1, boxes.size(), facet(shells_[i][0])), remedy);
   }
 
   const StlSkin& skin_;
