@@ -29,8 +29,21 @@ Entry convert_list(const YAML::Node& node, const Source& source, int depth) {
   return list;
 }
 
+// The merge key of YAML, `<<: *name`: what the map does not say itself comes from another map, or from the first of several.
+void merge(Entry& map, const Entry& from, const Source& source) {
+  if (from.is(Entry::Kind::list)) {
+    for (const Entry& one : from.items) merge(map, one, source);
+    return;
+  }
+  if (!from.is(Entry::Kind::map))
+    throw input_error(source.name, from.place.line, "the merge key '<<' has no map", "write `<<: *name` with the anchor &name at a map, or a list of such");
+  for (std::size_t i = 0; i < from.keys.size(); ++i)
+    if (!map.find(from.keys[i])) map.insert(from.keys[i], from.key_places[i], from.items[i]);
+}
+
 Entry convert_map(const YAML::Node& node, const Source& source, int depth) {
   Entry map = Entry::empty(Entry::Kind::map, source.at(node.Mark()));
+  std::vector<Entry> merged;
   for (const auto& pair : node) {
     const Place place = source.at(pair.first.Mark());
     if (!pair.first.IsScalar()) throw input_error(source.name, place.line, "a key must be a word", "");
@@ -42,8 +55,13 @@ Entry convert_map(const YAML::Node& node, const Source& source, int depth) {
                             " already; keep one of the two");
     Entry value = convert(pair.second, source, depth + 1);
     if (value.place.line == 0) value.place = place;
+    if (key == "<<") {
+      merged.push_back(std::move(value));
+      continue;
+    }
     map.insert(key, place, std::move(value));
   }
+  for (const Entry& from : merged) merge(map, from, source);
   return map;
 }
 

@@ -60,6 +60,8 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
   prepared.warnings = warnings_of(meshes.base, model);
+  const auto& of_steps = prepared.problem->warnings();
+  prepared.warnings.insert(prepared.warnings.end(), of_steps.begin(), of_steps.end());
   prepared.operation = Operation::attach(*prepared.problem, meshes.base);
   for (const auto& [name, body] : prepared.operation->bodies())
     prepared.warnings.insert(prepared.warnings.end(), body->warnings.begin(), body->warnings.end());

@@ -1,13 +1,18 @@
 #include "app/reader.hpp"
 
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <fmt/format.h>
+#include <numbers>
 
 #include "app/wording.hpp"
 
 namespace bulbus::reader {
 namespace {
+
+constexpr double most_radians = 4 * std::numbers::pi;  // without a unit: two turns in one step are rather a slip
 
 std::string name_of(Entry::Kind kind) {
   switch (kind) {
@@ -61,11 +66,18 @@ bool looks_like_quantity(const std::string& text) {
   return end != text.c_str() + first && !std::strpbrk(end, "+-*/^()<>=?:,&|!");
 }
 
+// A number without its unit.
+bool is_bare(const std::string& text) {
+  const auto last = text.find_last_not_of(" \t");
+  return last != std::string::npos && (std::isdigit(static_cast<unsigned char>(text[last])) || text[last] == '.');
+}
+
+// A number comes out in kept units, with their name where the scene names a unit: only a bare number may be a slip in the unit.
 std::string read_formula(const Entry& entry, const std::string& key, const About& about) {
   if (!looks_like_quantity(entry.text)) return entry.text;
   double value = 0;
   read(entry, key, about, value);
-  return number_text(value);
+  return number_text(value) + (is_bare(entry.text) || unit_of(about.quantity).empty() ? "" : " " + unit_of(about.quantity));
 }
 
 }  // namespace
@@ -84,9 +96,12 @@ void check_keys(const Entry& map, const std::string& key, const std::vector<std:
   for (std::size_t i = 0; i < map.keys.size(); ++i) {
     if (std::find(known.begin(), known.end(), map.keys[i]) != known.end()) continue;
     const std::string near = nearest(map.keys[i], known);
+    const bool number = looks_like_quantity(map.keys[i]);  // {x: 0,1}
     throw input_error(map.key_places[i].file, map.key_places[i].line,
                       "unknown key '" + map.keys[i] + "'" + (key.empty() ? "" : " in " + key),
-                      near.empty() ? "known here: " + alternatives(known) : "did you mean '" + near + "'?");
+                      number         ? "numbers have a decimal point: write 0.1, not 0,1"
+                      : near.empty() ? "known here: " + alternatives(known)
+                                     : "did you mean '" + near + "'?");
   }
 }
 
@@ -124,6 +139,9 @@ void read(const Entry& entry, const std::string& key, const About& about, double
     refuse(entry, key, fault.what(), "give " + wanted_number(about));
   }
   check_bounds(entry, key, about, value);
+  if (about.quantity == Quantity::angle && std::abs(value) > most_radians && is_bare(entry.text))
+    refuse(entry, key, shown(entry) + fmt::format(" would be {:.3g} turns: is it in degrees?", value / (2 * std::numbers::pi)),
+           fmt::format("write the unit: '{0} deg' or '{0} rad'", entry.text));
 }
 
 void read(const Entry& entry, const std::string& key, const About& about, std::string& value) {

@@ -1,5 +1,8 @@
 #include "app/recorder.hpp"
 
+#include <algorithm>
+
+#include "app/sizes.hpp"
 #include "contact/operation_probes.hpp"
 
 namespace bulbus {
@@ -20,6 +23,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::stri
       operation_(prepared.operation),
       meters_(meters),
       narrator_(log, problem_, scene.solver.stepping),
+      witness_(problem_, static_cast<int>(stable_pivots(problem_))),
       probes_(problem_, operation_probes(operation_)),
       record_(probes_),
       results_(scene.output, operation_, folder),
@@ -35,6 +39,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::stri
 void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
   steps_.push_back({.name = spec.name});
   narrator_.step_begins(step, spec, start);
+  witness_.step_begins(step, start);
   checkpoints_.step_begins(start);
   meters_.memory.set("checkpoints", checkpoints_.bytes());
 }
@@ -75,6 +80,7 @@ void Recorder::increment_cut(const NewtonReport& report, double from, double to)
   ++steps_.back().cuts;
   ++cuts_;
   narrator_.increment_cut(report, from, to);
+  witness_.increment_cut(report);
 }
 
 void Recorder::increment_done(const Increment& increment, const State& state) {
@@ -82,6 +88,7 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   count(increment.newton);
   ++steps_.back().increments;
   increments_ = increment.number;
+  witness_.increment_done(increment, state);
   Snapshot snapshot(problem_, state);
   if (increment.progress == 1) record_.step_ended(increment.step, snapshot);
   take(snapshot);
@@ -113,7 +120,13 @@ Resumed Recorder::resume(Checkpoint& checkpoint) {
   Resumed from = checkpoint.resume(problem_, *this);
   checkpoints_.resumed(from);
   narrator_.resumes(from.place);
+  if (from.place.begun) witness_.step_begins(from.place.step, from.start);
   return from;
+}
+
+std::string Recorder::diagnosis(const State& last) const {
+  const bool touching = std::ranges::any_of(contacts_, [](const ContactStanding& c) { return c.touching > 0; });
+  return bulbus::diagnosis(witness_.facts(last, touching));
 }
 
 void Recorder::take(Snapshot& snapshot) {

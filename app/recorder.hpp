@@ -5,6 +5,7 @@
 #include "app/narrator.hpp"
 #include "app/prepare.hpp"
 #include "app/result_files.hpp"
+#include "app/witness.hpp"
 #include "core/io/table.hpp"
 
 namespace bulbus {
@@ -40,6 +41,8 @@ class Recorder final : public MarchObserver, public Remembering {
   const ProbeValues& values() const { return values_; }
   /// The same, in the order of the contacts.
   const std::vector<ContactStanding>& contacts() const { return contacts_; }
+  /// After a march that did not converge: its cause as far as it is known, and what to try. Collective.
+  std::string diagnosis(const State& last) const;
   const std::vector<StepRecord>& steps() const { return steps_; }
   /// Converged so far.
   int increments() const { return increments_; }
@@ -58,6 +61,7 @@ class Recorder final : public MarchObserver, public Remembering {
   std::shared_ptr<const Operation> operation_;
   Meters& meters_;
   Narrator narrator_;
+  Witness witness_;
   ProbeSet probes_;
   ProbeRecord record_;
   ResultFiles results_;

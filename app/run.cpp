@@ -80,13 +80,14 @@ nlohmann::json json_of(const std::vector<MemoryPart>& forecast) {
 }
 
 void write_end(const Log& log, const Model& model, const Recorder& recorder, const MarchReport& march,
-               const std::string& folder, double seconds) {
+               const std::string& diagnosis, const std::string& folder, double seconds) {
   log.info("");
   for (std::size_t i = 0; i < model.probes.size(); ++i)
     if (const auto& value = recorder.values()[i]; value && model.probes[i].kind == "closed_fraction")
       log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *value,
                            model.probes[i].tolerance));
   if (!march.converged) log.error("not converged: " + march.reason);
+  if (!diagnosis.empty()) log.error("diagnosis: " + diagnosis);
   log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
                        march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
   log.info("results in " + folder);
@@ -139,8 +140,10 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   const double seconds = Clock::now() - start;
   auto summary = summary_of(scene.title, prepared, recorder, report, meters, seconds);
   summary["memory_mb"]["forecast"] = json_of(memory);
+  const std::string diagnosis = report.converged ? "" : recorder.diagnosis(state);
+  if (!diagnosis.empty()) summary["diagnosis"] = diagnosis;
   if (comm.rank() == 0) write_json(out_dir + "/summary.json", summary);
-  write_end(log, scene.model, recorder, report, out_dir, seconds);
+  write_end(log, scene.model, recorder, report, diagnosis, out_dir, seconds);
   return report.converged ? 0 : 1;
 }
 

@@ -38,14 +38,14 @@ ProbeSet::Figure over_slaves(const Problem& problem, const Contact& contact, con
   };
 }
 
-probes::Resultant on_body(const std::vector<const Contact*>& contacts, Snapshot& s) {
+probes::Resultant on_body(const std::vector<const Contact*>& contacts, const std::string& of, Snapshot& s) {
   probes::Resultant sum;
   for (const Contact* contact : contacts) {
     const probes::Resultant r = on_master(*contact, s);
     for (int c = 0; c < 3; ++c) sum.force[c] += r.force[c], sum.moment[c] += r.moment[c];
     sum.radial += r.radial;
   }
-  return probes::whole(s.problem, sum);
+  return probes::total(s.problem, sum, of);
 }
 
 }  // namespace
@@ -58,8 +58,8 @@ ProbeSet::Kinds operation_probes(std::shared_ptr<const Operation> operation) {
   kinds["contact_pressure"] = {Q::stress, of_contact(operation, [](const ContactStanding& c) { return c.pressure; })};
   kinds["penetration"] = {Q::length, of_contact(operation, [](const ContactStanding& c) { return c.penetration; })};
   kinds["contact_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, contact = &operation->contact(spec.contact, "contact"), c = spec.component](Snapshot& s) {
-      return on_body({contact}, s).component(c);
+    return [operation, contact = &operation->contact(spec.contact, "contact"), c = spec.component, of = spec.of](Snapshot& s) {
+      return on_body({contact}, of, s).component(c);
     };
   }};
   kinds["gap"] = {Q::length, [=](const Problem& problem, const ProbeSpec& spec) {
@@ -71,13 +71,13 @@ ProbeSet::Kinds operation_probes(std::shared_ptr<const Operation> operation) {
                        [operation, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
   }};
   kinds["body_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component](Snapshot& s) {
-      return on_body(on, s).component(c);
+    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
+      return on_body(on, of, s).component(c);
     };
   }};
   kinds["body_moment"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component](Snapshot& s) {
-      return probes::component_of(on_body(on, s).moment, c);
+    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
+      return probes::component_of(on_body(on, of, s).moment, c);
     };
   }, " mm"};
   kinds["suture_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {

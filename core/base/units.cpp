@@ -63,12 +63,15 @@ double parse_quantity(const std::string& text, Quantity q) {
   if (end == s.c_str() || !std::isfinite(value)) throw std::invalid_argument("'" + text + "' is not a number");
   const std::string name = trimmed(end);
   if (name.empty()) return value;
+  if (name[0] == ',') throw std::invalid_argument("'" + text + "' has a decimal comma: write " + s.substr(0, s.size() - name.size()) + "." + trimmed(name.substr(1)));
   auto unit = units().find(name);
   if (unit == units().end() || unit->second.quantity != q)
     throw std::invalid_argument("'" + name + "' is not a unit that fits here" +
                                 (q == Quantity::number ? " (a plain number is wanted)"
                                                        : " (known: " + known_units(q) + ")"));
-  return value * unit->second.factor;
+  value *= unit->second.factor;
+  if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is not a finite number in " + unit_of(q));
+  return value;
 }
 
 }  // namespace bulbus

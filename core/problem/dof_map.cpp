@@ -197,14 +197,16 @@ std::vector<double> DofMap::reduce_bodies(const State& state, std::span<const do
 double DofMap::defect(const State& state, double s, std::span<double> du) const {
   std::fill(du.begin(), du.end(), 0.0);
   double largest = 0;
-  for (const Node& h : nodes_) {
-    const Vec3<double> u = minus(at(state.x, h.node), at(mesh_.X, h.node));
-    for (int k = 0; k < h.count; ++k) {
-      const double missing = h.value[k](s) - dot(h.normal[k], u);
-      largest = std::max(largest, std::abs(missing));
-      for (int c = 0; c < 3; ++c) du[3 * h.node + c] += missing * h.normal[k][c];
+  mesh_.comm.together([&] {  // a formula may not be finite here
+    for (const Node& h : nodes_) {
+      const Vec3<double> u = minus(at(state.x, h.node), at(mesh_.X, h.node));
+      for (int k = 0; k < h.count; ++k) {
+        const double missing = h.value[k](s) - dot(h.normal[k], u);
+        largest = std::max(largest, std::abs(missing));
+        for (int c = 0; c < 3; ++c) du[3 * h.node + c] += missing * h.normal[k][c];
+      }
     }
-  }
+  });
   return mesh_.comm.max(largest);
 }
 

@@ -55,7 +55,8 @@ class DofMap {
   /// The parts of bodies' nodes in these two: `primal` may be its bodies' part alone; force and moment of every body. Collective.
   void expand_bodies(const State& state, std::span<const double> primal, std::span<double> dx) const;
   std::vector<double> reduce_bodies(const State& state, std::span<const double> force) const;
-  /// ū increments that remain: Σ n (value(s) − n·u) for every local node. Returns the largest.
+  /// ū increments that remain: Σ n (value(s) − n·u) for every local node. Returns the largest. Throws InputError on every rank where a
+  /// formula is not finite. Collective.
   double defect(const State& state, double s, std::span<double> du) const;
   /// x += step · dx for nodes and poses; rigid nodes are placed again. Collective.
   void move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const;

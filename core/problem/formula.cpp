@@ -1,12 +1,36 @@
 #include "core/problem/formula.hpp"
 
+#include <fmt/format.h>
 #include <muParser.h>
 
+#include <cctype>
 #include <cmath>
+#include <vector>
 
 #include "core/base/error.hpp"
+#include "core/base/units.hpp"
 
 namespace bulbus {
+namespace {
+
+constexpr const char* decimal_point = "Numbers have a decimal point: write 0.1, not 0,1.";
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// A comma that separates no arguments of a function: `0,1`, `2*(0,5)`.
+bool has_stray_comma(const std::string& text) {
+  std::vector<bool> in_call{false};
+  char before = ' ';
+  for (char c : text) {
+    if (c == ',' && !in_call.back()) return true;
+    if (c == '(') in_call.push_back(is_word(before));
+    if (c == ')' && in_call.size() > 1) in_call.pop_back();
+    if (c != ' ') before = c;
+  }
+  return false;
+}
+
+}  // namespace
 
 struct Formula::Parser {
   mu::Parser expression;
@@ -16,11 +40,16 @@ struct Formula::Parser {
 Formula::~Formula() = default;
 Formula::Formula(Formula&&) noexcept = default;
 
-Formula::Formula(const std::string& text, const std::string& where) {
+Formula::Formula(const std::string& text, const std::string& where) : text_(text), where_(where) {
   char* end = nullptr;
   value_ = std::strtod(text.c_str(), &end);
-  constant_ = end != text.c_str() && *end == '\0' && std::isfinite(value_);
+  const std::string rest = end;
+  bare_ = rest.empty();
+  constant_ = end != text.c_str() && std::isfinite(value_) &&
+              (bare_ || rest == " " + unit_of(Quantity::length) || rest == " " + unit_of(Quantity::stress));
   if (constant_) return;
+  bare_ = false;
+  if (has_stray_comma(text)) throw scene_error(where, "the formula '" + text + "' has a comma outside of a function", decimal_point);
   parser_ = std::make_unique<Parser>();
   auto& p = *parser_;
   try {
@@ -31,7 +60,8 @@ Formula::Formula(const std::string& text, const std::string& where) {
     p.expression.Eval();
   } catch (const mu::ParserError& e) {
     throw scene_error(where, "cannot read the formula '" + text + "': " + e.GetMsg(),
-                      "Give a number, or an expression in X, Y, Z, s (0 to 1 over the step) and t.");
+                      std::string("Give a number, or an expression in X, Y, Z, s (0 to 1 over the step) and t.") +
+                          (text.find(',') == std::string::npos ? "" : std::string(" ") + decimal_point));
   }
 }
 
@@ -39,7 +69,25 @@ double Formula::operator()(const Vec3<double>& X, double s, double t) const {
   if (constant_) return value_;
   auto& p = *parser_;
   p.X = X[0], p.Y = X[1], p.Z = X[2], p.s = s, p.t = t;
-  return p.expression.Eval();
+  const double value = p.expression.Eval();
+  if (!std::isfinite(value))
+    throw scene_error(where_, fmt::format("the formula '{}' is not a finite number at X = {:.6g}, Y = {:.6g}, Z = {:.6g}, s = {:.4g}, t = {:.4g}: it is {}",
+                                          text_, X[0], X[1], X[2], s, t, std::isnan(value) ? "not a number" : "infinite"),
+                      "It must have a value everywhere on its set, from s = 0 to s = 1.");
+  return value;
+}
+
+void Formula::require_finite(const Vec3<double>& X, int step) const {
+  if (!constant_)
+    for (double s : {0.0, 0.5, 1.0}) (*this)(X, s, step + s);
+}
+
+void Formula::require_uniform() const {
+  if (constant_) return;
+  for (const auto& [name, variable] : parser_->expression.GetUsedVar())
+    if (name == "X" || name == "Y" || name == "Z")
+      throw scene_error(where_, "the formula '" + text_ + "' depends on " + name + ", but a pressure is the same on the whole surface",
+                        "Give a number, or an expression in s (0 to 1 over the step) and t; cut the surface into several for a pressure that varies.");
 }
 
 }  // namespace bulbus

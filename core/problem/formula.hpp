@@ -6,22 +6,31 @@
 
 namespace bulbus {
 
-/// A number, or an expression in the reference place X, Y, Z (mm), the part s of the step done and the time t.
+/// A number, with or without the unit it is kept in, or an expression in the reference place X, Y, Z (mm), the part s of the step
+/// done and the time t.
 class Formula {
  public:
-  /// `where` names the key in error messages. Throws InputError if the text cannot be read.
+  /// `where` names the key in error messages. Throws InputError if the text cannot be read or has a decimal comma.
   Formula(const std::string& text, const std::string& where);
   ~Formula();
   Formula(Formula&&) noexcept;
 
   /// True for a plain number, which steps approach linearly.
   bool constant() const { return constant_; }
+  /// True for a plain number whose unit the scene leaves out.
+  bool bare() const { return bare_; }
+  /// Throws InputError that tells formula, place and s where the value is not a finite number.
   double operator()(const Vec3<double>& X, double s, double t) const;
+  /// Refuses a formula that is not finite at the begin, middle or end of step number `step`.
+  void require_finite(const Vec3<double>& X, int step) const;
+  /// Refuses a formula in X, Y or Z where one value holds for all places.
+  void require_uniform() const;
 
  private:
   struct Parser;
   std::unique_ptr<Parser> parser_;
-  bool constant_ = false;
+  std::string text_, where_;
+  bool constant_ = false, bare_ = false;
   double value_ = 0;
 };
 

@@ -155,10 +155,10 @@ struct StepSpec {
   }
 };
 
-/// A figure to record at every increment. Forces, moments, areas and volumes are of the whole model, symmetry images included.
+/// A figure to record at every increment. Areas, volumes and, but for `of`, forces and moments are of the whole model, symmetry images included.
 struct ProbeSpec {
-  std::string name, kind, set, to, liquid, region, contact, body, suture, component = "magnitude", statistic = "mean", since,
-      unit, label;
+  std::string name, kind, set, to, liquid, region, contact, body, suture, component = "magnitude", of = "whole", statistic = "mean",
+      since, unit, label;
   double percentile = 100, tolerance = 0.1, scale = 1;
   template <class V>
   void describe(V&& v) {
@@ -180,6 +180,8 @@ struct ProbeSpec {
     v("suture", suture, About{"the suture (suture_force: of one string; suture_mises: cells that touch its bites)"});
     v("component", component, About{"of a vector; of forces, `radial` sums what points away from the z axis"}
                                 .one_of({"x", "y", "z", "magnitude", "radial"}));
+    v("of", of, About{"forces and moments: of the `whole`, symmetry images included (across a plane of symmetry the image cancels them), or of "
+                      "the drawn `part`"}.one_of({"whole", "part"}));
     v("statistic", statistic, About{"over a set: mean, max or min"}.one_of({"mean", "max", "min"}));
     v("percentile", percentile, About{"of the cells' Mises stress, by volume; 100 is the largest"}.between(0, 100));
     v("tolerance", tolerance, About{"a node with a smaller gap counts as closed", Quantity::length}.at_least(0));

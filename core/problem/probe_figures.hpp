@@ -15,8 +15,8 @@ struct Resultant {
 };
 
 Resultant with_images(const Problem& problem, Resultant r);
-/// Sum of all ranks, with the symmetry images. Collective.
-Resultant whole(const Problem& problem, const Resultant& own);
+/// Sum of all ranks, with the symmetry images if `of` is "whole", without them if it is "part". Collective.
+Resultant total(const Problem& problem, const Resultant& own, const std::string& of);
 
 /// Component x, y or z, length, or distance from the z axis.
 double component_of(const Vec3<double>& v, const std::string& component);

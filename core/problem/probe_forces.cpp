@@ -11,11 +11,11 @@ namespace {
 
 Vec3<double> at(std::span<const double> v, int n) { return {v[3 * n], v[3 * n + 1], v[3 * n + 2]}; }
 
-Resultant resultant(Snapshot& s, std::span<const int> nodes) {
+Resultant resultant(Snapshot& s, std::span<const int> nodes, const std::string& of) {
   const auto& force = s.residual().force;  // collective: also on a rank without these nodes
   Resultant own;
   for (int n : nodes) own.add(at(s.state.x, n), at(force, n));
-  return whole(s.problem, own);
+  return total(s.problem, own, of);
 }
 
 std::size_t liquid_of(const Problem& problem, const ProbeSpec& spec) {
@@ -49,22 +49,23 @@ Resultant with_images(const Problem& problem, Resultant r) {
   return r;
 }
 
-Resultant whole(const Problem& problem, const Resultant& own) {
+Resultant total(const Problem& problem, const Resultant& own, const std::string& of) {
   std::array<double, 7> all{own.force[0],  own.force[1],  own.force[2], own.moment[0],
                             own.moment[1], own.moment[2], own.radial};
   problem.comm().sum(all);
-  return with_images(problem, {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}, all[6]});
+  const Resultant sum{{all[0], all[1], all[2]}, {all[3], all[4], all[5]}, all[6]};
+  return of == "part" ? sum : with_images(problem, sum);
 }
 
 ProbeSet::Figure reaction(const Problem& problem, const ProbeSpec& spec) {
-  return [nodes = owned_nodes(problem, spec.set), c = spec.component](Snapshot& s) {
-    return resultant(s, nodes).component(c);
+  return [nodes = owned_nodes(problem, spec.set), c = spec.component, of = spec.of](Snapshot& s) {
+    return resultant(s, nodes, of).component(c);
   };
 }
 
 ProbeSet::Figure moment(const Problem& problem, const ProbeSpec& spec) {
-  return [nodes = owned_nodes(problem, spec.set), c = spec.component](Snapshot& s) {
-    return component_of(resultant(s, nodes).moment, c);
+  return [nodes = owned_nodes(problem, spec.set), c = spec.component, of = spec.of](Snapshot& s) {
+    return component_of(resultant(s, nodes, of).moment, c);
   };
 }
 

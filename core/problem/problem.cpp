@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/problem/enclosed_parts.hpp"
 #include "core/problem/validate.hpp"
 
 namespace bulbus {
@@ -54,6 +55,7 @@ Problem::Problem(std::vector<MeshLevel> levels, const Model& model) : model_(mod
 
 void Problem::build() {
   multiplicity_ = 1;
+  enclosed_ = std::make_shared<EnclosedParts>();
   for (std::size_t i = 0; i < model_.symmetry.size(); ++i) multiplicity_ *= 2;
   build_bodies_and_solid();
   build_liquids();

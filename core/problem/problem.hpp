@@ -34,6 +34,8 @@ struct Balance {
   double liquid = 0;   ///< largest |D| / V
 };
 
+class EnclosedParts;
+
 /// A sum of terms over one map from free unknowns to nodes: the physics of one model on one mesh, and nothing of how it is
 /// solved. Made on all ranks together.
 class Problem {
@@ -76,6 +78,10 @@ class Problem {
   void begin_step(int step, const State& start);
   /// Loads, given pressures and added liquid follow the part s of the step done.
   void set_progress(double s, State& state);
+  /// Parts whose volume the constraints of this step fix.
+  const EnclosedParts& enclosed() const { return *enclosed_; }
+  /// What a person should know of the steps begun so far, those of a rehearsal included. The same on every rank.
+  const std::vector<std::string>& warnings() const { return warnings_; }
   void end_step();
   /// Goes through the first steps without solving them: prescribed displacements are carried along, so that each step starts
   /// where the one before leaves its sets. Then it is as new, without the terms that were added. Throws InputError. Collective.
@@ -103,6 +109,7 @@ class Problem {
   void build_bars();
   void hold_fixed();
   void require_free_elements() const;
+  void find_enclosed(int step, const State& start);
   void add_displacement(const DisplaceSpec& spec, int step, int index, const State& start);
   void add_load(const LoadSpec& spec, int step, int index);
   void begin_liquids(const StepSpec& spec, int step, const State& start);
@@ -119,6 +126,8 @@ class Problem {
   bool follows_ = false;  // a finer problem, which has been checked
   std::unique_ptr<Solid> solid_;
   std::unique_ptr<DofMap> dofs_;
+  std::shared_ptr<const EnclosedParts> enclosed_;
+  std::vector<std::string> warnings_;
   std::vector<Liquid> liquids_;
   std::map<std::string, std::shared_ptr<BarsTerm>> bars_;
   std::map<std::string, std::shared_ptr<Load>> loads_;

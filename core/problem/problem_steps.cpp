@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/enclosed_parts.hpp"
 #include "core/problem/formula.hpp"
 #include "core/problem/problem.hpp"
 
@@ -33,6 +34,8 @@ std::function<double(double)> course(std::shared_ptr<Formula> f, Vec3<double> X,
 // Size of a load or pressure over the step.
 std::function<double(double)> ramp(std::shared_ptr<Formula> f, double start, int step) {
   const Vec3<double> origin{0, 0, 0};
+  f->require_uniform();
+  f->require_finite(origin, step);
   if (f->constant()) return [=, end = (*f)(origin, 1, step + 1)](double s) { return start + (end - start) * s; };
   return [=](double s) { return (*f)(origin, s, step + s); };
 }
@@ -62,6 +65,7 @@ void Problem::begin_step(int step, const State& start) {
     if (!follows_) require_free_elements();
     for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
   });
+  if (!follows_) find_enclosed(step, start);
   begin_liquids(spec, step, start);
   for (const auto& term : terms()) term->begin_step(step, start);
   if (coarser_) coarser_->begin_step(step, coarsened(start));
@@ -77,6 +81,7 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
     std::vector<Hold> holds;
     for (int n : nodes) {
       const Vec3<double> d = direction(n), X = at(mesh_.X, n);
+      formula->require_finite(X, step);
       holds.push_back({n, d, course(formula, X, dot(d, minus(at(start.x, n), X)), from_start, step)});
     }
     dofs_->hold("2 " + spec.set + "/" + what, std::move(holds));
@@ -142,6 +147,12 @@ void Problem::require_free_elements() const {
                             "') are held in all directions, so its pressure is undetermined",
                         "Leave at least one of its nodes free, or declare the region rigid.");
     }
+}
+
+void Problem::find_enclosed(int step, const State& start) {
+  enclosed_ = std::make_shared<EnclosedParts>(*this, start, step);
+  for (const std::string& sentence : enclosed_->sentences())
+    if (std::ranges::find(warnings_, sentence) == warnings_.end()) warnings_.push_back(sentence);
 }
 
 void Problem::add_load(const LoadSpec& spec, int step, int index) {

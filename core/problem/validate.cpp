@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/problem/cancelled_figures.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/plausible.hpp"
 #include "core/problem/pressed_surfaces.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/tissues.hpp"
@@ -40,9 +42,9 @@ void check_regions(const Mesh& mesh, const Model& model) {
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
     const double mu = initial_shear_modulus(make_material(terms_of(spec)));
-    if (!(mu > 0))
+    if (!(mu > 0) || !std::isfinite(mu))
       throw scene_error("regions." + name, fmt::format("region '{}' has the initial shear modulus 2 (c10 + c01) = {:g} MPa", name, mu),
-                        "It must be positive: give c10 (and c01), or `rigid: true`.");
+                        "It must be positive and finite: give c10 (and c01), or `rigid: true`.");
   }
 }
 
@@ -103,6 +105,8 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
   const bool needs_set = p.kind == "displacement" || p.kind == "position" || p.kind == "distance" || p.kind == "reaction" || p.kind == "moment";
   if (needs_liquid && !model.liquids.contains(p.liquid))
     throw scene_error(key + ".liquid", "there is no liquid '" + p.liquid + "'", known(p.liquid, names_of(model.liquids)));
+  if (p.of != "whole" && !sums_forces(p.kind))
+    throw scene_error(key + ".of", "`of` says nothing for a probe of the kind '" + p.kind + "'", "Leave it out: it is for sums of forces and moments.");
   if (needs_set || !p.set.empty()) check_set(mesh, p.set, key + ".set");
   if (p.kind == "distance") check_set(mesh, p.to, key + ".to");
   if (!p.region.empty() && (p.kind == "mises" || p.kind == "volume_ratio") && region_index(mesh, p.region) < 0)
@@ -174,6 +178,7 @@ void validate(const Mesh& mesh, const Model& model) {
   for (std::size_t i = 0; i < model.steps.size(); ++i) check_step(mesh, model, model.steps[i], "steps." + std::to_string(i));
   for (std::size_t i = 0; i < model.probes.size(); ++i) check_probe(mesh, model, model.probes[i], "probes." + std::to_string(i));
   require_clear_pressures(mesh, model);
+  require_plausible_sizes(mesh, model);
   require_supported(mesh, model);
 }
 

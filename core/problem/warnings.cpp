@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "core/mesh/geometry.hpp"
+#include "core/problem/cancelled_figures.hpp"
 #include "core/problem/coincident_nodes.hpp"
+#include "core/problem/material_stability.hpp"
 #include "core/problem/pressed_surfaces.hpp"
 
 namespace bulbus {
@@ -30,7 +32,7 @@ void warn_of_size(const Mesh& mesh, Warnings& warnings) {
 std::vector<std::string> warnings_of(const Mesh& mesh, const Model& model) {
   Warnings warnings;
   warn_of_size(mesh, warnings);
-  for (const Warnings& more : {coincident_nodes(mesh, model), overlapping_pressures(mesh, model)})
+  for (const Warnings& more : {coincident_nodes(mesh, model), overlapping_pressures(mesh, model), cancelled_figures(model), unstable_regions(model)})
     warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/error.hpp"
+#include "core/problem/enclosed_parts.hpp"
 #include "core/solve/reduced.hpp"
 
 namespace bulbus {
@@ -227,7 +228,7 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
       out.add(number.dof(dofs[i]), number.hex(hex), values[i]);
       out.add(number.hex(hex), number.dof(dofs[i]), values[i]);
     }
-    out.add(number.hex(hex), number.hex(hex), 0);
+    out.add(number.hex(hex), number.hex(hex), -system.problem().enclosed().compliance(hex));
   });
   for (int e : system.problem().solid().rigid_hexes()) out.add(number.hex(e), number.hex(e), -system.rigid_compliance(e));
   add_liquids(system, augmented, number, out);

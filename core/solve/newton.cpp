@@ -7,6 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/problem/admissible.hpp"
+#include "core/problem/enclosed_parts.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -103,6 +106,7 @@ std::string describe(Outcome outcome) {
     case Outcome::too_large: return "the linear system does not fit into memory";
     case Outcome::too_many_iterations: return "too many Newton iterations";
     case Outcome::not_finite: return "the residual is not finite";
+    case Outcome::inadmissible: return "no body can be in the state that was found";
   }
   return "";
 }
@@ -153,6 +157,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     if (missing <= (problem.provisional() ? rough : 1) && now.held <= held_tolerance) {
       if (!problem.revise(state)) {
         if (observer) observer(now);
+        if (std::string why = why_inadmissible(problem, state); !why.empty()) return fail(Outcome::inadmissible, std::move(why));
         return report;
       }
       last = number + settings.max_iterations;
@@ -182,6 +187,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     find_held();
     for (std::size_t i = 0; i < held.size(); ++i) step.dx[i] += held[i];
     now.step = guarded(problem, step, state);
+    problem.enclosed().settle(state.lambda);
     report.iterations.push_back(now);
     if (observer) observer(now);
     if (now.step == 0) return fail(Outcome::inverted_element);
