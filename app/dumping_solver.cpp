@@ -16,6 +16,9 @@ class DumpingSolver final : public LinearSolver {
   LinearReport prepare(CoupledSystem& system) override { return solver_->prepare(system); }
   void renew() override { solver_->renew(); }
   void increment_begins() override { solver_->increment_begins(); }
+  void watch(SolveWatcher watcher) override { solver_->watch(std::move(watcher)); }
+  bool counts_pivots(const CoupledSystem& system) override { return solver_->counts_pivots(system); }
+  int negative_pivots(const CoupledSystem& system) override { return solver_->negative_pivots(system); }
 
   LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
                      double tolerance) override {

@@ -8,6 +8,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/memory.hpp"
+#include "core/solve/direct_memory.hpp"
 #include "core/solve/fgmres.hpp"
 #include "precond/displacement.hpp"
 
@@ -91,9 +92,8 @@ double coarse_bytes(const std::string& name, const Size& s, const LinearSettings
 }
 
 void add_direct(const Size& s, std::vector<MemoryPart>& parts) {
-  // measured on eyes of 7,000 hexahedra and more; the factors of a compact body grow with the power 4/3
-  parts.push_back({"matrix and its copies", 11e3 * s.hexes});
-  parts.push_back({"factors", 160 * std::pow(s.unknowns(), 4.0 / 3)});
+  parts.push_back({"matrix and its copies", direct_matrix_bytes(s.hexes)});
+  parts.push_back({"factors", direct_factor_bytes(s.unknowns())});
 }
 
 void add_iterative(const Problem& problem, const Size& s, const SolverSettings& solver, std::vector<MemoryPart>& parts) {

@@ -21,8 +21,8 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
 }
 
-Narrator::Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping)
-    : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)), forecast_(stepping) {}
+Narrator::Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience)
+    : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)), forecast_(stepping), patience_(patience) {}
 
 void Narrator::resumes(const MarchPlace& place) {
   log_.info("");
@@ -40,6 +40,7 @@ void Narrator::step_begins(int step, const StepSpec& spec, const State&) {
 void Narrator::increment_begins(int, double from, double to) {
   log_.info(fmt::format("  from {:.4g} to {:.4g} of the step", from, to));
   log_.info("     it  force     volume    liquid    eta      Krylov  reduced  length  elapsed");
+  told_ = Clock::now();
 }
 
 void Narrator::newton_iteration(const NewtonIteration& i) {
@@ -49,8 +50,22 @@ void Narrator::newton_iteration(const NewtonIteration& i) {
     line += fmt::format("  {:.1e}  {:>6}  {:.1e}  {:<6.3g}  {}", i.tolerance, i.linear.iterations,
                         i.linear.reduction, i.step, duration(elapsed()));
   if (i.linear.negative_pivots >= 0) line += fmt::format("  {} negative pivots", i.linear.negative_pivots);
+  if (i.linear.by_fallback) line += "  by MUMPS" + (i.linear.reason.empty() ? "" : " (" + i.linear.reason + ")");
   if (!i.balance.region.empty()) line += "  (" + i.balance.region + ")";
   log_.info(line);
+  told_ = Clock::now();
+}
+
+bool Narrator::unstable(const NewtonReport& report) const {
+  return report.negative_curvature || (report.negative_pivots >= 0 && report.negative_pivots != stable_pivots_);
+}
+
+void Narrator::solve_lasts(const SolveProgress& p) {
+  const double now = Clock::now();
+  if (now - told_ < patience_) return;
+  told_ = now;
+  log_.info(fmt::format("         linear solve: {} Krylov iterations, residual {:.1e} of {:.1e}  {}", p.iteration, p.residual, p.tolerance,
+                        duration(elapsed())));
 }
 
 void Narrator::increment_cut(const NewtonReport& report, double from, double to) {
@@ -70,6 +85,9 @@ void Narrator::increment_done(const Increment& i, const State&) {
         "not a stable equilibrium: {} negative pivot(s) more than one has. The body would leave it at the "
         "least push; prescribe the motion that is missing, or judge the figures with care.",
         surplus));
+  if (i.newton.negative_curvature)
+    log_.warn("perhaps not a stable equilibrium: the last Newton step has negative curvature. Compare with solver.linear.method: direct, "
+              "which counts the negative pivots.");
 }
 
 void Narrator::contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings) {

@@ -11,7 +11,8 @@ namespace bulbus {
 /// per Newton iteration, cuts with their reason, and how long the rest may take.
 class Narrator final : public MarchObserver {
  public:
-  Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping);
+  /// `patience`: seconds of a linear solve without a line.
+  Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience = 10);
 
   void step_begins(int step, const StepSpec& spec, const State& state) override;
   void resumes(const MarchPlace& place);
@@ -19,6 +20,10 @@ class Narrator final : public MarchObserver {
   void newton_iteration(const NewtonIteration& i) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
+  /// Do pivots or curvature say that an equilibrium is not stable?
+  bool unstable(const NewtonReport& report) const;
+  /// A line if none has been written for a while.
+  void solve_lasts(const SolveProgress& progress);
   void contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings);
   void probes(const ProbeSet& probes, const ProbeValues& values);
 
@@ -29,7 +34,9 @@ class Narrator final : public MarchObserver {
   const Model& model_;
   long long stable_pivots_;
   Forecast forecast_;
+  double patience_;
   double start_ = Clock::now(), since_ = start_;  // of the run, of the increment with its failed attempts
+  double told_ = start_;                          // of the last line while increments are at work
 };
 
 /// "12 s", "4 min 10 s", "2 h 05 min".

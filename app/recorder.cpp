@@ -72,7 +72,8 @@ void Recorder::count(const NewtonReport& report) {
   step.newton_iterations += static_cast<int>(report.iterations.size());
   step.krylov_iterations += report.krylov_iterations;
   step.seconds += Clock::now() - since_;
-  if (report.negative_pivots >= 0) negative_pivots_ = report.negative_pivots;
+  if (report.negative_pivots >= 0 || report.krylov_iterations > 0) negative_pivots_ = report.negative_pivots;
+  direct_solves_ += report.direct_solves;
 }
 
 void Recorder::increment_cut(const NewtonReport& report, double from, double to) {
@@ -87,6 +88,7 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   const auto scope = meters_.clock.measure("records");
   count(increment.newton);
   ++steps_.back().increments;
+  unstable_increments_ += narrator_.unstable(increment.newton);
   increments_ = increment.number;
   witness_.increment_done(increment, state);
   Snapshot snapshot(problem_, state);
@@ -106,6 +108,7 @@ void Recorder::rests(const MarchPlace& place, State& state, bool last) {
 
 void Recorder::remember(Keeper& keeper, const MarchPlace& place) {
   keeper.scalars("counts", increments_, cuts_, negative_pivots_);
+  if (!keeper.reading() || keeper.knows("linear solver")) keeper.scalars("linear solver", direct_solves_, unstable_increments_);
   steps_.resize(place.step + 1);
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     StepRecord& s = steps_[k];

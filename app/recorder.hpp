@@ -29,6 +29,7 @@ class Recorder final : public MarchObserver, public Remembering {
   void newton_iteration(const NewtonIteration& iteration) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
+  void solve_lasts(const SolveProgress& progress) { narrator_.solve_lasts(progress); }
   void rests(const MarchPlace& place, State& state, bool last) override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
@@ -48,6 +49,10 @@ class Recorder final : public MarchObserver, public Remembering {
   int increments() const { return increments_; }
   /// Of the last factorisation; -1 if there was none of a symmetric matrix.
   int negative_pivots() const { return negative_pivots_; }
+  /// Linear systems that MUMPS solved in place of GMRES.
+  int direct_solves() const { return direct_solves_; }
+  /// Converged increments whose equilibrium is not stable, as far as pivots or curvature tell.
+  int unstable_increments() const { return unstable_increments_; }
   /// Of the direct solver's last factorisation, and the largest residual that its solutions left, ‖s r‖ / ‖s b‖.
   const std::optional<FactorReport>& factor() const { return factor_; }
   double worst_reduction() const { return worst_reduction_; }
@@ -70,7 +75,7 @@ class Recorder final : public MarchObserver, public Remembering {
   ProbeValues values_;
   std::vector<ContactStanding> contacts_;
   std::vector<StepRecord> steps_;
-  int increments_ = 0, cuts_ = 0, negative_pivots_ = -1;
+  int increments_ = 0, cuts_ = 0, negative_pivots_ = -1, direct_solves_ = 0, unstable_increments_ = 0;
   std::optional<FactorReport> factor_;
   double worst_reduction_ = 0;
   bool taken_ = false;  // are the values of the last state?

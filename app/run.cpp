@@ -90,6 +90,9 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
   if (!diagnosis.empty()) log.error("diagnosis: " + diagnosis);
   log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
                        march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
+  if (recorder.direct_solves() > 0)
+    log.info(fmt::format("{} linear system{} solved by MUMPS, where GMRES did not converge", recorder.direct_solves(),
+                         recorder.direct_solves() == 1 ? " was" : "s were"));
   log.info("results in " + folder);
 }
 
@@ -132,6 +135,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   if (!linear.dump.empty())
     solver = make_dumping_solver(
         std::move(solver), linear.dump, [&] { return recorder.increments() + 1; }, comm);
+  solver->watch([&](const SolveProgress& progress) { recorder.solve_lasts(progress); });
   auto [place, step_start, state] = from ? recorder.resume(*from) : Resumed{.state = problem.initial_state()};
   const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder, place);
 

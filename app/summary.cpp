@@ -112,6 +112,8 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
     s["negative_pivots"] = recorder.negative_pivots();
     s["negative_pivots_if_stable"] = stable_pivots(problem);
   }
+  s["direct_solves"] = recorder.direct_solves();
+  s["unstable_increments"] = recorder.unstable_increments();
   if (recorder.factor()) s["factor"] = factor_of(*recorder.factor(), recorder.worst_reduction());
   for (const auto& [name, v] : versions()) s["versions"][name] = v;
   s["warnings"] = prepared.warnings;

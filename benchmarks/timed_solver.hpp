@@ -34,6 +34,9 @@ class TimedSolver final : public LinearSolver {
   }
   void renew() override { inner_->renew(); }
   void increment_begins() override { inner_->increment_begins(); }
+  void watch(SolveWatcher watcher) override { inner_->watch(std::move(watcher)); }
+  bool counts_pivots(const CoupledSystem& system) override { return inner_->counts_pivots(system); }
+  int negative_pivots(const CoupledSystem& system) override { return inner_->negative_pivots(system); }
   std::vector<double> setup, solution, reductions;
   std::vector<int> iterations;
   std::optional<FactorReport> factor;  ///< the last

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/pack.hpp"
 #include "core/element/mean_tangent.hpp"
+#include "core/element/semidefinite.hpp"
 
 namespace bulbus {
 
@@ -105,13 +106,15 @@ NodalVectors<P> tangent_action(const Material& material, const Strain& strain, c
   return nodal(force);
 }
 
-/// The mean tangent of a pack, and the rest of λ: what is too large beside the shear modulus to be taken in.
+/// The mean tangent of a pack, and the rest of λ: what is too large beside the shear modulus to be taken in. Where it is clearly indefinite
+/// without its pressure, it is limited to what is not: the pressure's part cancels between neighbours and says nothing.
 template <class Material>
 MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient<Pack>& x, const ReferenceGradient<Pack>& X, const Pack& lambda,
                                const Pack& shear_modulus, Pack& rest) {
   for (int l = 0; l < lanes; ++l) rest.v[l] = std::abs(lambda[l]) <= 10 * shear_modulus[l] ? 0 : lambda[l];
   const Pack taken = lambda - rest;
   MeanTangent<Pack> C{};
+  PressureTangent of_pressure{};
   for_each_gauss_point([&](int i, int j, int k) {
     const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
     const Pack det = determinant(a, cof), inverse = 1.0 / det;
@@ -128,7 +131,9 @@ MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient
         for (int r = 0; r < 3; ++r) C.across[d](r, c) += row(r, e);
       }
     }
+    add_pressure_tangent(cof, pressure, of_pressure);
   });
+  limit_to_semidefinite(C, of_pressure);
   return C;
 }
 

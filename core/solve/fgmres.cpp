@@ -41,26 +41,32 @@ class Wrapped final : public Operator {
   Room& room_;
 };
 
-/// Never ends the iteration: records its residual norms and passes its iterates on.
+/// Records the iteration's residual norms, passes its iterates on, and ends it where it is told to.
 class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
  public:
-  Recorder(std::vector<double>& history, const KrylovObserver& observer, bool flexible)
-      : history_(history), observer_(observer), flexible_(flexible) {}
+  Recorder(std::vector<double>& history, const KrylovObserver& observer, const KrylovOptions& options, bool flexible)
+      : history_(history), observer_(observer), go_on_(options.go_on), flexible_(flexible) {}
   Belos::StatusType checkStatus(Iteration* it) override {
     std::size_t k = it->getNumIters();
     if (k < history_.size()) return Belos::Failed;  // a restart repeats the last iterate
     std::vector<double> norm(1);
     it->getNativeResiduals(&norm);
     history_.push_back(norm[0]);
-    if (observer_) pass_on(*it, static_cast<int>(k));
-    return Belos::Failed;
+    std::vector<double> room;
+    if (observer_) observer_(static_cast<int>(k), iterate(*it, room));
+    if (k == 0 || !go_on_ || go_on_(static_cast<int>(k), norm[0])) return Belos::Failed;
+    const auto last = iterate(*it, room);
+    last_.assign(last.begin(), last.end());
+    return Belos::Passed;
   }
   Belos::StatusType getStatus() const override { return Belos::Failed; }
+  /// Where it was ended; empty if it was not.
+  std::span<const double> last() const { return last_; }
   void reset() override {}
   void print(std::ostream&, int) const override {}
 
  private:
-  void pass_on(const Iteration& it, int k) {
+  std::span<const double> iterate(const Iteration& it, std::vector<double>& room) const {
     RCP<Vectors> update = it.getCurrentUpdate();
     auto& problem = const_cast<Problem&>(it.getProblem());  // Belos' getters are not const
     RCP<Vectors> x = rcp(problem.getCurrLHSVec()->CloneCopy());
@@ -68,13 +74,16 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
       x->MvAddMv(1, *update, 1, *x);
     else if (update != Teuchos::null)
       x = problem.updateSolution(update, false);
-    std::vector<double> room;
-    observer_(k, dynamic_cast<const KrylovVectors&>(*x).read(0, room));
+    const auto values = dynamic_cast<const KrylovVectors&>(*x).read(0, room);
+    if (values.data() != room.data()) room.assign(values.begin(), values.end());  // x goes
+    return room;
   }
 
   std::vector<double>& history_;
   const KrylovObserver& observer_;
+  const std::function<bool(int, double)>& go_on_;
   bool flexible_;
+  std::vector<double> last_;
 };
 
 RCP<Teuchos::ParameterList> parameters(const KrylovOptions& o, bool flexible) {
@@ -150,8 +159,12 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   if (report.initial <= options.tolerance * scale) return ends(true, "the initial guess suffices");
 
   const std::vector<double> guess = from_zero ? std::vector<double>() : std::vector(x.begin(), x.end());
-  std::string failure =
-      run(problem, rcp(new Recorder(report.history, observer, flexible)), options, flexible);
+  const auto recorder = rcp(new Recorder(report.history, observer, options, flexible));
+  std::string failure = run(problem, recorder, options, flexible);
+  if (!failure.empty() && !recorder->last().empty()) {
+    std::ranges::copy(recorder->last(), x.begin());
+    failure = "ended before convergence";
+  }
   report.iterations = std::max(0, static_cast<int>(report.history.size()) - 1);
   report.basis_bytes = space->peak;
   report.final = residual_norm(A, b, x, comm);

@@ -20,6 +20,9 @@ struct KrylovOptions {
   int max_iterations = 400;
   bool flexible = true;  ///< needed unless the preconditioner is fixed(); costs a second basis
   Precision basis = Precision::full;  ///< single: not below least_of_plain_method
+  /// Asked after every iteration 1, 2, ... with its residual norm by the method's recurrence; false ends the method with
+  /// that iterate and has to come from every rank.
+  std::function<bool(int, double)> go_on = {};
 };
 
 /// What became of a solve. Norms are Euclidean over all ranks.

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/inner_product.hpp"
+#include "core/solve/last_resort.hpp"
 #include "core/solve/linear_solver.hpp"
 
 namespace bulbus {
@@ -63,9 +65,37 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
 // Krylov iterations that a digit costs where solves are easy.
 constexpr double per_digit = 1.5;
 
+// And where a small system is better left to MUMPS.
+constexpr double slow_per_digit = 10;
+
 // Coarse factors are not kept after so many times the Krylov iterations per digit of their own solve, nor after so many in themselves: beside
 // such a solve a set-up is cheap, and near limit points, where a matrix changes its sign, it is needed.
 constexpr double much_slower = 2, hard = 4;
+
+// Does it take more than `most` iterations, at the pace of the last many, until the residual is down to the tolerance?
+bool stagnates(const std::vector<double>& residuals, double tolerance, int most) {
+  constexpr std::size_t many = 60;
+  const std::size_t done = residuals.size();
+  if (done <= many) return false;
+  const double per_iteration = std::log(residuals[done - 1 - many] / residuals.back()) / many;
+  const double left = std::log(residuals.back() / tolerance);
+  return !(left <= per_iteration * (most - static_cast<double>(done - 1)));
+}
+
+// xᵀ K x of displacements, K with its augmentation, over the sum of the magnitudes of the products that make it: from the right-hand side
+// and the other unknowns, by the constraints' rows. Collective.
+double curvature(const CoupledSystem& system, std::span<const double> b, std::span<const double> x) {
+  const Layout& layout = system.layout();
+  std::array<double, 2> sums{};
+  const auto add = [&](double term) { sums[0] += term, sums[1] += std::abs(term); };
+  for (int i = 0; i < layout.primal(); ++i) add(x[i] * b[i]);
+  for (int e = layout.primal(); e < layout.primal() + layout.hexes; ++e) add(-x[e] * b[e]);
+  for (int i = 0; i < layout.liquids; ++i)
+    if (system.problem().liquids()[i].coupled())
+      add(-system.column_part(i) * layout.pressures(x)[i] * (layout.pressures(b)[i] + system.compliance(i) * layout.pressures(x)[i]));
+  system.problem().comm().sum(sums);
+  return sums[1] > 0 ? sums[0] / sums[1] : 0;
+}
 
 // What two solves in a row did, the second from where the first had come to.
 KrylovReport joined(KrylovReport first, KrylovReport then) {
@@ -81,9 +111,10 @@ KrylovReport joined(KrylovReport first, KrylovReport then) {
 class KrylovSolver final : public LinearSolver {
  public:
   KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters)
-      : settings_(settings), factory_(std::move(factory)), meters_(meters) {}
+      : settings_(settings), factory_(std::move(factory)), meters_(meters), last_resort_(settings, meters) {}
 
   LinearReport prepare(CoupledSystem& system) override {
+    if (given_up_) return {.ok = true};
     const auto scope = meters_.clock.measure("preconditioner set-up");
     preconditioner_.reset();
     auto made = factory_(system, wanted());
@@ -91,12 +122,46 @@ class KrylovSolver final : public LinearSolver {
     if (made.how == SetUp::anew) solves_ = 0;
     meters_.memory.set("preconditioner", preconditioner_->bytes());
     const std::string fault = preconditioner_->fault();
-    return {.ok = fault.empty(), .reason = fault};
+    if (fault.empty() || !last_resort_.available(system)) return {.ok = fault.empty(), .reason = fault};
+    give_up();
+    return {.ok = true, .reason = fault};
   }
 
   LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
-    const auto scope = meters_.clock.measure("linear solve");
+    if (given_up_) return last_resort_.solve(system, b, x, tolerance);
+    LinearReport r;
+    {
+      const auto scope = meters_.clock.measure("linear solve");
+      r = solve_by_krylov(system, b, x, tolerance);
+    }
+    r.stale = !r.ok && solves_ > 0;
+    last_ = r.iterations / -std::log10(tolerance);
+    if (solves_++ == 0) first_ = last_;
+    if (r.ok || r.stale || !last_resort_.available(system)) return r;
+    LinearReport direct = last_resort_.solve(system, b, x, tolerance);
+    direct.iterations = r.iterations, direct.history = std::move(r.history), direct.blocks = std::move(r.blocks);
+    if (!direct.ok) direct.reason = r.reason + "; " + direct.reason;
+    else direct.reason = r.reason;
+    if (direct.ok && last_resort_.cheap(system)) give_up();
+    return direct;
+  }
+
+  void renew() override { solves_ = 0; }
+  void increment_begins() override { dragged_ = given_up_ = false; }
+  void watch(SolveWatcher watcher) override { watcher_ = std::move(watcher); }
+  bool counts_pivots(const CoupledSystem& system) override { return system.problem().symmetric() && last_resort_.cheap(system); }
+  int negative_pivots(const CoupledSystem& system) override { return last_resort_.negative_pivots(system); }
+
+ private:
+  // The systems of this increment that are still to come are those of MUMPS.
+  void give_up() {
+    given_up_ = true;
+    preconditioner_.reset();
+    solves_ = 0;
+  }
+
+  LinearReport solve_by_krylov(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) {
     const auto& s = system.scaling();
     for (std::size_t i = 0; i < b.size(); ++i) b[i] *= s[i];
     std::fill(x.begin(), x.end(), 0.0);
@@ -107,35 +172,43 @@ class KrylovSolver final : public LinearSolver {
     KrylovObserver observer;
     if (settings_.record_krylov)
       observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, b, iterate)); };
-    const KrylovReport k = solve_in_stages(A, M, b, x, tolerance, system.problem().comm(), observer);
+    const KrylovReport k = solve_in_stages(A, M, b, x, tolerance, system, observer);
     meters_.memory.set("Krylov basis", k.basis_bytes);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] *= s[i];
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] *= s[i], b[i] /= s[i];
     LinearReport r{.ok = k.converged, .reason = k.reason, .iterations = k.iterations, .reduction = k.initial > 0 ? k.final / k.initial : 0};
     r.history = k.history;
     r.blocks = std::move(blocks);
+    if (r.ok) r.curvature = curvature(system, b, x);
     if (settings_.record_spectrum) r.spectrum = preconditioner_->displacement_spectrum();
     if (!r.ok) r.reason = "GMRES: " + r.reason;
-    r.stale = !r.ok && solves_ > 0;
-    last_ = r.iterations / -std::log10(tolerance);
-    if (solves_++ == 0) first_ = last_;
     return r;
   }
 
-  void renew() override { solves_ = 0; }
-  void increment_begins() override { dragged_ = false; }
-
- private:
   // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with the strengthened
   // preconditioner; where plain GMRES, which needs one basis only, still fails, as near limit points, the flexible one, anew from where it
-  // has come to as long as rounding ends it and each time gains a digit.
+  // has come to as long as rounding ends it and each time gains a digit. Where there is another way, stagnation ends it all.
   KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
-                               double tolerance, const Comm& comm, const KrylovObserver& observer) {
+                               double tolerance, const CoupledSystem& system, const KrylovObserver& observer) {
+    const Comm& comm = system.problem().comm();
+    const double scale = norm(b, comm);
+    const bool other_way = solves_ > 0 || last_resort_.available(system);
     KrylovReport report;
-    bool flexible = !M.fixed() || tolerance < least_of_plain_method;
+    bool flexible = !M.fixed() || tolerance < least_of_plain_method, stagnant = false, slow = false;
+    // A system so small is factorised in less time; and a residual that falls so slowly says little of the error.
+    const bool cheap = last_resort_.cheap(system);
+    const double enough = std::max(30., -slow_per_digit * std::log10(tolerance));
+    std::vector<double> residuals;
+    const auto goes_on = [&](int, double residual) {
+      residuals.push_back(residual / scale);
+      if (watcher_) watcher_({static_cast<int>(residuals.size()), residuals.back(), tolerance});
+      slow = cheap && static_cast<double>(residuals.size()) >= enough;
+      stagnant = other_way && residuals.back() > tolerance && (slow || stagnates(residuals, tolerance, settings_.max_iterations));
+      return !stagnant;
+    };
     const auto go_on = [&](int most) {
-      if (report.converged || most <= 0) return;
+      if (report.converged || stagnant || most <= 0) return;
       const Precision basis = flexible ? Precision::full : Precision::single;
-      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, basis};
+      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, basis, goes_on};
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
     const int patience = std::min(settings_.pressures.after, settings_.max_iterations);
@@ -151,6 +224,7 @@ class KrylovSolver final : public LinearSolver {
       go_on(settings_.max_iterations - report.iterations);
     } while (!report.converged && report.final < 0.1 * before);
     dragged_ = report.iterations > patience;
+    if (stagnant && !report.converged) report.reason = slow ? "the residual falls slowly" : "the residual stagnates";
     return report;
   }
 
@@ -168,7 +242,10 @@ class KrylovSolver final : public LinearSolver {
   LinearSettings settings_;
   PreconditionerFactory factory_;
   Meters& meters_;
+  LastResort last_resort_;
+  SolveWatcher watcher_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
+  bool given_up_ = false;        // until the next increment
   int solves_ = 0;               // since nothing of the preconditioner was kept
   bool dragged_ = false;         // did the solve before, of the same increment?
   double first_ = 0, last_ = 0;  // Krylov iterations per digit of the first and the last of them

@@ -20,7 +20,11 @@ struct LinearReport {
   bool stale = false;            ///< failed with the preconditioner of an earlier linearisation
   int iterations = 0;            ///< Krylov iterations; 0 of the direct solver
   double reduction = 0;          ///< ‖s r‖ / ‖s b‖ reached
+  bool by_fallback = false;      ///< MUMPS solved it in place of GMRES, which did not
   int negative_pivots = -1;      ///< of the direct solver's factors
+  /// x·Kx of the displacements found, over the sum of the magnitudes it is made of; 0 where GMRES did not find them. Negative only in a
+  /// state that is not stable, as far as x changes no volume.
+  double curvature = 0;
   std::optional<FactorReport> factor;  ///< of the direct solver
   std::vector<double> history;   ///< scaled residual norm by the method's recurrence after 0, 1, ... iterations
   /// On request: true scaled residual norms of displacements, element pressures and liquids, iteration by iteration.
@@ -28,6 +32,14 @@ struct LinearReport {
   /// On request: extreme eigenvalues of the preconditioned displacement block, as Lanczos estimates them.
   std::array<double, 2> spectrum{};
 };
+
+/// How far a linear solve has come.
+struct SolveProgress {
+  int iteration = 0;
+  double residual = 0;   ///< relative to the right-hand side, scaled
+  double tolerance = 0;  ///< to be reached
+};
+using SolveWatcher = std::function<void(const SolveProgress&)>;
 
 /// Where a run keeps count of its seconds and bytes.
 struct Meters {
@@ -48,6 +60,12 @@ class LinearSolver {
   virtual void renew() {}
   /// The next solve is an increment's first: nothing is known of it from those before.
   virtual void increment_begins() {}
+  /// Calls `watcher` after every Krylov iteration of every solve.
+  virtual void watch(SolveWatcher /*watcher*/) {}
+  /// Is it cheap to count the negative pivots of a system whose solution has not told them? Its state has to be kept for that. Collective.
+  virtual bool counts_pivots(const CoupledSystem& /*system*/) { return false; }
+  /// -1 if they cannot be counted. Collective.
+  virtual int negative_pivots(const CoupledSystem& /*system*/) { return -1; }
 };
 
 /// A preconditioner of the whole system.

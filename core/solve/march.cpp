@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bulbus {
 namespace {
@@ -31,7 +32,12 @@ class Increments {
   double largest_, size_;
 };
 
-NewtonSettings tolerances_at(double progress, NewtonSettings settings) {
+// Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment has failed they may have driven
+// it away, as from a symmetric state that is not stable between two iterations.
+constexpr double careful_eta = 1e-8;
+
+NewtonSettings tolerances_at(double progress, bool careful, NewtonSettings settings) {
+  if (careful) settings.eta_max = std::min(settings.eta_max, careful_eta);
   if (progress < 1)
     for (double* tolerance : {&settings.force, &settings.volume, &settings.liquid}) *tolerance *= settings.underway;
   return settings;
@@ -44,6 +50,7 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings) {
 }
 
 void MarchPlace::remember(Keeper& keeper) {
+  if (!keeper.reading() || keeper.knows("careful")) keeper.scalars("careful", careful);
   keeper.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations, report.krylov_iterations);
 }
 
@@ -52,7 +59,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
   MarchReport& report = place.report;
   double& done = place.done;
   const auto& steps = problem.model().steps;
-  for (int& k = place.step; k < static_cast<int>(steps.size()); ++k, place.begun = false, done = 0, place.size = 1) {
+  for (int& k = place.step; k < static_cast<int>(steps.size()); ++k, place.begun = place.careful = false, done = 0, place.size = 1) {
     if (!place.begun) {
       observer.step_begins(k, steps[k], state);
       problem.begin_step(k, state);
@@ -64,7 +71,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       const double to = increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = state;
-      NewtonReport newton = bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, settings.newton), meters,
+      NewtonReport newton = bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, place.careful, settings.newton), meters,
                                            [&](const NewtonIteration& i) { observer.newton_iteration(i); });
       report.newton_iterations += static_cast<int>(newton.iterations.size());
       report.krylov_iterations += newton.krylov_iterations;
@@ -73,6 +80,8 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         solver.renew();
         ++report.cuts;
         observer.increment_cut(newton, done, to);
+        // a small system costs nothing
+        if (!std::exchange(place.careful, true) && solver.counts_pivots(system)) continue;
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments
         if (curable && increments.cut()) continue;
         report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done, newton.reason,

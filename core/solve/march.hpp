@@ -27,6 +27,7 @@ struct MarchPlace {
   bool begun = false;
   double done = 0;  ///< part of the step
   double size = 1;  ///< of the next increment
+  bool careful = false;  ///< has an increment of the step failed?
   MarchReport report;
   void remember(Keeper& keeper);
 };
@@ -48,7 +49,8 @@ class MarchObserver {
 /// Increments of a step that has not begun, if nothing fails.
 int increments_of(const StepSpec& step, const SteppingSettings& settings);
 
-/// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. On return `state` is the last
+/// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. From the first failure in
+/// a step on its linear solves are tight; a small system is tried once more so before the increment is cut. On return `state` is the last
 /// good one. A `place` in the middle is one to which problem and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
                   Meters& meters, MarchObserver& observer, MarchPlace place = {});

@@ -14,6 +14,7 @@ namespace bulbus {
 namespace {
 
 constexpr double rough = 1000;  // by this much the criteria may be missed as long as a term is provisional
+constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 constexpr double shortest_step = 1.0 / 64;
 constexpr double least_volume = 0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 
@@ -127,6 +128,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   for (double v : problem.mesh().X) size = std::max(size, std::abs(v));
   const double held_tolerance = 1e-12 * problem.comm().max(size);
   std::optional<Residual> r;
+  std::optional<State> linearised;
   const auto find_residual = [&] {
     const auto scope = meters.clock.measure("residual");
     r = problem.residual(state);
@@ -147,6 +149,11 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     std::vector<double>().swap(held);
     return b;
   };
+  const auto judge_stability = [&] {
+    if (report.iterations.empty()) return;
+    if (report.negative_pivots < 0 && linearised) report.negative_pivots = solver.negative_pivots(system);
+    report.negative_curvature = report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
+  };
   int last = settings.max_iterations;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
@@ -158,6 +165,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       if (!problem.revise(state)) {
         if (observer) observer(now);
         if (std::string why = why_inadmissible(problem, state); !why.empty()) return fail(Outcome::inadmissible, std::move(why));
+        judge_stability();
         return report;
       }
       last = number + settings.max_iterations;
@@ -167,14 +175,16 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     if (number == last) return fail(Outcome::too_many_iterations);
     {
       const auto scope = meters.clock.measure("linearisation");
-      system.linearize(state, *r);
+      if (solver.counts_pivots(system)) linearised = state;
+      system.linearize(linearised ? *linearised : state, *r);
     }
     now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
       if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
       return now.tolerance;
     });
     report.krylov_iterations += now.linear.iterations;
-    if (now.linear.negative_pivots >= 0) report.negative_pivots = now.linear.negative_pivots;
+    report.negative_pivots = now.linear.negative_pivots;
+    report.direct_solves += now.linear.by_fallback;
     if (!now.linear.ok) {
       if (observer) observer(now);
       const bool too_large = now.linear.factor && now.linear.factor->too_large;

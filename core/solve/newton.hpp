@@ -27,7 +27,9 @@ struct NewtonReport {
   Balance balance;  ///< of the state that was reached
   std::vector<NewtonIteration> iterations;
   int krylov_iterations = 0;  ///< those of linear solves that failed too
-  int negative_pivots = -1;  ///< of the last factorisation
+  int negative_pivots = -1;  ///< of the last linearisation; -1 where nobody counted them
+  bool negative_curvature = false;  ///< of the last solution of GMRES, where pivots are not known
+  int direct_solves = 0;     ///< systems that MUMPS solved in place of GMRES
 };
 
 using NewtonObserver = std::function<void(const NewtonIteration&)>;

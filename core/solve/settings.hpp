@@ -60,6 +60,7 @@ struct LinearSettings {
   std::string displacement = "auto";
   std::string op = "recompute";
   std::string smoothing = "single";
+  std::string fallback = "direct";
   double gamma = 5, smoothed_part = 0.05, reuse = 0, coarse_change = 0.1;
   int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;
   AggregationSettings aggregation;
@@ -91,6 +92,9 @@ struct LinearSettings {
     v("coarse_change", coarse_change,
       About{"factors of the coarsest matrix are kept for later linearisations of their step as long as no row of it has changed by more than this "
             "part and solves are easy: at most four Krylov iterations per digit, and twice those of their own solve; 0: each has its own"}.between(0, 1));
+    v("fallback", fallback,
+      About{"what solves a system on which GMRES stagnates or fails; direct: MUMPS, as long as the memory suffices; none: the increment is cut"}.one_of(
+          {"direct", "none"}));
     v("restart", restart, About{"Krylov basis before a restart"}.between(2, 500));
     v("max_iterations", max_iterations, About{"Krylov iterations before the increment is cut"}.between(1, 100000));
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));

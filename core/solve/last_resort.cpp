@@ -1,0 +1,122 @@
+#include "core/solve/last_resort.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/memory.hpp"
+#include "core/solve/assemble.hpp"
+#include "core/solve/direct_memory.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr int refinements = 3;
+// A factorisation then takes some hundredths of a second, as much as a few dozen Krylov iterations.
+constexpr long long few_unknowns = 2000;
+
+double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
+  double sum = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) sum += std::pow(system.scaling()[i] * v[i], 2);
+  return std::sqrt(system.problem().comm().sum(sum));
+}
+
+// The liquids' entries of a vector, on every rank.
+std::vector<double> liquid_part(const CoupledSystem& system, std::span<const double> v) {
+  std::vector<double> part(system.liquid_columns().size());
+  if (system.layout().liquids > 0) std::ranges::copy(system.layout().pressures(v), part.begin());
+  system.problem().comm().broadcast(part);
+  return part;
+}
+
+// Right-hand side of the system without augmentation: γ B W times the hexahedra's rows and ω g times the liquids' are taken out again.
+std::vector<double> without_augmentation(const CoupledSystem& system, std::span<const double> b) {
+  std::vector<double> plain(b.begin(), b.end());
+  const auto primal = system.layout().primal(std::span(plain));
+  const auto penalty = system.problem().solid().penalties();
+  const auto hexes = system.layout().lambda(b);
+  std::vector<double> bound(hexes.size());
+  for (std::size_t e = 0; e < bound.size(); ++e) bound[e] = penalty[e] * hexes[e];
+  system.add_pressure_force(bound, -1, primal);
+  const auto liquid = liquid_part(system, b);
+  for (std::size_t i = 0; i < liquid.size(); ++i) {
+    const auto& g = system.liquid_columns()[i];
+    for (std::size_t k = 0; k < g.size(); ++k) primal[k] += system.liquid_augmentation()[i] * liquid[i] * g[k];
+  }
+  return plain;
+}
+
+// x = A⁻¹ b by the factors of the system without augmentation.
+bool solve_once(const CoupledSystem& system, Mumps& mumps, std::span<const double> b, std::span<double> x) {
+  if (!mumps.solve(without_augmentation(system, b), x)) return false;
+  if (!system.eliminated()) return true;
+  for (int i = 0; i < system.layout().liquids; ++i)  // its unknown is ΔP + gᵀ Δu K/V_i
+    if (system.problem().liquids()[i].coupled()) system.layout().pressures(x)[i] = -system.layout().pressures(b)[i] / system.compliance(i);
+  return true;
+}
+
+}  // namespace
+
+LastResort::LastResort(const LinearSettings& settings, Meters& meters)
+    : allowed_(settings.fallback == "direct"),
+      limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()),
+      meters_(meters) {}
+
+double LastResort::room_mb(const CoupledSystem& system) const {
+  return limit_mb_ - 1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
+}
+
+bool LastResort::available(const CoupledSystem& system) {
+  if (!allowed_) return false;
+  if (!fits_) {
+    const auto& problem = system.problem();
+    const double hexes = static_cast<double>(problem.mesh().all_hexes), unknowns = static_cast<double>(global_size(system));
+    fits_ = 1e-6 * (direct_matrix_bytes(hexes) + direct_factor_bytes(unknowns)) < room_mb(system);
+  }
+  return *fits_;
+}
+
+bool LastResort::cheap(const CoupledSystem& system) const { return allowed_ && global_size(system) <= few_unknowns; }
+
+FactorReport LastResort::factorise(const CoupledSystem& system, Mumps& mumps) {
+  const auto scope = meters_.clock.measure("factorisation");
+  const bool symmetric = system.problem().symmetric();
+  const FactorReport factor =
+      mumps.factorise(assemble(system, false, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
+  if (factor.too_large) fits_ = false;
+  meters_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
+  return factor;
+}
+
+LinearReport LastResort::solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double tolerance) {
+  Mumps mumps(system.problem().comm(), {.memory_limit_mb = room_mb(system)});
+  const FactorReport factor = factorise(system, mumps);
+  LinearReport report{.negative_pivots = system.problem().symmetric() ? factor.negative_pivots : -1, .factor = factor};
+  if (!factor.ok) return report.reason = "MUMPS: " + factor.reason, report;
+  std::vector<double> r(b.begin(), b.end()), dx(b.size());
+  const double scale = scaled_norm(system, b);
+  std::ranges::fill(x, 0.0);
+  report.reduction = scale > 0 ? 1 : 0;
+  for (int i = 0; i <= refinements && report.reduction > tolerance; ++i) {
+    if (!solve_once(system, mumps, r, dx)) return report.reason = "MUMPS could not solve", report;
+    for (std::size_t k = 0; k < dx.size(); ++k) dx[k] += x[k];
+    system.apply(dx, r);
+    for (std::size_t k = 0; k < r.size(); ++k) r[k] = b[k] - r[k];
+    const double reached = scaled_norm(system, r) / scale;
+    if (!(reached < report.reduction) && i > 0) break;
+    report.reduction = reached;
+    std::ranges::copy(dx, x.begin());
+  }
+  report.ok = std::isfinite(report.reduction);
+  if (!report.ok) report.reason = "MUMPS: the solution is not finite";
+  report.by_fallback = report.ok;
+  return report;
+}
+
+int LastResort::negative_pivots(const CoupledSystem& system) {
+  if (!system.problem().symmetric() || !available(system)) return -1;
+  Mumps mumps(system.problem().comm(), {.memory_limit_mb = room_mb(system)});
+  const FactorReport factor = factorise(system, mumps);
+  return factor.ok ? factor.negative_pivots : -1;
+}
+
+}  // namespace bulbus
