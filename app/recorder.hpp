@@ -29,6 +29,7 @@ class Recorder final : public MarchObserver, public Remembering {
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
   void rests(const MarchPlace& place, State& state, bool last) override;
+  void interrupted(const MarchPlace& place, State& state) override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
   void remember(Keeper& keeper, const MarchPlace& place) override;

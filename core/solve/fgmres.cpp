@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/inner_product.hpp"
+#include "core/base/interrupt.hpp"
 #include "core/solve/krylov_vectors.hpp"
 
 namespace bulbus {
@@ -20,6 +21,8 @@ using Solver = Belos::BlockGmresSolMgr<double, Vectors, Operator>;
 using Iteration = Belos::Iteration<double, Vectors, Operator>;
 using Teuchos::RCP;
 using Teuchos::rcp;
+
+constexpr std::size_t between_safe_points = 8;  // iterations
 
 // Room in double precision for what operators map, one for all that are not applied at once.
 struct Room {
@@ -44,8 +47,8 @@ class Wrapped final : public Operator {
 /// Never ends the iteration: records its residual norms and passes its iterates on.
 class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
  public:
-  Recorder(std::vector<double>& history, const KrylovObserver& observer, bool flexible)
-      : history_(history), observer_(observer), flexible_(flexible) {}
+  Recorder(std::vector<double>& history, const KrylovObserver& observer, bool flexible, const Comm& comm)
+      : history_(history), observer_(observer), flexible_(flexible), comm_(comm) {}
   Belos::StatusType checkStatus(Iteration* it) override {
     std::size_t k = it->getNumIters();
     if (k < history_.size()) return Belos::Failed;  // a restart repeats the last iterate
@@ -53,6 +56,8 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
     it->getNativeResiduals(&norm);
     history_.push_back(norm[0]);
     if (observer_) pass_on(*it, static_cast<int>(k));
+    if (k % between_safe_points == between_safe_points - 1)
+      if (const int signal = interrupt(comm_)) throw Interruption{signal};
     return Belos::Failed;
   }
   Belos::StatusType getStatus() const override { return Belos::Failed; }
@@ -75,6 +80,7 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
   std::vector<double>& history_;
   const KrylovObserver& observer_;
   bool flexible_;
+  const Comm& comm_;
 };
 
 RCP<Teuchos::ParameterList> parameters(const KrylovOptions& o, bool flexible) {
@@ -151,7 +157,7 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
 
   const std::vector<double> guess = from_zero ? std::vector<double>() : std::vector(x.begin(), x.end());
   std::string failure =
-      run(problem, rcp(new Recorder(report.history, observer, flexible)), options, flexible);
+      run(problem, rcp(new Recorder(report.history, observer, flexible, comm)), options, flexible);
   report.iterations = std::max(0, static_cast<int>(report.history.size()) - 1);
   report.basis_bytes = space->peak;
   report.final = residual_norm(A, b, x, comm);

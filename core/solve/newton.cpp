@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/interrupt.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -103,6 +105,7 @@ std::string describe(Outcome outcome) {
     case Outcome::too_large: return "the linear system does not fit into memory";
     case Outcome::too_many_iterations: return "too many Newton iterations";
     case Outcome::not_finite: return "the residual is not finite";
+    case Outcome::interrupted: return "interrupted";
   }
   return "";
 }
@@ -160,14 +163,19 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       missing = excess(now.balance, settings);
     }
     if (number == last) return fail(Outcome::too_many_iterations);
+    if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     {
       const auto scope = meters.clock.measure("linearisation");
       system.linearize(state, *r);
     }
-    now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
-      if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
-      return now.tolerance;
-    });
+    try {
+      now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
+        if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
+        return now.tolerance;
+      });
+    } catch (const Interruption&) {
+      return fail(Outcome::interrupted);
+    }
     report.krylov_iterations += now.linear.iterations;
     if (now.linear.negative_pivots >= 0) report.negative_pivots = now.linear.negative_pivots;
     if (!now.linear.ok) {
