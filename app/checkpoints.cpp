@@ -1,6 +1,7 @@
 #include "app/checkpoints.hpp"
 
 #include <filesystem>
+#include <utility>
 
 #include "app/problem_mark.hpp"
 #include "core/base/memory.hpp"
@@ -43,14 +44,18 @@ Resumed Checkpoint::resume(Problem& problem, Remembering& records) {
 }
 
 void Checkpoints::step_begins(const State& start) {
-  if (every_ > 0) start_ = start;
+  start_ = start;
 }
 
 void Checkpoints::rests(MarchPlace place, State& state, bool last) {
   const int number = place.report.increments;
-  if (every_ == 0 || number == written_ || !(last || number % every_ == 0)) return;
+  if (every_ == 0 || number == 0 || number == written_ || !(last || number % every_ == 0)) return;
   write(place, state);
   written_ = number;
+}
+
+void Checkpoints::interrupted(MarchPlace place, State& state) {
+  if (std::exchange(written_, place.report.increments) != place.report.increments) write(place, state);
 }
 
 void Checkpoints::resumed(const Resumed& from) {

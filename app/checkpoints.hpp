@@ -38,16 +38,18 @@ class Checkpoint {
   MarchPlace place_;
 };
 
-/// Writes checkpoint.h5: each n-th converged increment, and the last.
+/// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
 class Checkpoints {
  public:
   Checkpoints(const Scene& scene, Problem& problem, Remembering& records, const std::string& folder)
       : scene_(scene), problem_(problem), records_(records), path_(checkpoint_in(folder)), every_(scene.output.checkpoint) {}
 
-  /// Keeps where a step begins, nothing if no checkpoints are wanted.
+  /// Keeps where a step begins.
   void step_begins(const State& start);
   /// Writes if it is this increment's turn, or the last chance. Collective. Throws std::runtime_error.
   void rests(MarchPlace place, State& state, bool last);
+  /// Writes unless this state is written. Collective. Throws std::runtime_error.
+  void interrupted(MarchPlace place, State& state);
   void resumed(const Resumed& from);
   std::size_t bytes() const;
 
@@ -58,7 +60,7 @@ class Checkpoints {
   Problem& problem_;
   Remembering& records_;
   std::string path_;
-  int every_, written_ = 0;
+  int every_, written_ = -1;
   State start_;
 };
 

@@ -39,7 +39,7 @@ json summary_in(const std::string& folder) { return json::parse(text_of(folder +
 
 bool is_finished(const Scene& scene, const std::string& folder) {
   const json summary = summary_in(folder);
-  return summary.is_object() &&
+  return summary.is_object() && summary.value("reason", "") != "interrupted" &&
          summary.value("/versions/bulbus"_json_pointer, "") == version &&
          is_of(text_of(folder + "/resolved.yaml"), scene);
 }

@@ -121,7 +121,8 @@ std::vector<MemoryPart> forecast_memory(const Prepared& prepared, const Scene& s
   parts.push_back({"states and residuals", number * 5 * s.unknowns()});
   // fields on their way to a file, measured; elsewhere they are less than a Krylov basis, which is gone by then
   if (scene.output.vtk && easy(scene.solver.newton)) parts.push_back({"results", 20 * megabyte});
-  if (scene.output.checkpoint > 0) parts.push_back({"checkpoints", 90 * s.nodes + 32 * s.hexes});
+  // the state that a step begins with; on their way to the file, nodes and hexahedra with their keys
+  parts.push_back({"checkpoints", scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});
   if (scene.solver.linear.method == "direct")
     add_direct(s, parts);
   else

@@ -106,6 +106,11 @@ void Recorder::rests(const MarchPlace& place, State& state, bool last) {
   checkpoints_.rests(place, state, last);
 }
 
+void Recorder::interrupted(const MarchPlace& place, State& state) {
+  const auto scope = meters_.clock.measure("checkpoints");
+  checkpoints_.interrupted(place, state);
+}
+
 void Recorder::remember(Keeper& keeper, const MarchPlace& place) {
   keeper.scalars("counts", increments_, cuts_, negative_pivots_);
   if (!keeper.reading() || keeper.knows("linear solver")) keeper.scalars("linear solver", direct_solves_, unstable_increments_);

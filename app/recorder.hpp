@@ -31,6 +31,7 @@ class Recorder final : public MarchObserver, public Remembering {
   void increment_done(const Increment& increment, const State& state) override;
   void solve_lasts(const SolveProgress& progress) { narrator_.solve_lasts(progress); }
   void rests(const MarchPlace& place, State& state, bool last) override;
+  void interrupted(const MarchPlace& place, State& state) override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
   void remember(Keeper& keeper, const MarchPlace& place) override;

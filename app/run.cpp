@@ -11,6 +11,7 @@
 #include "app/recorder.hpp"
 #include "app/sizes.hpp"
 #include "app/summary.hpp"
+#include "core/base/interrupt.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/text_file.hpp"
 #include "precond/displacement.hpp"
@@ -86,8 +87,12 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
     if (const auto& value = recorder.values()[i]; value && model.probes[i].kind == "closed_fraction")
       log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *value,
                            model.probes[i].tolerance));
-  if (!march.converged) log.error("not converged: " + march.reason);
-  if (!diagnosis.empty()) log.error("diagnosis: " + diagnosis);
+  if (march.signal)
+    log.warn(fmt::format("interrupted by {} after increment {}: 'bulbus run' with --restart goes on from there", name_of_interrupt(march.signal),
+                         march.increments));
+  else if (!march.converged)
+    log.error("not converged: " + march.reason);
+  if (!diagnosis.empty() && !march.signal) log.error("diagnosis: " + diagnosis);
   log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
                        march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
   if (recorder.direct_solves() > 0)
@@ -128,6 +133,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   write_header(log, scene, scene_path, prepared);
   log.info(fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * sum_of(memory)));
 
+  const InterruptsHeeded heeded;
   Recorder recorder(prepared, scene, out_dir, log, meters, start_of_records);
   const LinearSettings& linear = scene.solver.linear;
   CoupledSystem system(problem, settings_of_system(linear));
@@ -148,6 +154,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   if (!diagnosis.empty()) summary["diagnosis"] = diagnosis;
   if (comm.rank() == 0) write_json(out_dir + "/summary.json", summary);
   write_end(log, scene.model, recorder, report, diagnosis, out_dir, seconds);
+  if (report.signal) return 128 + report.signal;
   return report.converged ? 0 : 1;
 }
 

@@ -10,6 +10,7 @@
 #include "app/prepare.hpp"
 #include "app/study_figure.hpp"
 #include "app/study_json.hpp"
+#include "core/base/interrupt.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/text_file.hpp"
 
@@ -52,7 +53,14 @@ class StudyRunner {
     if (!study_.title.empty()) log.info(study_.title);
     log.info(size_text(study_));
     int failures = 0;
-    for (std::size_t i = 0; i < runs_.size(); ++i) failures += solve(i, log);
+    const InterruptsHeeded heeded;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      failures += solve(i, log);
+      if (const int signal = interrupt(comm_)) {
+        log.warn(fmt::format("interrupted by {}: the same command goes on with {}", name_of_interrupt(signal), runs_[i].name));
+        return 128 + signal;
+      }
+    }
     tell(log, lines_of(study_, results_));
     tell(log, lines_of(study_, results_, trends_of(study_, results_)));
     log.info("");

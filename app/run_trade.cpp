@@ -10,6 +10,7 @@
 #include "app/folder.hpp"
 #include "app/narrator.hpp"
 #include "app/trade_records.hpp"
+#include "core/base/interrupt.hpp"
 #include "core/base/process.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/text_file.hpp"
@@ -45,9 +46,16 @@ class TradeRunner {
         log_(folder_ + "/trade.log", comm) {}
 
   int march() {
+    const InterruptsHeeded heeded;
     log_.info(fmt::format("{}: {} runs, each {} times", trade_.scene, trade_.runs.size(), options_.repeat));
     for (int round = 1; round <= options_.repeat; ++round)
-      for (int run = 0; run < static_cast<int>(trade_.runs.size()); ++run) solve(run, round);
+      for (int run = 0; run < static_cast<int>(trade_.runs.size()); ++run) {
+        solve(run, round);
+        if (const int signal = interrupt_here()) {
+          log_.warn(fmt::format("interrupted by {}: the same command goes on with {}", name_of_interrupt(signal), trade_.runs[run].name));
+          return 128 + signal;
+        }
+      }
     log_.info("");
     for (const std::string& line : lines_of(trade_, results_)) log_.info(line);
     log_.info("");

@@ -21,7 +21,7 @@ struct OutputSettings {
     v("vtk", vtk, About{"write result_*.vtkhdf and their series, and the rigid bodies as bodies_*.vtp with bodies.pvd"});
     v("every", every, About{"save each n-th converged increment, and always the last"}.between(1, 1000000));
     v("checkpoint", checkpoint,
-      About{"write checkpoint.h5, from which --restart goes on, at each n-th converged increment and at the end; 0: never"}.between(0, 1000000));
+      About{"write checkpoint.h5, from which --restart goes on, at each n-th converged increment and at the end; 0: only where the run is interrupted"}.between(0, 1000000));
     v("fields", fields,
       About{"what is saved; the last three where the scene has contacts: gap in mm, pressure in MPa, 1 where closed"}.one_of(
           {"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure", "contact_status"}));

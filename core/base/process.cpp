@@ -6,9 +6,12 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+
+#include "core/base/interrupt.hpp"
 
 namespace bulbus {
 namespace {
@@ -54,7 +57,9 @@ Ended run_process(const std::vector<std::string>& arguments, unsigned timeout) {
   if (child < 0) return {.reason = "no process could be made"};
   int status = 0;
   rusage used{};
-  wait4(child, &status, 0, &used);
+  pass_interrupts_to(child);
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {}
+  pass_interrupts_to(0);
   Ended e{.ran = WIFEXITED(status), .status = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .reason = reason_of(status)};
   e.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   e.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);

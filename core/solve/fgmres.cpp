@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/inner_product.hpp"
+#include "core/base/interrupt.hpp"
 #include "core/solve/krylov_vectors.hpp"
 
 namespace bulbus {
@@ -20,6 +21,8 @@ using Solver = Belos::BlockGmresSolMgr<double, Vectors, Operator>;
 using Iteration = Belos::Iteration<double, Vectors, Operator>;
 using Teuchos::RCP;
 using Teuchos::rcp;
+
+constexpr std::size_t between_safe_points = 8;  // iterations
 
 // Room in double precision for what operators map, one for all that are not applied at once.
 struct Room {
@@ -44,8 +47,8 @@ class Wrapped final : public Operator {
 /// Records the iteration's residual norms, passes its iterates on, and ends it where it is told to.
 class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
  public:
-  Recorder(std::vector<double>& history, const KrylovObserver& observer, const KrylovOptions& options, bool flexible)
-      : history_(history), observer_(observer), go_on_(options.go_on), flexible_(flexible) {}
+  Recorder(std::vector<double>& history, const KrylovObserver& observer, const KrylovOptions& options, bool flexible, const Comm& comm)
+      : history_(history), observer_(observer), go_on_(options.go_on), flexible_(flexible), comm_(comm) {}
   Belos::StatusType checkStatus(Iteration* it) override {
     std::size_t k = it->getNumIters();
     if (k < history_.size()) return Belos::Failed;  // a restart repeats the last iterate
@@ -54,6 +57,8 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
     history_.push_back(norm[0]);
     std::vector<double> room;
     if (observer_) observer_(static_cast<int>(k), iterate(*it, room));
+    if (k % between_safe_points == between_safe_points - 1)
+      if (const int signal = interrupt(comm_)) throw Interruption{signal};
     if (k == 0 || !go_on_ || go_on_(static_cast<int>(k), norm[0])) return Belos::Failed;
     const auto last = iterate(*it, room);
     last_.assign(last.begin(), last.end());
@@ -84,6 +89,7 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
   const std::function<bool(int, double)>& go_on_;
   bool flexible_;
   std::vector<double> last_;
+  const Comm& comm_;
 };
 
 RCP<Teuchos::ParameterList> parameters(const KrylovOptions& o, bool flexible) {
@@ -159,7 +165,7 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   if (report.initial <= options.tolerance * scale) return ends(true, "the initial guess suffices");
 
   const std::vector<double> guess = from_zero ? std::vector<double>() : std::vector(x.begin(), x.end());
-  const auto recorder = rcp(new Recorder(report.history, observer, options, flexible));
+  const auto recorder = rcp(new Recorder(report.history, observer, options, flexible, comm));
   std::string failure = run(problem, recorder, options, flexible);
   if (!failure.empty() && !recorder->last().empty()) {
     std::ranges::copy(recorder->last(), x.begin());

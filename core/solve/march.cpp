@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/interrupt.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -67,7 +69,16 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       place.begun = true;
     }
     Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size);
+    const auto leave = [&] {
+      report.signal = interrupt(problem.comm());
+      report.reason = describe(Outcome::interrupted);
+      problem.set_progress(done, state);
+      for (const auto& term : problem.terms()) term->roll_back();
+      observer.interrupted(place, state);
+      return report;
+    };
     while (done < 1) {
+      if (interrupt(problem.comm())) return leave();
       const double to = increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = state;
@@ -75,6 +86,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
                                            [&](const NewtonIteration& i) { observer.newton_iteration(i); });
       report.newton_iterations += static_cast<int>(newton.iterations.size());
       report.krylov_iterations += newton.krylov_iterations;
+      if (newton.outcome == Outcome::interrupted) return leave();
       if (newton.outcome != Outcome::converged) {
         for (const auto& term : problem.terms()) term->roll_back();
         solver.renew();

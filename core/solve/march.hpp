@@ -18,6 +18,7 @@ struct Increment {
 struct MarchReport {
   bool converged = false;
   std::string reason;  ///< why not
+  int signal = 0;      ///< that interrupted it; 0: none did
   int increments = 0, cuts = 0, newton_iterations = 0, krylov_iterations = 0;
 };
 
@@ -44,6 +45,8 @@ class MarchObserver {
   virtual void increment_done(const Increment&, const State&) {}
   /// All of that is over: here the march may be left and taken up again. `last`: it ends here, finished or not.
   virtual void rests(const MarchPlace&, State&, bool /*last*/) {}
+  /// In place of that, where a signal ends the march: the last good state is to be kept.
+  virtual void interrupted(const MarchPlace&, State&) {}
 };
 
 /// Increments of a step that has not begun, if nothing fails.
@@ -51,7 +54,7 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings);
 
 /// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. From the first failure in
 /// a step on its linear solves are tight; a small system is tried once more so before the increment is cut. On return `state` is the last
-/// good one. A `place` in the middle is one to which problem and state have been brought. Collective.
+/// good one: so it is where an interrupt ends it. A `place` in the middle is one to which problem and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
                   Meters& meters, MarchObserver& observer, MarchPlace place = {});
 

@@ -9,6 +9,7 @@
 
 #include "core/problem/admissible.hpp"
 #include "core/problem/enclosed_parts.hpp"
+#include "core/base/interrupt.hpp"
 
 namespace bulbus {
 namespace {
@@ -108,6 +109,7 @@ std::string describe(Outcome outcome) {
     case Outcome::too_many_iterations: return "too many Newton iterations";
     case Outcome::not_finite: return "the residual is not finite";
     case Outcome::inadmissible: return "no body can be in the state that was found";
+    case Outcome::interrupted: return "interrupted";
   }
   return "";
 }
@@ -173,15 +175,20 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       missing = excess(now.balance, settings);
     }
     if (number == last) return fail(Outcome::too_many_iterations);
+    if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     {
       const auto scope = meters.clock.measure("linearisation");
       if (solver.counts_pivots(system)) linearised = state;
       system.linearize(linearised ? *linearised : state, *r);
     }
-    now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
-      if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
-      return now.tolerance;
-    });
+    try {
+      now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
+        if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
+        return now.tolerance;
+      });
+    } catch (const Interruption&) {
+      return fail(Outcome::interrupted);
+    }
     report.krylov_iterations += now.linear.iterations;
     report.negative_pivots = now.linear.negative_pivots;
     report.direct_solves += now.linear.by_fallback;

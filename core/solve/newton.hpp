@@ -6,7 +6,7 @@
 
 namespace bulbus {
 
-enum class Outcome { converged, inverted_element, linear_solver_failed, too_large, too_many_iterations, not_finite, inadmissible };
+enum class Outcome { converged, inverted_element, linear_solver_failed, too_large, too_many_iterations, not_finite, inadmissible, interrupted };
 
 /// In words, for logs and summaries.
 std::string describe(Outcome outcome);

@@ -1,0 +1,43 @@
+// Runs that are ended from outside: what they leave, and that they go on.
+#include <csignal>
+
+#include "core/base/interrupt.hpp"
+#include "tests/cases/run_case.hpp"
+
+namespace bulbus::test {
+namespace {
+
+Ran interrupted_by(int signal) {
+  const InterruptsHeeded heeded;
+  std::raise(signal);
+  return run_case("interrupted");
+}
+
+TEST(Interrupt, EndsWithTheSignalsStatusAndWholeRecords) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Ran run = interrupted_by(signal);
+    EXPECT_EQ(run.status, 128 + signal) << run.err;
+    EXPECT_EQ(run.summary()["converged"], false);
+    EXPECT_EQ(run.summary()["reason"], "interrupted");
+    EXPECT_NE(run.text("run.log").find(std::string("interrupted by ") + name_of_interrupt(signal)), std::string::npos);
+    EXPECT_TRUE(run.wrote("checkpoint.h5"));  // though the scene asks for none
+  }
+}
+
+TEST(Interrupt, LeavesWhatARestartGoesOnFrom) {
+  const Ran left = interrupted_by(SIGTERM);
+  std::ostringstream out, err;
+  const std::string folder = left.folder;
+  const int status = command_line({"run", folder + "/s.yaml", "-o", folder + "/out", "--restart"}, Comm(MPI_COMM_SELF), out, err);
+  ASSERT_EQ(status, 0) << err.str();
+  EXPECT_EQ(left.summary()["totals"]["increments"], 2);
+  EXPECT_NEAR(probe(left, "length"), 1.4, 1e-9);
+}
+
+TEST(Interrupt, OfAnEarlierRunIsForgotten) {
+  interrupted_by(SIGINT);
+  EXPECT_EQ(run_case("interrupted").status, 0);
+}
+
+}  // namespace
+}  // namespace bulbus::test
