@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace bulbus {
-namespace {
 
 double greatest_motion(std::span<const double> now, std::span<const double> before) {
   double most = 0;
@@ -12,8 +11,6 @@ double greatest_motion(std::span<const double> now, std::span<const double> befo
     most = std::max(most, std::pow(now[i] - before[i], 2) + std::pow(now[i + 1] - before[i + 1], 2) + std::pow(now[i + 2] - before[i + 2], 2));
   return std::sqrt(most);
 }
-
-}  // namespace
 
 void Clearances::move(std::span<const double> points, std::span<const double> surface) {
   if (points_.empty())

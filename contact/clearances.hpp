@@ -4,6 +4,9 @@
 
 namespace bulbus {
 
+/// Largest distance between two places of one point, 3 numbers each.
+double greatest_motion(std::span<const double> now, std::span<const double> before);
+
 /// Which points are too far from the surface to matter: each once measured, less what points and surface have moved since.
 class Clearances {
  public:

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "contact/contact_term.hpp"
@@ -19,7 +21,11 @@ void ContactTerm::begin_increment() {
   found_.key.clear();
 }
 
-void ContactTerm::begin_step(int, const State& state) { commit(state); }
+// Bodies that a step brings to touch get there without a way; what is inside as the first step begins is in contact.
+void ContactTerm::begin_step(int, const State& state) {
+  if (!start_.points.empty()) leave(state);
+  commit(state);
+}
 
 void ContactTerm::set_progress(double s) {
   fade_ = 1 - s;
@@ -32,12 +38,20 @@ void ContactTerm::freeze() {
   committed_.overlap.clear();
 }
 
+std::string ContactTerm::refusal(const State& state) const {
+  const double motion = comm_.max(found(state).motion), most = farthest_search * limits_.reach;
+  if (motion <= most) return {};
+  return fmt::format("contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than the search looks "
+                     "({:.3g} mm), so that a contact may have been missed. Give the step more increments",
+                     name_, motion, most);
+}
+
 void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
   for (const Touch& t : find(state, limits_, Search::remembering).touches) current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
   found_.key.clear();
-  leave_places();
+  leave(state);
 }
 
 // With the smoothing that the last increment has ended with: without it, that one's state is out of balance.
@@ -80,14 +94,18 @@ void ContactTerm::recall(std::span<const double> rows) {
   committed_ = current_;
   soft_ = false;
   found_.key.clear();
-  leave_places();
-}
-
-// Where a rigid master is as the increment ends.
-void ContactTerm::leave_places() {
+  start_.resumed = true;
   if (!master_.rigid()) return;
   const auto places = master_.places({});
-  places_.assign(places.begin(), places.end());
+  start_.places.assign(places.begin(), places.end());
+}
+
+// Where an increment ends the next one's ways begin.
+void ContactTerm::leave(const State& state) {
+  start_.points = outermost(state);
+  const auto places = master_.places(state);
+  start_.places.assign(places.begin(), places.end());
+  start_.resumed = false;
 }
 
 double ContactTerm::penetration(const Found& f) const {
@@ -106,12 +124,7 @@ double ContactTerm::violation(const Found& f) const {
 
 // How far any point of a rigid master has moved since the last increment ended.
 double ContactTerm::way() const {
-  double most = 0;
-  if (!master_.rigid()) return most;
-  const auto now = master_.places({});
-  for (std::size_t i = 0; i < places_.size(); i += 3)
-    most = std::max(most, norm(Vec3<double>{now[i] - places_[i], now[i + 1] - places_[i + 1], now[i + 2] - places_[i + 2]}));
-  return most;
+  return master_.rigid() && !start_.places.empty() ? greatest_motion(master_.places({}), start_.places) : 0;
 }
 
 bool ContactTerm::revise(const State& state) {

@@ -75,20 +75,26 @@ SlaveSurface::Shape ContactTerm::shape(std::span<const double> x) const {
   return points_.on_faces() ? points_.shape(x) : slave_.shape(x);
 }
 
-ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& limits, Search how) const {
+ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& near_by, Search how) const {
   Found f;
   f.shape = shape(state.x);
   const MasterSurface master = master_.at(state);
   const std::vector<double> points = outermost(state.x, f.shape);
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::ranges::all_of(points, finite) || !std::ranges::all_of(master.places, finite)) return f;
-  const Candidates& near = search_.update(points, master.facets.triangles, master.places);
+  const bool history = how != Search::whole && look_back(points, master.places);
+  SearchLimits limits = near_by;
+  if (history) {
+    f.motion = greatest_motion(points, start_.points) + greatest_motion(master.places, start_.places);
+    if (f.motion > limits.reach) limits.reach = std::min(1.5 * f.motion, farthest_search * limits_.reach);
+  }
+  const Candidates& near = search_.update(points, master.facets.triangles, master.places, limits.reach);
   clearances_.move(points, master.places);
-  const double margin = limits_.depth + rise_;  // a point deeper than the depth may come back to the surface
+  const double margin = limits.depth + rise_;  // a point deeper than the depth may come back to the surface
   for (int i = 0; i < points_.size(); ++i) {
     if (how == Search::sparing && idle(i)) continue;
     const Vec3<double> x = point(points, i);
-    double nearest = limits_.reach;
+    double nearest = limits.reach;
     for (auto rest = near.of(i); !rest.empty();) {
       const int piece = master_.piece_of(rest.front()), slot = i * master_.pieces() + piece;
       const auto end = std::ranges::find_if(rest, [&](int t) { return master_.piece_of(t) != piece; });
@@ -96,15 +102,52 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& lim
       rest = rest.subspan(candidates.size());
       auto chosen = held(master, x, slot);
       const bool walks = !chosen;
-      if (!chosen) chosen = select(master, x, f.shape.normals[i], how != Search::whole ? committed_.triangle[slot] : -1, candidates, limits);
+      if (!chosen) {
+        const int start = how != Search::whole ? committed_.triangle[slot] : -1;
+        chosen = select(master, x, f.shape.normals[i], start, candidates, limits);
+        if (history) follow(master, {point(start_.points, i), x}, f.shape.normals[i], start, candidates, *chosen);
+      }
       nearest = std::min(nearest, walks ? chosen->distance : 0);
       if (chosen->triangle < 0) continue;
-      f.touches.push_back(touch(master, x, i, slot, walks && master_.smooth() ? foot_of(master, x, chosen->triangle) : chosen->triangle));
+      f.touches.push_back(touch(master, x, i, slot, walks ? foot(master, x, chosen->triangle) : chosen->triangle));
       if (f.touches.back().pair.gap <= 0) nearest = 0;
     }
     clearances_.set(i, nearest - margin);
   }
   return f;
+}
+
+// The triangle whose curved surface a point is measured from; that of its normal line where it has come in too far to tell.
+int ContactTerm::foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const {
+  if (!master_.smooth() || project(x, master.corners(triangle)).gap < -limits_.depth) return triangle;
+  return foot_of(master, x, triangle);
+}
+
+// Is it known where the points were when the last increment ended? After a restart they are still there.
+bool ContactTerm::look_back(std::span<const double> points, std::span<const double> places) const {
+  if (start_.resumed) {
+    start_.resumed = false;
+    start_.points.assign(points.begin(), points.end());
+    if (!master_.rigid()) start_.places.assign(places.begin(), places.end());
+  }
+  return !start_.points.empty();
+}
+
+// History decides: a point behind the surface is inside if it was in contact before or has come through the surface since, however deep it is
+// now; on the far side of a thin layer it is not.
+void ContactTerm::follow(const MasterSurface& master, const Way& way, const Vec3<double>& N, int start, std::span<const int> candidates,
+                         Selection& chosen) const {
+  const bool inside = chosen.triangle >= 0 && project(way.to, master.corners(chosen.triangle)).gap < 0;
+  if (inside && start >= 0) return;
+  const double on_surface = 1e-9 * limits_.reach;
+  const bool touched = start >= 0 && project(way.from, corners_of(master.facets, start_.places, start)).gap <= on_surface;
+  const int through = touched ? start : entered_through(master, start_.places, way, candidates, on_surface);
+  if (inside && through < 0) chosen.triangle = -1;
+  if (inside || through < 0) return;
+  const int met = track(master, way.to, N, through), t = met >= 0 ? met : nearest_from(master, way.to, through);
+  const Pair p = project(way.to, master.corners(t));
+  const bool over = met >= 0 || std::ranges::min(p.weights) >= -1e-6;  // a way that leads in and out again ends beside the triangle
+  if (over && p.gap < 0) chosen.triangle = t, chosen.distance = 0;
 }
 
 // Too far away to touch, and without a multiplier that could pull it back.
@@ -156,7 +199,7 @@ void ContactTerm::add_residual(const State& state, std::span<double> force, std:
     const auto shares = points_.shares(t.point, state.x, t.pair.normal);
     for (int k = 0; k < point.carriers; ++k) add(point.nodes[k], shares[k]);
     if (!master_.rigid())
-      for (int i = 0; i < 3; ++i) add(master_.facets().triangles[t.triangle][i], -t.pair.weights[i] * t.pair.normal);
+      for (int i = 0; i < 3; ++i) add(master_.node(t.triangle, i), -t.pair.weights[i] * t.pair.normal);
   }
 }
 
@@ -203,7 +246,7 @@ void ContactTerm::add_tangent(const State& state, const Touch& t, double a, doub
   };
   for (int k = 0; k < point.carriers; ++k) add(point.nodes[k], 0, point.weights[k], shares[k]);
   if (!master_.rigid())
-    for (int i = 0; i < 3; ++i) add(master_.facets().triangles[t.triangle][i], 1 + i, 1, -t.pair.weights[i] * t.pair.normal);
+    for (int i = 0; i < 3; ++i) add(master_.node(t.triangle, i), 1 + i, 1, -t.pair.weights[i] * t.pair.normal);
   const auto K = tangent_.block({nodes.data(), static_cast<std::size_t>(n)});
   for (int i = 0; i < 3 * n; ++i)
     for (int j = 0; j < 3 * n; ++j) K[3 * n * i + j] += a * D[i] * D[j];

@@ -8,6 +8,7 @@
 #include "contact/position_codes.hpp"
 #include "contact/pressure_law.hpp"
 #include "contact/slave_points.hpp"
+#include "contact/sweep.hpp"
 #include "core/base/parallel.hpp"
 #include "core/problem/contact_spec.hpp"
 #include "core/problem/term.hpp"
@@ -59,6 +60,7 @@ class ContactTerm final : public Term {
   void commit(const State& state) override;
   void roll_back() override;
   void remember(Keeper& keeper) override;
+  std::string refusal(const State& state) const override;
 
   /// N·mm
   double potential(const State& state) const;
@@ -79,6 +81,7 @@ class ContactTerm final : public Term {
   void resolve(const State& start);
 
  private:
+  static constexpr double farthest_search = 16;  // in reaches; a point that moves farther may have missed a contact
   struct Touch {
     int point, slot, triangle;
     Pair pair;
@@ -88,6 +91,12 @@ class ContactTerm final : public Term {
     std::vector<double> key;       // where the surfaces are
     std::vector<Touch> touches;    // by slave point, then piece
     SlaveSurface::Shape shape;
+    double motion = 0;             // of a point relative to the master since the last increment ended, at most, mm
+  };
+  // Where slave points and corners of the master were when the last increment ended; empty: not known.
+  struct IncrementStart {
+    std::vector<double> points, places;
+    bool resumed = false;  // the points are where the next search finds them
   };
 
   std::vector<double> surfaces(const State& state) const;
@@ -98,6 +107,10 @@ class ContactTerm final : public Term {
   enum class Search { whole, remembering, sparing };
   Found find(const State& state, const SearchLimits& limits, Search how) const;
   static Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle);
+  int foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
+  bool look_back(std::span<const double> points, std::span<const double> places) const;
+  void follow(const MasterSurface& master, const Way& way, const Vec3<double>& N, int start, std::span<const int> candidates,
+              Selection& chosen) const;
   bool idle(int point) const;
   std::optional<Selection> held(const MasterSurface& master, const Vec3<double>& x, int slot) const;
   double gap(const Touch& touch) const;
@@ -108,7 +121,7 @@ class ContactTerm final : public Term {
   bool smoothed(int slot) const;
   double way() const;
   void begin_increment();
-  void leave_places();
+  void leave(const State& state);
   void recall(std::span<const double> rows);
   void watch(const std::vector<int>& now);
 
@@ -120,7 +133,7 @@ class ContactTerm final : public Term {
   std::vector<double> area0_;
   double penalty_, tolerance_, fade_ = 1;
   bool soft_ = false;
-  std::vector<double> places_;  // of a rigid master when the last increment ended
+  mutable IncrementStart start_;
   SearchLimits limits_;
   ContactMemory committed_, current_;
   Augmentation augmentation_;

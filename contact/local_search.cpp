@@ -95,7 +95,7 @@ MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::sp
   }
 }
 
-Triangle MasterSurface::corners(int triangle) const {
+Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle) {
   Triangle c;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) c[i][k] = places[3 * facets.triangles[triangle][i] + k];

@@ -7,6 +7,9 @@
 
 namespace bulbus {
 
+/// Corners of a triangle of a surface whose corners are at `places`, 3 numbers each.
+Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle);
+
 /// A master surface where it is now. Numbers of triangles are the same on every rank: they break ties.
 struct MasterSurface {
   struct Sphere {
@@ -15,7 +18,7 @@ struct MasterSurface {
   };
   /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. The surface and its places must stay.
   MasterSurface(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals = {});
-  Triangle corners(int triangle) const;
+  Triangle corners(int triangle) const { return corners_of(facets, places, triangle); }
 
   const Facets& facets;
   std::span<const double> places;

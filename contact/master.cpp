@@ -8,6 +8,8 @@ Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles
   for (const auto& t : faces_.triangles) nodes_.insert(nodes_.end(), t.begin(), t.end());
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  for (auto& t : faces_.triangles)
+    for (int& n : t) n = static_cast<int>(std::ranges::lower_bound(nodes_, n) - nodes_.begin());
 }
 
 Master::Master(std::shared_ptr<const RigidSurface> surface)
@@ -16,6 +18,13 @@ Master::Master(std::shared_ptr<const RigidSurface> surface)
       piece_(surface_->facets.triangles.size()) {
   for (std::size_t k = 0; k < surface_->parts.size(); ++k)
     std::fill_n(piece_.begin() + surface_->parts[k].first_triangle, surface_->parts[k].triangles, static_cast<int>(k));
+}
+
+std::span<const double> Master::places(const State& state) const {
+  if (surface_) return surface_->places;
+  places_.clear();
+  for (int n : nodes_) places_.insert(places_.end(), &state.x[3 * n], &state.x[3 * n] + 3);
+  return places_;
 }
 
 MasterSurface Master::at(const State& state) const {

@@ -9,7 +9,7 @@ namespace bulbus {
 /// The side that nodes are kept out of: faces of the mesh (one piece), or the parts of a rigid body, each a master of its own.
 class Master {
  public:
-  /// Corners are local nodes; all triangles on every rank that has slave nodes, in the same order.
+  /// Corners are local nodes, renumbered to those in use; all triangles on every rank that has slave nodes, in the same order.
   explicit Master(Facets faces);
   explicit Master(std::shared_ptr<const RigidSurface> surface);
 
@@ -19,16 +19,19 @@ class Master {
   int pieces() const { return pieces_; }
   int piece_of(int triangle) const { return piece_[triangle]; }
   MasterSurface at(const State& state) const;
-  /// Where its corners are.
-  std::span<const double> places(const State& state) const { return surface_ ? std::span<const double>(surface_->places) : state.x; }
+  /// Where its corners are, 3 numbers each, mm; until the next call or the next motion of a rigid body.
+  std::span<const double> places(const State& state) const;
   /// The mesh nodes of its corners, ascending; none of a rigid body.
   const std::vector<int>& nodes() const { return nodes_; }
+  /// The mesh node of a corner of a triangle.
+  int node(int triangle, int corner) const { return nodes_[faces_.triangles[triangle][corner]]; }
 
  private:
   Facets faces_;
   std::shared_ptr<const RigidSurface> surface_;
   int pieces_ = 1;
   std::vector<int> piece_, nodes_;
+  mutable std::vector<double> places_;
 };
 
 }  // namespace bulbus

@@ -128,8 +128,10 @@ Candidates find_candidates(std::span<const double> points, std::span<const std::
 }
 
 const Candidates& GlobalSearch::update(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
-                                       std::span<const double> places) {
-  if (searches_ > 0 && motion(points, places) <= margin_ / 2) return candidates_;
+                                       std::span<const double> places, double reach) {
+  reach = std::max(reach, least_reach_);
+  if (searches_ > 0 && reach <= reach_ && motion(points, places) <= margin_ / 2) return candidates_;
+  reach_ = reach;
   if (searches_ == 0) {
     for (const auto& t : triangles) corners_.insert(corners_.end(), t.begin(), t.end());
     std::sort(corners_.begin(), corners_.end());

@@ -23,19 +23,19 @@ Candidates find_candidates(std::span<const double> points, std::span<const std::
                            std::span<const double> places, double inflation, int group = 1);
 
 /// Keeps candidates that hold every triangle within `reach` of a point, and searches anew only when points or corners have moved
-/// by more than half the margin since the last time.
+/// by more than half the margin since the last time, or the reach is larger than it was then.
 class GlobalSearch {
  public:
-  GlobalSearch(double reach, double margin, int group = 1) : reach_(reach), margin_(margin), group_(group) {}
-  /// The triangles must be the same in every call.
+  GlobalSearch(double reach, double margin, int group = 1) : least_reach_(reach), reach_(reach), margin_(margin), group_(group) {}
+  /// The triangles must be the same in every call. `reach`: if larger than the least one.
   const Candidates& update(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
-                           std::span<const double> places);
+                           std::span<const double> places, double reach = 0);
   int searches() const { return searches_; }
 
  private:
   double motion(std::span<const double> points, std::span<const double> places) const;
 
-  double reach_, margin_;
+  double least_reach_, reach_, margin_;
   int group_;
   std::vector<int> corners_;                     // places in use
   std::vector<double> points_, corner_places_;   // at the last search

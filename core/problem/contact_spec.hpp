@@ -17,7 +17,7 @@ struct ContactSpec {
     v("slave", slave, About{"surface whose nodes are kept out of the master: the softer side"}.needed());
     v("master", master, About{"surface of the mesh, or rigid body"}.needed());
     v("penalty", penalty, About{"pressure per penetration, MPa/mm; 0: chosen from the softer side and the thinner layer"}.at_least(0));
-    v("depth", depth, About{"a node deeper than this is not in contact but on another side; 0: half the thinner layer",
+    v("depth", depth, About{"a point deeper than this as the run begins is on another side; later, whether it came through; 0: half the thinner layer",
                             Quantity::length}.at_least(0));
     v("tolerance", tolerance,
       About{"largest penetration; the augmented-Lagrangian loop drives it below this; 0: penalty alone", Quantity::length}.at_least(0));

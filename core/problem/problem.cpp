@@ -130,6 +130,13 @@ bool Problem::revise(const State& state) {
   return again;
 }
 
+std::string Problem::refusal(const State& state) const {
+  std::string first;
+  for (const auto& term : terms())
+    if (std::string refusal = term->refusal(state); first.empty()) first = std::move(refusal);
+  return first;
+}
+
 Residual Problem::residual(const State& state) const {
   Residual r{std::vector<double>(state.x.size()), std::vector<double>(state.lambda.size()), {},
              std::vector<double>(mesh_.nodes())};

@@ -94,6 +94,8 @@ class Problem {
   /// Asks every term whether Newton, which has converged, has to go on. Collective.
   bool provisional() const;
   bool revise(const State& state);
+  /// Why a state that Newton has converged to must not be accepted; empty: it may. Collective.
+  std::string refusal(const State& state) const;
   double progress() const { return s_; }
 
   /// Collective.

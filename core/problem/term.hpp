@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 
 #include "core/element/contribution.hpp"
 #include "core/problem/state.hpp"
@@ -29,6 +30,8 @@ class Term {
   /// Newton has converged for what the term holds fixed meanwhile (multipliers, damping): true if that has to change first, so
   /// that Newton goes on. Collective.
   virtual bool revise(const State&) { return false; }
+  /// Newton has converged: why the state must not be accepted all the same; empty: it may. Collective.
+  virtual std::string refusal(const State&) const { return {}; }
   /// Loads follow the part s of the step done; freeze() keeps the end of the step for the next ones.
   virtual void set_progress(double) {}
   virtual void freeze() {}

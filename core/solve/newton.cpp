@@ -167,6 +167,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       if (!problem.revise(state)) {
         if (observer) observer(now);
         if (std::string why = why_inadmissible(problem, state); !why.empty()) return fail(Outcome::inadmissible, std::move(why));
+        if (std::string why = problem.refusal(state); !why.empty()) return fail(Outcome::inadmissible, std::move(why));
         judge_stability();
         return report;
       }
