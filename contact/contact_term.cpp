@@ -10,6 +10,7 @@ namespace {
 
 constexpr int most_changes = 4;
 constexpr double softening = 0.1;
+constexpr double rounding = 0.2;  // radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in
 constexpr double band = 0.02;  // half width of the smoothed onset, in allowed depths
 
 Vec3<double> point(std::span<const double> x, int n) { return {x[3 * n], x[3 * n + 1], x[3 * n + 2]}; }
@@ -19,6 +20,14 @@ double overshoot(const Pair& p) {
   const auto& [t1, t2] = p.duals;
   const double l1 = norm({t1[0] + t2[0], t1[1] + t2[1], t1[2] + t2[2]});
   return std::max({-p.weights[0] / l1, -p.weights[1] / norm(t1), -p.weights[2] / norm(t2)});
+}
+
+FaceGap face_gap(const MasterSurface& master, const Vec3<double>& x, int triangle) {
+  const Triangle corners = master.corners(triangle);
+  const Pair flat = project(x, corners);
+  if (master.normals.empty()) return {flat.gap, flat.normal};
+  const CurvedGap curved = curved_gap(flat, corners, master.normals[triangle]);
+  return {curved.gap, curved.gradient, curved.bend};
 }
 
 }  // namespace
@@ -32,6 +41,7 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
       area0_(shape(sides.X).areas),
       penalty_(spec.penalty > 0 ? spec.penalty : defaults.penalty),
       tolerance_(spec.tolerance),
+      edge_radius_(rounding * (spec.depth > 0 ? spec.depth : defaults.depth)),
       limits_{spec.depth > 0 ? spec.depth : defaults.depth, defaults.reach},
       search_(0, 0) {
   points_.bulge(sides.X, sides.slave, sides.symmetry);
@@ -157,14 +167,17 @@ bool ContactTerm::idle(int point) const {
   return clearances_.far(point) && std::ranges::all_of(p, [](double v) { return v == 0; });
 }
 
-ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) {
-  const Triangle corners = master.corners(triangle);
-  Touch t{point, slot, triangle, project(x, corners)};
-  if (master.normals.empty()) return t;
-  const CurvedGap curved = curved_gap(t.pair, corners, master.normals[triangle]);
-  t.pair.gap = curved.gap;
-  t.pair.normal = curved.gradient;
-  t.bend = curved.bend;
+ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const {
+  Touch t{point, slot, triangle, project(x, master.corners(triangle))};
+  if (!master_.rigid()) return t;
+  const auto across = master_.across_edges(triangle);
+  std::vector<FaceGap> faces{face_gap(master, x, triangle)};
+  for (int other : across)
+    if (const FaceGap g = face_gap(master, x, other); g.gap > -edge_radius_) faces.push_back(g);
+  const FaceGap g = rounded_gap(faces, edge_radius_);
+  t.pair.gap = g.gap;
+  t.pair.normal = g.normal;
+  t.bend = g.bend;
   return t;
 }
 

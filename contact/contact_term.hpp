@@ -7,6 +7,7 @@
 #include "contact/master.hpp"
 #include "contact/position_codes.hpp"
 #include "contact/pressure_law.hpp"
+#include "contact/rounded_edge.hpp"
 #include "contact/slave_points.hpp"
 #include "contact/sweep.hpp"
 #include "core/base/parallel.hpp"
@@ -106,7 +107,7 @@ class ContactTerm final : public Term {
   void add_tangent(const State& state, const Touch& touch, double a, double b);
   enum class Search { whole, remembering, sparing };
   Found find(const State& state, const SearchLimits& limits, Search how) const;
-  static Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle);
+  Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const;
   int foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
   bool look_back(std::span<const double> points, std::span<const double> places) const;
   void follow(const MasterSurface& master, const Way& way, const Vec3<double>& N, int start, std::span<const int> candidates,
@@ -131,7 +132,7 @@ class ContactTerm final : public Term {
   SlaveSurface slave_;
   SlavePoints points_;
   std::vector<double> area0_;
-  double penalty_, tolerance_, fade_ = 1;
+  double penalty_, tolerance_, edge_radius_, fade_ = 1;
   bool soft_ = false;
   mutable IncrementStart start_;
   SearchLimits limits_;

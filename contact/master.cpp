@@ -14,6 +14,7 @@ Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles
 
 Master::Master(std::shared_ptr<const RigidSurface> surface)
     : surface_(std::move(surface)),
+      edges_(surface_->facets, surface_->places),
       pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),
       piece_(surface_->facets.triangles.size()) {
   for (std::size_t k = 0; k < surface_->parts.size(); ++k)

@@ -3,6 +3,7 @@
 
 #include "contact/local_search.hpp"
 #include "contact/rigid_surface.hpp"
+#include "contact/sharp_edges.hpp"
 
 namespace bulbus {
 
@@ -23,12 +24,15 @@ class Master {
   std::span<const double> places(const State& state) const;
   /// The mesh nodes of its corners, ascending; none of a rigid body.
   const std::vector<int>& nodes() const { return nodes_; }
+  /// Triangles that one of a rigid body meets in a sharp convex edge or corner; none of a surface of the mesh.
+  std::span<const int> across_edges(int triangle) const { return edges_.of(triangle); }
   /// The mesh node of a corner of a triangle.
   int node(int triangle, int corner) const { return nodes_[faces_.triangles[triangle][corner]]; }
 
  private:
   Facets faces_;
   std::shared_ptr<const RigidSurface> surface_;
+  SharpEdges edges_;
   int pieces_ = 1;
   std::vector<int> piece_, nodes_;
   mutable std::vector<double> places_;

@@ -29,6 +29,13 @@ TEST(ThinSheet, OfAnyThicknessIsCarriedAlongByARod) {
   }
 }
 
+TEST(Ridge, PushesNeitherWay) {
+  const Ran run = run_case("ridge");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_LT(probe(run, "push"), -100);
+  EXPECT_LT(std::abs(probe(run, "side") / probe(run, "push")), 1e-6);
+}
+
 // A preset is as good as what it promises of `tight`, and one increment as good as four.
 TEST(Band, ClosesOnTheEyeWithAnyPreset) {
   const std::string scene = std::string(BULBUS_DATA) + "/scenes/band.yaml";
