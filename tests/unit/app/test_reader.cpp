@@ -54,10 +54,10 @@ TEST(Reader, KeepsQuantitiesInTheKeptUnit) {
   EXPECT_DOUBLE_EQ((*s.model.steps[1].loads[1].force)[2], .1);
 }
 
-TEST(Reader, TurnsAFormulaThatIsANumberIntoThePlainNumber) {
+TEST(Reader, KeepsTheUnitOfAFormulaThatIsANumber) {
   const Scene s = full();
   EXPECT_EQ(std::stod(s.model.steps[0].pressures.at("inside")), 15 * mmHg);
-  EXPECT_EQ(*s.model.steps[1].displace[0].x, "0.001");
+  EXPECT_EQ(*s.model.steps[1].displace[0].x, "0.001 mm");
   EXPECT_EQ(*s.model.steps[1].displace[0].y, "0.1*s*(X - 2)");
   EXPECT_EQ(*s.model.steps[1].displace[1].radial, "-0.5");
   EXPECT_EQ(*s.model.steps[1].loads[0].pressure, "t*2e-3");
