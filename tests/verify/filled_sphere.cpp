@@ -15,7 +15,7 @@ Scene filled_sphere(int n, double outside, double beta) {
   s.couple = {"fluid"};
   if (outside != 0) {
     LoadSpec load;
-    load.surface = "outer", load.pressure = fmt::format("{:.17g}", outside);
+    load.surface = "outer", load.pressure = fmt::format("{:.17g} MPa", outside);
     s.loads.push_back(load);
   }
   m.steps.push_back(s);
