@@ -40,6 +40,7 @@ TEST(Contact, PenaltyFarFromItsDefault) {
     for (double times : {1e-3, 1., 10., 1e2, 1e4}) {
       ContactTrial run(on_a_stiff_block(times * usual));
       run.settings.newton = {}, run.settings.stepping.smallest = .2;
+      run.settings.linear.fallback = "none";  // GMRES alone: solved by MUMPS, 1e4 ends 6 % off, by the smoothing of its pairs
       iterative ? run.iterative() : run.direct();
       expect_clean(run);
       const double off = relative(run.force("joint")[2], on_springs(times * usual));
