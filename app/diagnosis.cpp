@@ -12,6 +12,8 @@ namespace {
 constexpr double steep = 4;           // times that the response grows faster at a limit point than at the start of the step
 constexpr double implausible = 10;    // pressure over shear modulus
 constexpr double squeezed = 0.3;      // Jacobian of a Gauss point
+constexpr const char* jumping_contact =
+    "contact that jumps: pairs change from one iteration to the next. Take more `increments`, a larger `depth`, or a smaller `penalty` in `contacts`.";
 constexpr double far_away = 3;        // displacement over the model's size
 
 std::string limit_point(const FailureFacts& f) {
@@ -47,11 +49,11 @@ std::string diagnosis(const FailureFacts& f) {
                        f.displacement);
   if (f.least_jacobian < squeezed || f.outcome == Outcome::inverted_element) {
     if (!f.squeezed_region.empty() && f.least_jacobian < squeezed) return inverting(f);
-    if (f.touching) return "contact that jumps: pairs change from one iteration to the next. Take more `increments`, a larger `depth`, or a smaller `penalty` in `contacts`.";
+    if (f.touching) return jumping_contact;
     if (!f.squeezed_region.empty()) return inverting(f);
   }
   if (f.touching)
-    return "contact that jumps: pairs change from one iteration to the next. Take more `increments`, a larger `depth`, or a smaller `penalty` in `contacts`.";
+    return jumping_contact;
   if (unstable)
     return "an unstable equilibrium: the last tangent has negative pivots too many, so the body is about to leave its path. Prescribe the motion instead of the load, or "
            "hold the motion that is free.";
