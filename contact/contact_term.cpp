@@ -170,11 +170,13 @@ bool ContactTerm::idle(int point) const {
 ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const {
   Touch t{point, slot, triangle, project(x, master.corners(triangle))};
   if (!master_.rigid()) return t;
-  const auto across = master_.across_edges(triangle);
-  std::vector<FaceGap> faces{face_gap(master, x, triangle)};
-  for (int other : across)
-    if (const FaceGap g = face_gap(master, x, other); g.gap > -edge_radius_) faces.push_back(g);
-  const FaceGap g = rounded_gap(faces, edge_radius_);
+  FaceGap g = face_gap(master, x, triangle);
+  if (const auto across = master_.across_edges(triangle); !across.empty()) {
+    std::vector<FaceGap> faces{g};
+    for (int other : across)
+      if (const FaceGap beside = face_gap(master, x, other); beside.gap > -edge_radius_) faces.push_back(beside);
+    g = rounded_gap(faces, edge_radius_);
+  }
   t.pair.gap = g.gap;
   t.pair.normal = g.normal;
   t.bend = g.bend;
