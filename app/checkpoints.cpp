@@ -26,13 +26,14 @@ void refuse_missing(const std::string& path, const Comm& comm) {
 
 std::string checkpoint_in(const std::string& folder) { return folder + "/checkpoint.h5"; }
 
-Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Problem& problem) {
+Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared) {
+  const Problem& problem = *prepared.problem;
   refuse_missing(path, problem.comm());
   kept_ = open_checkpoint(path, problem.mesh());
   ProblemMark mark;
   place_.remember(*kept_);
   mark.remember(*kept_);
-  refuse_another(mark, mark_of(scene, problem, place_.step), path);
+  refuse_another(mark, mark_of(scene, prepared.inputs, problem, place_.step), prepared.inputs, path);
 }
 
 Resumed Checkpoint::resume(Problem& problem, Remembering& records) {
@@ -66,7 +67,7 @@ void Checkpoints::resumed(const Resumed& from) {
 std::size_t Checkpoints::bytes() const { return bytes_of(start_.x) + bytes_of(start_.lambda); }
 
 void Checkpoints::write(MarchPlace& place, State& state) {
-  ProblemMark mark = mark_of(scene_, problem_, place.step);
+  ProblemMark mark = mark_of(scene_, inputs_, problem_, place.step);
   write_checkpoint(path_, problem_.mesh(), [&](Keeper& keeper) {
     place.remember(keeper);
     mark.remember(keeper);

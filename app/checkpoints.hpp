@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "app/prepare.hpp"
 #include "app/scene.hpp"
 #include "core/problem/problem.hpp"
 #include "core/solve/march.hpp"
@@ -28,7 +29,7 @@ std::string checkpoint_in(const std::string& folder);
 class Checkpoint {
  public:
   /// Throws InputError if it is damaged, or of another problem. Collective.
-  Checkpoint(const std::string& path, const Scene& scene, const Problem& problem);
+  Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
   const MarchPlace& place() const { return place_; }
   /// Brings problem and records, both new, to where they were. Collective.
   Resumed resume(Problem& problem, Remembering& records);
@@ -41,8 +42,8 @@ class Checkpoint {
 /// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
 class Checkpoints {
  public:
-  Checkpoints(const Scene& scene, Problem& problem, Remembering& records, const std::string& folder)
-      : scene_(scene), problem_(problem), records_(records), path_(checkpoint_in(folder)), every_(scene.output.checkpoint) {}
+  Checkpoints(const Scene& scene, const Prepared& prepared, Remembering& records, const std::string& folder)
+      : scene_(scene), inputs_(prepared.inputs), problem_(*prepared.problem), records_(records), path_(checkpoint_in(folder)), every_(scene.output.checkpoint) {}
 
   /// Keeps where a step begins.
   void step_begins(const State& start);
@@ -57,6 +58,7 @@ class Checkpoints {
   void write(MarchPlace& place, State& state);
 
   const Scene& scene_;
+  std::vector<InputFile> inputs_;
   Problem& problem_;
   Remembering& records_;
   std::string path_;

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/input_files.hpp"
 #include "app/version.hpp"
 #include "core/problem/tissues.hpp"
 
@@ -41,7 +42,8 @@ bool is_finished(const Scene& scene, const std::string& folder) {
   const json summary = summary_in(folder);
   return summary.is_object() && summary.value("reason", "") != "interrupted" &&
          summary.value("/versions/bulbus"_json_pointer, "") == version &&
-         is_of(text_of(folder + "/resolved.yaml"), scene);
+         is_of(text_of(folder + "/resolved.yaml"), scene) &&
+         summary.value("input_files", json::object()) == hashes_of(input_files(scene));
 }
 
 }  // namespace bulbus

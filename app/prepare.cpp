@@ -50,13 +50,14 @@ void rehearse(Problem& problem, const Mesh& base) {
 
 Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
+  auto inputs = input_files(scene, comm);
   const MeshHierarchy meshes = meshes_of(scene, comm);
   Model model = scene.model;
   add_tissues(model, meshes.base.region_names);
   validate(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
-  Prepared prepared{std::make_unique<Problem>(std::move(levels), model), nullptr, {}, {}};
+  Prepared prepared{std::make_unique<Problem>(std::move(levels), model), nullptr, {}, {}, std::move(inputs)};
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
   prepared.warnings = warnings_of(meshes.base, model);

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/input_files.hpp"
 #include "app/scene.hpp"
 #include "contact/operation.hpp"
 #include "core/mesh/quality.hpp"
@@ -15,6 +16,7 @@ struct Prepared {
   std::shared_ptr<const Operation> operation;
   std::vector<RegionQuality> quality;
   std::vector<std::string> warnings;  ///< of mesh and model, the same on every rank
+  std::vector<InputFile> inputs;      ///< as they were read
 };
 
 /// Makes the mesh, checks it and builds the problem. All steps are set up once in rehearsal, so that a slip

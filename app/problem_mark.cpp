@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <sstream>
 
 namespace bulbus {
 namespace {
@@ -45,6 +47,23 @@ Scene without_its_course(Scene scene, const Model& model, int step) {
   return scene;
 }
 
+// Hashes by keys.
+std::map<std::string, std::string> entries_of(const std::string& files) {
+  std::map<std::string, std::string> entries;
+  std::istringstream in(files);
+  for (std::string line; std::getline(in, line);)
+    if (const auto blank = line.find(' '); blank != std::string::npos) entries[line.substr(blank + 1)] = line.substr(0, blank);
+  return entries;
+}
+
+void refuse_changed_files(const ProblemMark& kept, const std::vector<InputFile>& inputs, const std::string& path) {
+  const auto then = entries_of(kept.files);
+  for (const InputFile& file : inputs)
+    if (const auto at = then.find(file.key); at != then.end() && at->second != file.hash())
+      throw input_error(fmt::format("{}: is of another problem: {} ({}) does not hold what it held then", path, file.path, file.key),
+                        "Restart with the file as it was, or run without --restart.");
+}
+
 // The first key of one that the other has otherwise; empty if they agree.
 std::string differing_key(const std::string& kept, const std::string& here) {
   const Entry a = parse_yaml(kept, "checkpoint"), b = parse_yaml(here, "scene");
@@ -66,13 +85,17 @@ std::string differing_key(const std::string& kept, const std::string& here) {
 void ProblemMark::remember(Keeper& keeper) {
   keeper.text("scene", scene);
   keeper.numbers("mesh", mesh);
+  if (!keeper.reading() || keeper.knows("input files")) keeper.text("input files", files);
 }
 
-ProblemMark mark_of(const Scene& scene, const Problem& problem, int step) {
-  return {resolved_yaml(without_its_course(scene, problem.model(), step)), figures_of(problem.mesh())};
+ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, const Problem& problem, int step) {
+  std::string files;
+  for (const InputFile& file : inputs) files += file.hash() + " " + file.key + "\n";
+  return {resolved_yaml(without_its_course(scene, problem.model(), step)), files, figures_of(problem.mesh())};
 }
 
-void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::string& path) {
+void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::vector<InputFile>& inputs, const std::string& path) {
+  refuse_changed_files(kept, inputs, path);
   const std::string remedy = "Restart with the scene that wrote it, or run without --restart.";
   if (kept.mesh.at(0) != here.mesh[0] || kept.mesh.at(1) != here.mesh[1])
     throw input_error(fmt::format("{}: is of another mesh: {} hexahedra and {} nodes, where the scene has {} and {}", path, kept.mesh[0],

@@ -27,7 +27,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::stri
       probes_(problem_, operation_probes(operation_)),
       record_(probes_),
       results_(scene.output, operation_, folder),
-      checkpoints_(scene, problem_, *this, folder) {
+      checkpoints_(scene, prepared, *this, folder) {
   if (problem_.comm().rank() != 0) return;
   history_.emplace(folder + "/history.csv", history_columns(probes_), start);
   if (scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum)

@@ -122,7 +122,7 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   }
   Problem& problem = *prepared.problem;
   std::optional<Checkpoint> from;
-  if (!checkpoint.empty()) from.emplace(checkpoint, scene, problem);
+  if (!checkpoint.empty()) from.emplace(checkpoint, scene, prepared);
   if (from)
     continue_results_folder(folder_of(checkpoint), out_dir, from->place().report.increments, comm);
   else

@@ -117,6 +117,7 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
   if (recorder.factor()) s["factor"] = factor_of(*recorder.factor(), recorder.worst_reduction());
   for (const auto& [name, v] : versions()) s["versions"][name] = v;
   s["warnings"] = prepared.warnings;
+  s["input_files"] = hashes_of(prepared.inputs);
   return s;
 }
 
