@@ -1,13 +1,8 @@
 #include "app/body_files.hpp"
 
-#include <fmt/format.h>
+#include "app/record_names.hpp"
 
 namespace bulbus {
-namespace {
-
-std::string file_of(int number) { return fmt::format("bodies_{:04d}.vtp", number); }
-
-}  // namespace
 
 void BodyFiles::save(int number) const {
   if (operation_->bodies().empty()) return;
@@ -26,11 +21,11 @@ void BodyFiles::save(int number) const {
     for (std::size_t p = 0; p < surface->parts.size(); ++p)
       part.values.insert(part.values.end(), surface->parts[p].triangles, static_cast<double>(p));
   }
-  write_vtp(folder_ + "/" + file_of(number), points, triangles, {body, part});
+  write_vtp(folder_ + "/" + bodies_file(number), points, triangles, {body, part});
 }
 
 void BodyFiles::list(int number, double time) {
-  if (!operation_->bodies().empty()) index_.add(file_of(number), time);
+  if (!operation_->bodies().empty()) index_.add(bodies_file(number), time);
 }
 
 }  // namespace bulbus

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/record_names.hpp"
 #include "contact/operation.hpp"
 #include "core/io/vtp.hpp"
 
@@ -9,7 +10,7 @@ namespace bulbus {
 class BodyFiles {
  public:
   BodyFiles(std::shared_ptr<const Operation> operation, const std::string& folder)
-      : operation_(std::move(operation)), folder_(folder), index_(folder + "/bodies.pvd") {}
+      : operation_(std::move(operation)), folder_(folder), index_(folder + "/" + bodies_index) {}
 
   /// Nothing if there are no bodies. Throws std::runtime_error.
   void save(int number) const;

@@ -24,7 +24,7 @@ void refuse_missing(const std::string& path, const Comm& comm) {
 
 }  // namespace
 
-std::string checkpoint_in(const std::string& folder) { return folder + "/checkpoint.h5"; }
+std::string checkpoint_in(const std::string& folder) { return folder + "/" + checkpoint_file; }
 
 Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared) {
   const Problem& problem = *prepared.problem;
@@ -56,7 +56,9 @@ void Checkpoints::rests(MarchPlace place, State& state, bool last) {
 }
 
 void Checkpoints::interrupted(MarchPlace place, State& state) {
-  if (std::exchange(written_, place.report.increments) != place.report.increments) write(place, state);
+  if (written_ == place.report.increments) return;
+  write(place, state);
+  written_ = place.report.increments;
 }
 
 void Checkpoints::resumed(const Resumed& from) {
@@ -68,7 +70,8 @@ std::size_t Checkpoints::bytes() const { return bytes_of(start_.x) + bytes_of(st
 
 void Checkpoints::write(MarchPlace& place, State& state) {
   ProblemMark mark = mark_of(scene_, inputs_, problem_, place.step);
-  write_checkpoint(path_, problem_.mesh(), [&](Keeper& keeper) {
+  folder_.claim({checkpoint_file});
+  write_checkpoint(checkpoint_in(folder_.path()), problem_.mesh(), [&](Keeper& keeper) {
     place.remember(keeper);
     mark.remember(keeper);
     remember(keeper, start_, state);

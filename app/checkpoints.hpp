@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "app/folder.hpp"
 #include "app/prepare.hpp"
 #include "app/scene.hpp"
 #include "core/problem/problem.hpp"
@@ -42,8 +43,8 @@ class Checkpoint {
 /// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
 class Checkpoints {
  public:
-  Checkpoints(const Scene& scene, const Prepared& prepared, Remembering& records, const std::string& folder)
-      : scene_(scene), inputs_(prepared.inputs), problem_(*prepared.problem), records_(records), path_(checkpoint_in(folder)), every_(scene.output.checkpoint) {}
+  Checkpoints(const Scene& scene, const Prepared& prepared, Remembering& records, ResultsFolder& folder)
+      : scene_(scene), inputs_(prepared.inputs), problem_(*prepared.problem), records_(records), folder_(folder), every_(scene.output.checkpoint) {}
 
   /// Keeps where a step begins.
   void step_begins(const State& start);
@@ -61,7 +62,7 @@ class Checkpoints {
   std::vector<InputFile> inputs_;
   Problem& problem_;
   Remembering& records_;
-  std::string path_;
+  ResultsFolder& folder_;
   int every_, written_ = -1;
   State start_;
 };

@@ -11,6 +11,7 @@
 #include "app/version.hpp"
 #include "core/base/error.hpp"
 #include "core/base/process.hpp"
+#include "core/io/output.hpp"
 
 namespace bulbus {
 namespace {
@@ -155,6 +156,12 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
   return write_mesh(scene, given.out, given.text ? GmshFormat{false, false} : GmshFormat{}, comm);
 }
 
+// Where a record could not be written.
+std::string what_to_do(const Parser& parser) {
+  const bool goes_on = *parser.run && std::filesystem::exists(checkpoint_in(places_of(parser).first));
+  return std::string("make room there, then the same command ") + (goes_on ? "with --restart goes on" : *parser.run ? "begins anew" : "goes on");
+}
+
 }  // namespace
 
 int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostream& out, std::ostream& err) {
@@ -168,6 +175,9 @@ int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostr
     return obey(parser, comm, said);
   } catch (const CLI::ParseError& e) {
     return parser.app.exit(e, said, faults) == 0 ? 0 : 2;
+  } catch (const OutputError& e) {
+    faults << "bulbus: " << e.what() << "; " << what_to_do(parser) << std::endl;
+    return 1;
   } catch (const InputError& e) {
     faults << located(e, parser.given.scene, parser.given.set).what() << std::endl;
     return 2;

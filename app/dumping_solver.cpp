@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/folder.hpp"
 #include "core/solve/assemble.hpp"
 
 namespace bulbus {
@@ -10,8 +9,8 @@ namespace {
 
 class DumpingSolver final : public LinearSolver {
  public:
-  DumpingSolver(std::unique_ptr<LinearSolver> solver, std::string folder, std::function<int()> increment)
-      : solver_(std::move(solver)), folder_(std::move(folder)), increment_(std::move(increment)) {}
+  DumpingSolver(std::unique_ptr<LinearSolver> solver, std::string name, ResultsFolder& folder, std::function<int()> increment)
+      : solver_(std::move(solver)), name_(std::move(name)), folder_(folder), increment_(std::move(increment)) {}
 
   LinearReport prepare(CoupledSystem& system) override { return solver_->prepare(system); }
   void renew() override { solver_->renew(); }
@@ -28,13 +27,16 @@ class DumpingSolver final : public LinearSolver {
     dump.kind = unknown_kinds(system.layout());
     dump.scaling = system.scaling();
     dump.attributes = {{"gamma", system.gamma()}, {"increment", increment_()}, {"tolerance", tolerance}};
-    write_system(fmt::format("{}/system_{:04d}.h5", folder_, ++count_), dump, system.problem().comm());
+    const std::string file = fmt::format("{}/system_{:04d}.h5", name_, ++count_);
+    folder_.claim({file});
+    write_system(folder_.path() + "/" + file, dump, system.problem().comm());
     return solver_->solve(system, std::move(b), x, tolerance);
   }
 
  private:
   std::unique_ptr<LinearSolver> solver_;
-  std::string folder_;
+  std::string name_;
+  ResultsFolder& folder_;
   std::function<int()> increment_;
   int count_ = 0;
 };
@@ -42,10 +44,10 @@ class DumpingSolver final : public LinearSolver {
 }  // namespace
 
 std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> solver,
-                                                  const std::string& folder, std::function<int()> increment,
+                                                  const std::string& name, ResultsFolder& folder, std::function<int()> increment,
                                                   const Comm& comm) {
-  make_folder(folder, comm);
-  return std::make_unique<DumpingSolver>(std::move(solver), folder, std::move(increment));
+  make_folder(folder.path() + "/" + name, comm);
+  return std::make_unique<DumpingSolver>(std::move(solver), name, folder, std::move(increment));
 }
 
 }  // namespace bulbus

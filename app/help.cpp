@@ -78,7 +78,7 @@ std::string study_help() {
   return help_of<Study>(
       "A study is a YAML file: a scene, and what to vary in it. Keys of the scene are paths such as\n"
       "steps.1.increments; entries of lists count from 0, or go by their name. Runs save no result fields\n"
-      "unless `set` gives output.vtk: true. solver.linear.dump gets a folder per run.\n\n");
+      "unless `set` gives output.vtk: true.\n\n");
 }
 
 }  // namespace bulbus

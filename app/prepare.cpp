@@ -1,5 +1,6 @@
 #include "app/prepare.hpp"
 
+#include "app/record_names.hpp"
 #include "contact/operation_probes.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/symmetry_planes.hpp"
@@ -50,6 +51,7 @@ void rehearse(Problem& problem, const Mesh& base) {
 
 Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
+  refuse_outside(scene);
   auto inputs = input_files(scene, comm);
   const MeshHierarchy meshes = meshes_of(scene, comm);
   Model model = scene.model;

@@ -4,6 +4,7 @@
 
 #include "app/sizes.hpp"
 #include "contact/operation_probes.hpp"
+#include "core/io/output.hpp"
 
 namespace bulbus {
 namespace {
@@ -15,11 +16,16 @@ std::vector<std::string> history_columns(const ProbeSet& probes) {
   return columns;
 }
 
+std::vector<std::string> krylov_columns() {
+  return {"increment", "newton", "iteration", "residual", "displacement", "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"};
+}
+
 }  // namespace
 
-Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
+Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& folder, const Log& log,
                    Meters& meters, FileStart start)
     : problem_(*prepared.problem),
+      log_(log),
       operation_(prepared.operation),
       meters_(meters),
       narrator_(log, problem_, scene.solver.stepping),
@@ -28,12 +34,13 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, const std::stri
       record_(probes_),
       results_(scene.output, operation_, folder),
       checkpoints_(scene, prepared, *this, folder) {
-  if (problem_.comm().rank() != 0) return;
-  history_.emplace(folder + "/history.csv", history_columns(probes_), start);
-  if (scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum)
-    krylov_.emplace(folder + "/krylov.csv",
-                    std::vector<std::string>{"increment", "newton", "iteration", "residual", "displacement", "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"},
-                    start);
+  const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
+  folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file} : std::vector<std::string>{history_file});
+  write_together(problem_.comm(), [&] {
+    if (problem_.comm().rank() != 0) return;
+    history_.emplace(folder.path() + "/" + history_file, history_columns(probes_), start);
+    if (krylov) krylov_.emplace(folder.path() + "/" + krylov_file, krylov_columns(), start);
+  });
 }
 
 void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
@@ -55,7 +62,15 @@ void Recorder::newton_iteration(const NewtonIteration& i) {
     factor_ = i.linear.factor;
     worst_reduction_ = std::max(worst_reduction_, i.linear.reduction);
   }
-  if (!krylov_) return;
+  if (!krylov_ || !fault_.empty()) return;
+  try {
+    append_krylov(i);
+  } catch (const std::runtime_error& e) {
+    fault_ = e.what();  // the other ranks hear of it when the increment is done
+  }
+}
+
+void Recorder::append_krylov(const NewtonIteration& i) {
   for (std::size_t k = 0; k < i.linear.history.size(); ++k) {
     std::vector<CsvTable::Cell> row{static_cast<long long>(increments_ + 1), static_cast<long long>(i.number),
                                     static_cast<long long>(k), i.linear.history[k]};
@@ -94,10 +109,14 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   Snapshot snapshot(problem_, state);
   if (increment.progress == 1) record_.step_ended(increment.step, snapshot);
   take(snapshot);
-  if (history_) append_history(increment);
   narrator_.increment_done(increment, state);
   narrator_.contacts(operation_->contacts(), contacts_);
   narrator_.probes(probes_, values_);
+  write_together(problem_.comm(), [&] {
+    if (history_) append_history(increment);
+    if (!fault_.empty()) throw std::runtime_error(fault_);
+    log_.require_written();
+  });
   results_.increment_done(increment.number, increment.time, snapshot);
 }
 

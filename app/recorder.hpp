@@ -18,10 +18,10 @@ struct StepRecord {
 };
 
 /// Writes the records of a march as it goes: log, history.csv, krylov.csv, result files. Disk faults are
-/// std::runtime_error. All members that take a state are collective.
+/// OutputErrors, at the latest at the end of the increment. All members that take a state are collective.
 class Recorder final : public MarchObserver, public Remembering {
  public:
-  Recorder(const Prepared& prepared, const Scene& scene, const std::string& folder, const Log& log,
+  Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& folder, const Log& log,
            Meters& meters, FileStart start = FileStart::anew);
 
   void step_begins(int step, const StepSpec& spec, const State& start) override;
@@ -62,8 +62,10 @@ class Recorder final : public MarchObserver, public Remembering {
   void count(const NewtonReport& report);
   void take(Snapshot& snapshot);
   void append_history(const Increment& increment);
+  void append_krylov(const NewtonIteration& iteration);
 
   Problem& problem_;
+  const Log& log_;
   std::shared_ptr<const Operation> operation_;
   Meters& meters_;
   Narrator narrator_;
@@ -73,6 +75,7 @@ class Recorder final : public MarchObserver, public Remembering {
   ResultFiles results_;
   Checkpoints checkpoints_;
   std::optional<CsvTable> history_, krylov_;  // on rank 0
+  std::string fault_;                         // of krylov_, on rank 0
   ProbeValues values_;
   std::vector<ContactStanding> contacts_;
   std::vector<StepRecord> steps_;

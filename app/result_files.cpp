@@ -1,17 +1,14 @@
 #include "app/result_files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "app/contact_fields.hpp"
 #include "app/nodal_average.hpp"
+#include "core/io/output.hpp"
 #include "core/io/vtkhdf.hpp"
 
 namespace bulbus {
 namespace {
-
-std::string file_of(int number) { return fmt::format("result_{:04d}.vtkhdf", number); }
 
 std::vector<Point> reference_points(const LocalMesh& mesh) {
   std::vector<Point> points(mesh.nodes());
@@ -87,12 +84,12 @@ Piece piece_of(Snapshot& s, const Operation& operation, const OutputSettings& se
 }  // namespace
 
 ResultFiles::ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation,
-                         const std::string& folder)
+                         ResultsFolder& folder)
     : settings_(settings),
       operation_(operation),
       folder_(folder),
-      series_(folder + "/result.vtkhdf.series"),
-      bodies_(operation, folder) {}
+      series_(folder.path() + "/" + series_file),
+      bodies_(operation, folder.path()) {}
 
 void ResultFiles::increment_done(int number, double time, Snapshot& snapshot) {
   last_ = number;
@@ -106,26 +103,32 @@ void ResultFiles::finish(Snapshot& snapshot) {
 
 void ResultFiles::save(Snapshot& s) {
   if (!settings_.vtk) return;
-  const std::string file = file_of(last_);
+  const std::string file = result_file(last_);
+  std::vector<std::string> files{file, series_file};
+  if (!operation_->bodies().empty()) files.insert(files.end(), {bodies_file(last_), bodies_index});
+  folder_.claim(files);
   const auto points = reference_points(s.problem.mesh());
-  write_vtkhdf(folder_ + "/" + file, piece_of(s, *operation_, settings_, points), s.problem.comm());
-  if (s.problem.comm().rank() == 0) {
+  write_vtkhdf(folder_.path() + "/" + file, piece_of(s, *operation_, settings_, points), s.problem.comm());
+  write_together(s.problem.comm(), [&] {
+    if (s.problem.comm().rank() != 0) return;
     bodies_.save(last_);
     list(last_, time_);
-  }
+  });
   saved_.insert(saved_.end(), {static_cast<double>(last_), time_});
 }
 
 void ResultFiles::list(int number, double time) {
-  series_.add(file_of(number), time);
+  series_.add(result_file(number), time);
   bodies_.list(number, time);
 }
 
 void ResultFiles::remember(Keeper& keeper, const Comm& comm) {
   keeper.scalars("last result", last_, time_);
   keeper.numbers("results", saved_);
-  if (!keeper.reading() || comm.rank() != 0) return;
-  for (std::size_t i = 0; i < saved_.size(); i += 2) list(static_cast<int>(saved_[i]), saved_[i + 1]);
+  if (!keeper.reading()) return;
+  write_together(comm, [&] {
+    for (std::size_t i = 0; i < saved_.size() && comm.rank() == 0; i += 2) list(static_cast<int>(saved_[i]), saved_[i + 1]);
+  });
 }
 
 }  // namespace bulbus

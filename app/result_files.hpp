@@ -2,6 +2,7 @@
 #include <string>
 
 #include "app/body_files.hpp"
+#include "app/folder.hpp"
 #include "app/scene.hpp"
 #include "core/io/series.hpp"
 #include "core/problem/probe_snapshot.hpp"
@@ -12,7 +13,7 @@ namespace bulbus {
 /// last.
 class ResultFiles {
  public:
-  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation, const std::string& folder);
+  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation, ResultsFolder& folder);
 
   /// Saves if it is this increment's turn. Collective. Throws std::runtime_error.
   void increment_done(int number, double time, Snapshot& snapshot);
@@ -27,7 +28,7 @@ class ResultFiles {
 
   OutputSettings settings_;
   std::shared_ptr<const Operation> operation_;
-  std::string folder_;
+  ResultsFolder& folder_;
   Series series_;
   BodyFiles bodies_;
   int last_ = 0;

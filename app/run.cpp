@@ -12,7 +12,9 @@
 #include "app/sizes.hpp"
 #include "app/summary.hpp"
 #include "core/base/interrupt.hpp"
+#include "core/io/disk_file.hpp"
 #include "core/io/json_file.hpp"
+#include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 #include "precond/displacement.hpp"
 #include "precond/make_preconditioner.hpp"
@@ -106,10 +108,18 @@ std::string folder_of(const std::string& file) {
   return folder.empty() ? "." : folder.string();
 }
 
-}  // namespace
+// Where the log itself cannot be written, nothing can be done.
+void note_in_log(const ResultsFolder& folder, const std::string& fault) {
+  const std::string log = folder.path() + "/" + log_file;
+  if (!std::filesystem::exists(log)) return;
+  try {
+    DiskFile(log, DiskFile::Start::end).write("error: " + fault + "\n");
+  } catch (const std::runtime_error&) {
+  }
+}
 
-int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm,
-        Log::Screen screen, const std::string& checkpoint) {
+int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene_path, const Comm& comm, Log::Screen screen,
+             const std::string& checkpoint) {
   const double start = Clock::now();
   Meters meters;
   Prepared prepared;
@@ -124,23 +134,28 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   std::optional<Checkpoint> from;
   if (!checkpoint.empty()) from.emplace(checkpoint, scene, prepared);
   if (from)
-    continue_results_folder(folder_of(checkpoint), out_dir, from->place().report.increments, comm);
+    folder.go_on(folder_of(checkpoint), from->place().report.increments);
   else
-    make_results_folder(out_dir, comm);
-  if (comm.rank() == 0) write_whole(out_dir + "/resolved.yaml", resolved_yaml(with_materials_of(problem, scene)));
+    folder.begin();
+  const auto path_of = [&](const char* file) { return folder.path() + "/" + file; };
+  folder.claim({resolved_file, log_file, summary_file});
+  write_together(comm, [&] {
+    if (comm.rank() == 0) write_whole(path_of(resolved_file), resolved_yaml(with_materials_of(problem, scene)));
+  });
   const FileStart start_of_records = from ? FileStart::continued : FileStart::anew;
-  const Log log(out_dir + "/run.log", comm, screen, start_of_records);
+  const Log log(path_of(log_file), comm, screen, start_of_records);
   write_header(log, scene, scene_path, prepared);
+  if (!folder.held()) log.warn(folder.path() + ": its file system has no locks: nothing keeps a second run out of this folder");
   log.info(fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * sum_of(memory)));
 
   const InterruptsHeeded heeded;
-  Recorder recorder(prepared, scene, out_dir, log, meters, start_of_records);
+  Recorder recorder(prepared, scene, folder, log, meters, start_of_records);
   const LinearSettings& linear = scene.solver.linear;
   CoupledSystem system(problem, settings_of_system(linear));
   auto solver = make_solver(linear, meters);
   if (!linear.dump.empty())
     solver = make_dumping_solver(
-        std::move(solver), linear.dump, [&] { return recorder.increments() + 1; }, comm);
+        std::move(solver), linear.dump, folder, [&] { return recorder.increments() + 1; }, comm);
   solver->watch([&](const SolveProgress& progress) { recorder.solve_lasts(progress); });
   auto [place, step_start, state] = from ? recorder.resume(*from) : Resumed{.state = problem.initial_state()};
   const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder, place);
@@ -152,10 +167,26 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   summary["memory_mb"]["forecast"] = json_of(memory);
   const std::string diagnosis = report.converged ? "" : recorder.diagnosis(state);
   if (!diagnosis.empty()) summary["diagnosis"] = diagnosis;
-  if (comm.rank() == 0) write_json(out_dir + "/summary.json", summary);
-  write_end(log, scene.model, recorder, report, diagnosis, out_dir, seconds);
+  write_together(comm, [&] {
+    if (comm.rank() == 0) write_json(path_of(summary_file), summary);
+  });
+  write_end(log, scene.model, recorder, report, diagnosis, folder.path(), seconds);
+  write_together(comm, [&] { log.require_written(); });
   if (report.signal) return 128 + report.signal;
   return report.converged ? 0 : 1;
+}
+
+}  // namespace
+
+int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm,
+        Log::Screen screen, const std::string& checkpoint) {
+  ResultsFolder folder(out_dir, record_names(scene), comm, checkpoint);
+  try {
+    return run_into(folder, scene, scene_path, comm, screen, checkpoint);
+  } catch (const OutputError& e) {
+    if (comm.rank() == 0) note_in_log(folder, e.what());
+    throw;
+  }
 }
 
 }  // namespace bulbus

@@ -12,12 +12,15 @@
 #include "app/study_json.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/io/json_file.hpp"
+#include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 
 namespace bulbus {
 namespace {
 
 using json = nlohmann::json;
+
+const RecordNames study_records{{"study.log", "study.csv", "study.json", "study.svg"}};
 
 void tell(const Log& log, const std::vector<std::string>& lines) {
   if (!lines.empty()) log.info("");
@@ -39,16 +42,19 @@ StudyResults nothing_yet(const Study& study, const std::vector<StudyRun>& runs) 
 class StudyRunner {
  public:
   StudyRunner(const Study& study, const std::string& folder, const Comm& comm)
-      : study_(study), folder_(folder), comm_(comm), runs_(plan(study)), results_(nothing_yet(study, runs_)) {
+      : study_(study), folder_(folder), comm_(comm), runs_(plan(study)), results_(nothing_yet(study, runs_)), held_(folder, study_records, comm) {
     for (const StudyRun& run : runs_) {
       done_.push_back(comm.rank() == 0 && is_finished(run.scene, folder_of(run)));
       done_.back() = comm.any(done_.back());
-      if (!done_.back()) of_run(study, run, [&] { prepare(run.scene, comm); });
+      if (done_.back()) continue;
+      ResultsFolder(folder_of(run), record_names(run.scene), comm);  // is it free?
+      of_run(study, run, [&] { prepare(run.scene, comm); });
     }
   }
 
   int march() {
-    make_folder(folder_, comm_);
+    held_.make();
+    held_.claim({study_records.names.begin(), study_records.names.end()});
     const Log log(folder_ + "/study.log", comm_);
     if (!study_.title.empty()) log.info(study_.title);
     log.info(size_text(study_));
@@ -82,12 +88,14 @@ class StudyRunner {
              [&] { return bulbus::run(run.scene, study_.scene, folder, comm_, Log::Screen::silent); });
     }
     bool failed = false;
-    if (comm_.rank() == 0) {
+    write_together(comm_, [&] {
+      if (comm_.rank() != 0) return;
       take(results_, static_cast<int>(i), summary_in(folder));
       failed = !results_.converged(static_cast<int>(i));
       write();
       log.info(done_[i] ? run.name + " is there already" : ending(*results_.rows[i]) + remaining(i));
-    }
+      log.require_written();
+    });
     return comm_.any(failed) ? 1 : 0;
   }
 
@@ -105,7 +113,7 @@ class StudyRunner {
   }
 
   void write() const {
-    write_study_csv(folder_ + "/study.csv", study_, results_);
+    write_whole(folder_ + "/study.csv", [&](const std::string& file) { write_study_csv(file, study_, results_); });
     write_json(folder_ + "/study.json", json_of(study_, results_, trends_of(study_, results_)));
     write_whole(folder_ + "/study.svg", svg_of(chart_of(study_, results_)));
   }
@@ -116,6 +124,7 @@ class StudyRunner {
   std::vector<StudyRun> runs_;
   StudyResults results_;
   std::vector<bool> done_;
+  ResultsFolder held_;
 };
 
 }  // namespace

@@ -120,8 +120,9 @@ class TradeRunner {
   }
 
   void write() const {
-    write_trade_csv(folder_ + "/trade.csv", trade_, results_);
+    write_whole(folder_ + "/trade.csv", [&](const std::string& file) { write_trade_csv(file, trade_, results_); });
     write_whole(folder_ + "/trade.svg", svg_of(chart_of(trade_, results_)));
+    log_.require_written();
   }
 
   const Trade trade_;
@@ -139,8 +140,11 @@ int run_trade(const std::string& scene, const std::vector<std::string>& override
   if (comm.size() > 1) throw input_error("a trade runs processes of its own, one after the other", "start it without mpirun");
   const Scene given = read_scene(scene, overrides);
   if (given.model.probes.empty()) throw input_error(scene, 0, "has no probes: there is nothing to be accurate about", "add `probes`");
+  const RecordNames records{{"trade.log", "trade.csv", "trade.svg"}};
+  ResultsFolder folder(out_dir, records, comm);
   Trade trade = plan_trade(scene, overrides, prepare(given, comm));
-  make_folder(out_dir, comm);
+  folder.make();
+  folder.claim({records.names.begin(), records.names.end()});
   return TradeRunner(std::move(trade), out_dir, options, comm).march();
 }
 

@@ -59,7 +59,6 @@ std::vector<StudyRun> plan(const Study& study) {
     of_run(study, run, [&] {
       run.source = source_of(study, levels);
       run.scene = scene_of(run.source, study.scene);
-      if (auto& dump = run.scene.solver.linear.dump; !dump.empty()) dump += "/" + run.name;
     });
   }
   return runs;

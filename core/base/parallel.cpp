@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <cstdlib>
 #include <numeric>
 #include <optional>
 
@@ -40,6 +41,12 @@ void give_freed_memory_back() {
 #endif
 }
 
+// A process that mpirun has not started is no server of others: it needs none of the large files that Open MPI shares with them, which
+// fail where the disk is full.
+void share_nothing_alone() {
+  if (!std::getenv("PMIX_NAMESPACE")) setenv("PMIX_MCA_gds", "hash", 0);
+}
+
 }  // namespace
 
 Traffic& traffic() {
@@ -50,7 +57,10 @@ Traffic& traffic() {
 Session::Session(int& argc, char**& argv) {
   int running = 0;
   MPI_Initialized(&running);
-  if (!running) MPI_Init(&argc, &argv);
+  if (!running) {
+    share_nothing_alone();
+    MPI_Init(&argc, &argv);
+  }
   give_freed_memory_back();
   started_here = !running;
 }

@@ -1,9 +1,9 @@
+#include <algorithm>
 #include <set>
 
 #include "core/io/checkpoint.hpp"
 #include "core/io/checkpoint_sum.hpp"
 #include "core/io/hdf5_file.hpp"
-#include "core/io/text_file.hpp"
 
 namespace bulbus {
 namespace {
@@ -12,8 +12,7 @@ using hdf5::Handle;
 
 class Writer final : public Keeper {
  public:
-  Writer(const std::string& path, const LocalMesh& mesh)
-      : Keeper(mesh), comm_(mesh.comm), file_(hdf5::create(path, comm_), H5Fclose, hdf5::not_created) {}
+  Writer(hid_t file, const LocalMesh& mesh) : Keeper(mesh), comm_(mesh.comm), file_(file) {}
 
   bool reading() const override { return false; }
   bool knows(const std::string&) const override { return true; }
@@ -33,7 +32,6 @@ class Writer final : public Keeper {
   void finish() {
     const long long sum = comm_.sum(sum_.value()) & static_cast<long long>(CheckpointSum::bits);
     write_first("sum", std::span(&sum, 1));
-    hdf5::check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot be written (a full disk?)");
   }
 
  private:
@@ -63,20 +61,41 @@ class Writer final : public Keeper {
   }
 
   Comm comm_;
-  Handle file_;
+  hid_t file_;
   CheckpointSum sum_;
   std::set<std::string> kept_, groups_;
+};
+
+/// Keeps nothing, but adds up the bytes of this rank.
+class Measure final : public Keeper {
+ public:
+  explicit Measure(const LocalMesh& mesh) : Keeper(mesh) {}
+  bool reading() const override { return false; }
+  bool knows(const std::string&) const override { return true; }
+  void numbers(const std::string&, std::vector<double>& values) override { add(values.size() * sizeof(double)); }
+  void text(const std::string&, std::string& value) override { add(value.size()); }
+  void rows(const std::string&, const Keys& keys, int width, std::vector<double>&) override { add_rows(keys, width); }
+  void mesh_table(const std::string&, const std::string&, const Keys& keys, int width, std::vector<double>&) override { add_rows(keys, width); }
+  double bytes() const { return bytes_; }
+
+ private:
+  static constexpr double header = 4096;  // of a dataset and the groups around it
+  void add_rows(const Keys& keys, int width) { add(static_cast<double>(std::ranges::count(keys.mine, 1)) * (width + 1) * sizeof(double)); }
+  void add(double bytes) { bytes_ += bytes + header; }
+
+  double bytes_ = 0;
 };
 
 }  // namespace
 
 void write_checkpoint(const std::string& path, const LocalMesh& mesh, const std::function<void(Keeper&)>& remember) {
-  const auto write = [&](const std::string& temporary) {
-    Writer writer(temporary, mesh);
+  Measure measure(mesh);
+  remember(measure);
+  hdf5::write_whole(path, mesh.comm, mesh.comm.sum(measure.bytes()), [&](hid_t file) {
+    Writer writer(file, mesh);
     remember(writer);
     writer.finish();
-  };
-  hdf5::write_whole(path, mesh.comm, write, settle);
+  });
 }
 
 }  // namespace bulbus

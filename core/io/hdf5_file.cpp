@@ -1,7 +1,12 @@
 #include "core/io/hdf5_file.hpp"
 
 #include <array>
+#include <cstdio>
 #include <stdexcept>
+
+#include "core/io/disk_file.hpp"
+#include "core/io/output.hpp"
+#include "core/io/text_file.hpp"
 
 namespace bulbus::hdf5 {
 
@@ -40,33 +45,69 @@ void write_rows(hid_t group, const std::string& name, hid_t type, const void* da
     check(H5Sselect_none(file_space) | H5Sselect_none(memory_space), fault);
   Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, fault);
   check(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), fault);
-  check(H5Dwrite(set, type, memory_space, file_space, transfer, data), fault);
+  const herr_t written = H5Dwrite(set, type, memory_space, file_space, transfer, data);
+  if (comm.any(written < 0)) throw std::runtime_error(fault + " (a full disk?)");
 }
 
-hid_t create(const std::string& path, const Comm& comm) {
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, not_created);
-  check(H5Pset_fapl_mpio(access, comm.raw(), MPI_INFO_NULL), not_created);
-  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+namespace {
+
+bool any_left_open = false;
+
+// What HDF5 writes besides the data: headers, groups and their names.
+constexpr long long overhead = 1 << 16;
+
+// To be closed with H5Pclose.
+hid_t access_of(MPI_Comm comm) {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
+  return access;
 }
 
-void write_whole(const std::string& path, const Comm& comm, const std::function<void(const std::string&)>& write,
-                 void (*place)(const std::string&, const std::string&)) {
+// HDF5 cannot get rid of a file that it cannot write: so there has to be room for all of it before the first byte.
+void reserve(const std::string& path, long long bytes, DiskFile::Start start, const Comm& comm) {
+  write_together(comm, [&] {
+    if (comm.rank() == 0) DiskFile(path, start).reserve(bytes);
+  });
+}
+
+void prove_readable(const std::string& path) {
+  const Handle access(access_of(MPI_COMM_SELF), H5Pclose, path);  // which needs no lock of the file
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  if (file < 0 || H5Fclose(file) < 0) throw std::runtime_error(path + ": what was written cannot be read again");
+}
+
+// A file that could not be written stays open: to close it, ranks would wait for each other.
+void write_and_close(const std::string& path, const Comm& comm, long long bytes, const std::function<void(hid_t)>& write) {
+  const Handle access(access_of(comm.raw()), H5Pclose, path);
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  any_left_open = file >= 0;
+  if (comm.any(file < 0)) throw OutputError(path + ": cannot be created");
+  reserve(path, bytes, DiskFile::Start::end, comm);
+  write_together(comm, [&] { write(file); });
+  if (comm.any(H5Fclose(file) < 0)) throw OutputError(path + ": cannot be written to its end (a full disk?)");
+  any_left_open = false;
+}
+
+}  // namespace
+
+void write_whole(const std::string& path, const Comm& comm, double bytes, const std::function<void(hid_t)>& write) {
   const Quiet quiet;
   const std::string temporary = path + ".tmp";
-  std::string fault;
+  const long long room = static_cast<long long>(bytes) + overhead;
   try {
-    write(temporary);
-  } catch (const std::runtime_error& e) {
-    fault = e.what();
+    reserve(temporary, room, DiskFile::Start::empty, comm);
+    write_and_close(temporary, comm, room, write);
+    write_together(comm, [&] {
+      if (comm.rank() != 0) return;
+      prove_readable(temporary);
+      settle(temporary, path);
+    });
+  } catch (const OutputError&) {
+    if (comm.rank() == 0) std::remove(temporary.c_str());
+    throw;
   }
-  const bool failed = comm.any(!fault.empty());
-  try {
-    if (comm.rank() == 0 && failed) std::remove(temporary.c_str());
-    if (comm.rank() == 0 && !failed) place(temporary, path);
-  } catch (const std::runtime_error& e) {
-    fault = e.what();
-  }
-  if (comm.any(!fault.empty())) throw std::runtime_error(path + ": " + (fault.empty() ? "not written" : fault));
 }
 
 }  // namespace bulbus::hdf5
+
+bool bulbus::files_left_open() { return hdf5::any_left_open; }

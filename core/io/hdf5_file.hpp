@@ -41,15 +41,9 @@ class Quiet {
 
 void check(herr_t status, const std::string& what);
 
-/// A new file that all ranks write, in place of what has this name. To be held by a Handle with H5Fclose.
-hid_t create(const std::string& path, const Comm& comm);
-/// What is wrong where that gives no file.
-inline constexpr const char* not_created = "cannot be created (no such folder, no permission, or a full disk?)";
-
-/// A file that is whole or not there: `write` gives it its content under a temporary name, on all ranks; `place` gives the file of the
-/// first name the second, on rank 0. Errors of any rank are thrown on every rank.
-void write_whole(const std::string& path, const Comm& comm, const std::function<void(const std::string&)>& write,
-                 void (*place)(const std::string&, const std::string&));
+/// Writes a new file on all ranks that is whole or not there: `write` fills it under a temporary name, with at most `bytes` of all
+/// ranks' data, for which room is taken before. Throws OutputError on every rank.
+void write_whole(const std::string& path, const Comm& comm, double bytes, const std::function<void(hid_t)>& write);
 
 template <class T>
 hid_t type_of();

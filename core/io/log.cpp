@@ -4,8 +4,11 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
+#include <cerrno>
 #include <stdexcept>
 #include <vector>
+
+#include "core/io/output.hpp"
 
 namespace bulbus {
 namespace {
@@ -19,7 +22,7 @@ std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen sc
 
 }  // namespace
 
-Log::Log(const std::string& path, const Comm& comm, Screen screen, FileStart start) {
+Log::Log(const std::string& path, const Comm& comm, Screen screen, FileStart start) : path_(path) {
   std::vector<spdlog::sink_ptr> sinks;
   bool failed = false;
   try {
@@ -32,11 +35,16 @@ Log::Log(const std::string& path, const Comm& comm, Screen screen, FileStart sta
   logger_ = std::make_shared<spdlog::logger>("bulbus", sinks.begin(), sinks.end());
   logger_->set_pattern("%v");
   logger_->flush_on(spdlog::level::info);
+  logger_->set_error_handler([fault = fault_](const std::string&) { if (*fault == 0) *fault = errno ? errno : EIO; });
 }
 
 // The text goes in as an argument: braces in it are not a format.
 void Log::info(const std::string& line) const { logger_->info("{}", line); }
 void Log::warn(const std::string& line) const { logger_->warn("warning: {}", line); }
 void Log::error(const std::string& line) const { logger_->error("error: {}", line); }
+
+void Log::require_written() const {
+  if (*fault_ != 0) throw std::runtime_error(not_written(path_, *fault_));
+}
 
 }  // namespace bulbus

@@ -24,9 +24,13 @@ class Log {
   void warn(const std::string& line) const;
   /// The line behind "error: ".
   void error(const std::string& line) const;
+  /// Throws std::runtime_error if a line could not be written to the file. Not collective.
+  void require_written() const;
 
  private:
   std::shared_ptr<spdlog::logger> logger_;
+  std::shared_ptr<int> fault_ = std::make_shared<int>(0);  ///< errno of the first line that was not written
+  std::string path_;
 };
 
 }  // namespace bulbus

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 namespace bulbus {
@@ -22,7 +24,7 @@ std::string text_of(long long cell) { return fmt::format("{}", cell); }
 CsvTable::CsvTable(std::string path, const std::vector<std::string>& columns, FileStart start)
     : path_(std::move(path)), width_(columns.size()) {
   const bool goes_on = start == FileStart::continued && std::ifstream(path_).peek() != EOF;
-  out_.open(path_, std::ios::binary | (goes_on ? std::ios::app : std::ios::trunc));
+  out_ = std::make_unique<DiskFile>(path_, goes_on ? DiskFile::Start::end : DiskFile::Start::empty);
   if (!goes_on) write_line({columns.begin(), columns.end()});
 }
 
@@ -36,9 +38,23 @@ void CsvTable::write_line(const std::vector<Cell>& row) {
   std::string line;
   for (std::size_t i = 0; i < row.size(); ++i)
     line += (i ? "," : "") + std::visit([](const auto& cell) { return text_of(cell); }, row[i]);
-  out_ << line << '\n' << std::flush;
-  if (!out_)
-    throw std::runtime_error(path_ + ": cannot be written (no such folder, no permission, or a full disk?)");
+  out_->write(line + "\n");
+}
+
+void cut_table(const std::string& path, int last) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return;
+  std::string kept;
+  bool header = true;
+  for (std::string line; std::getline(in, line) && !in.eof(); header = false)
+    if (header || std::atoi(line.c_str()) <= last) kept += line + "\n";
+  write_whole(path, kept);
+}
+
+void cut_half_line(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!text.empty() && text.back() != '\n') write_whole(path, text.substr(0, text.rfind('\n') + 1));
 }
 
 }  // namespace bulbus

@@ -5,31 +5,32 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
+
+#include "core/io/disk_file.hpp"
+#include "core/io/output.hpp"
 
 namespace bulbus {
 namespace {
 
 // Of a file or a folder.
 void flush_to_disk(const std::string& path) {
-  const int file = open(path.c_str(), O_RDONLY);
-  const bool flushed = file >= 0 && fsync(file) == 0;
-  const std::string reason = std::strerror(errno);
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = file >= 0 && (fsync(file) == 0 || errno == EINVAL);  // some file systems have no fsync of folders
+  const int error = errno;
   if (file >= 0) close(file);
-  if (!flushed) throw std::runtime_error(path + ": cannot be brought to the disk: " + reason);
+  if (!flushed) throw std::runtime_error(not_written(path, error));
 }
-
-}  // namespace
 
 void rename_to(const std::string& temporary, const std::string& path) {
   if (std::rename(temporary.c_str(), path.c_str()) == 0) return;
-  const std::string reason = std::strerror(errno);
+  const int error = errno;
   std::remove(temporary.c_str());
-  throw std::runtime_error(path + ": cannot be put in place: " + reason);
+  throw std::runtime_error(not_written(path, error));
 }
+
+}  // namespace
 
 void settle(const std::string& temporary, const std::string& path) {
   flush_to_disk(temporary);
@@ -38,16 +39,20 @@ void settle(const std::string& temporary, const std::string& path) {
   flush_to_disk(folder.empty() ? "." : folder.string());
 }
 
-void write_whole(const std::string& path, const std::string& text) {
+void write_whole(const std::string& path, const std::function<void(const std::string&)>& write) {
   const std::string temporary = path + ".tmp";
-  std::ofstream out(temporary, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) {
+  try {
+    write(temporary);
+    flush_to_disk(temporary);
+  } catch (const std::runtime_error&) {
     std::remove(temporary.c_str());
-    throw std::runtime_error(path + ": cannot be written (no such folder, no permission, or a full disk?)");
+    throw;
   }
   rename_to(temporary, path);
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  write_whole(path, [&](const std::string& temporary) { DiskFile(temporary, DiskFile::Start::empty).write(text); });
 }
 
 }  // namespace bulbus

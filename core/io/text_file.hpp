@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 namespace bulbus {
@@ -10,11 +11,11 @@ enum class FileStart { anew, continued };
 /// never a part. Throws std::runtime_error. Not collective.
 void write_whole(const std::string& path, const std::string& text);
 
-/// The second half of the same, for files that a library writes. Throws std::runtime_error.
-void rename_to(const std::string& temporary, const std::string& path);
+/// The same where `write` makes the file of the temporary name. Throws std::runtime_error.
+void write_whole(const std::string& path, const std::function<void(const std::string&)>& write);
 
-/// The same, once the file's content is on the disk: the name outlives a power cut only with what it names. Throws
-/// std::runtime_error.
+/// The second half of the same, for files that a library writes, once their content is on the disk: the name outlives a power cut
+/// only with what it names. Throws std::runtime_error.
 void settle(const std::string& temporary, const std::string& path);
 
 }  // namespace bulbus

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/io/hdf5_file.hpp"
-#include "core/io/text_file.hpp"
 
 namespace bulbus {
 namespace {
@@ -108,9 +107,17 @@ void write_fields(hid_t root, const std::string& name, const std::vector<Field>&
   }
 }
 
-void write_file(const std::string& path, const Piece& piece, const Comm& comm) {
-  Handle file(hdf5::create(path, comm), H5Fclose, hdf5::not_created);
-  Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, hdf5::not_created);
+// Of the numbers of a piece as they are written.
+double bytes_of(const Piece& piece) {
+  constexpr double point = 3 * sizeof(double), hexahedron = 9 * sizeof(long long) + 1;
+  double bytes = point * piece.points.size() + hexahedron * piece.hexes.size() + 4 * sizeof(long long);
+  for (const auto* fields : {&piece.point_fields, &piece.cell_fields})
+    for (const Field& f : *fields) bytes += sizeof(float) * f.values.size();
+  return bytes;
+}
+
+void write_content(hid_t file, const Piece& piece, const Comm& comm) {
+  Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "the group VTKHDF cannot be made");
   write_attributes(root);
   write_mesh(root, piece, comm);
   write_fields(root, "PointData", piece.point_fields, comm);
@@ -121,7 +128,7 @@ void write_file(const std::string& path, const Piece& piece, const Comm& comm) {
 
 void write_vtkhdf(const std::string& path, const Piece& piece, const Comm& comm) {
   refuse_faults(path, piece, comm);
-  hdf5::write_whole(path, comm, [&](const std::string& temporary) { write_file(temporary, piece, comm); }, rename_to);
+  hdf5::write_whole(path, comm, comm.sum(bytes_of(piece)), [&](hid_t file) { write_content(file, piece, comm); });
 }
 
 }  // namespace bulbus

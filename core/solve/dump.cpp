@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/error.hpp"
+#include "core/io/hdf5_file.hpp"
 
 namespace bulbus {
 namespace {
@@ -57,7 +58,7 @@ bool write(hid_t file, const char* name, const std::vector<T>& part, const Comm&
     H5Sselect_none(space), H5Sselect_none(memory);
   Handle collective(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(collective, H5FD_MPIO_COLLECTIVE);
-  return H5Dwrite(set, type_of(T{}), memory, space, collective, part.data()) >= 0;
+  return comm.all(H5Dwrite(set, type_of(T{}), memory, space, collective, part.data()) >= 0);
 }
 
 template <class T>
@@ -139,16 +140,14 @@ Triplets compressed(const Triplets& t) {
 
 void write_system(const std::string& path, const SystemDump& part, const Comm& comm) {
   check(part, comm);
-  silence();
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, comm.raw(), MPI_INFO_NULL);
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
-  need(comm.all(file.ok()), path, "cannot be written");
-  bool ok = write(file, "row", part.matrix.row, comm) & write(file, "col", part.matrix.col, comm) &
-            write(file, "value", part.matrix.value, comm) & write(file, "rhs", part.rhs, comm) &
-            write(file, "kind", part.kind, comm) & write(file, "scaling", part.scaling, comm);
-  for (const auto& [name, value] : agreed(part.attributes, comm)) ok &= write_attribute(file, name, value);
-  need(comm.all(ok), path, "cannot be written");
+  const double bytes = 16. * part.matrix.row.size() + 17. * part.rhs.size();
+  hdf5::write_whole(path, comm, comm.sum(bytes), [&](hid_t file) {
+    bool ok = write(file, "row", part.matrix.row, comm) & write(file, "col", part.matrix.col, comm) &
+              write(file, "value", part.matrix.value, comm) & write(file, "rhs", part.rhs, comm) &
+              write(file, "kind", part.kind, comm) & write(file, "scaling", part.scaling, comm);
+    for (const auto& [name, value] : agreed(part.attributes, comm)) ok &= write_attribute(file, name, value);
+    if (!comm.all(ok)) throw std::runtime_error(path + ": cannot be written");
+  });
 }
 
 SystemDump read_system(const std::string& path) {

@@ -27,7 +27,7 @@ struct SystemDump {
 };
 
 /// Writes an HDF5 file: datasets row, col (32-bit, from 0; duplicates are to be added), value, rhs, kind,
-/// scaling and the attributes of the root group (those of the first rank). Collective. Throws InputError if
+/// scaling and the attributes of the root group (those of the first rank). Collective. Throws OutputError if
 /// the file cannot be written, std::invalid_argument if the vectors differ in length.
 void write_system(const std::string& path, const SystemDump& part, const Comm& comm);
 

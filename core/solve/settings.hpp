@@ -104,7 +104,7 @@ struct LinearSettings {
     v("multigrid", multigrid, About{"multigrid on the refined meshes"});
     v("pressures", pressures, About{"weak patterns of element pressures, with aggregation and multigrid"});
     v("memory_limit", memory_limit, About{"MB over all ranks that a run may need: more is refused; 0: the memory of one machine"}.at_least(0));
-    v("dump", dump, About{"folder that receives every linear system with its right-hand side (HDF5); empty: none"});
+    v("dump", dump, About{"folder, within that of the results, that receives every linear system with its right-hand side (HDF5); empty: none"});
     v("record_krylov", record_krylov, About{"write the residual of every Krylov iteration, block by block, to krylov.csv"});
     v("record_spectrum", record_spectrum, About{"write eigenvalue estimates of every preconditioned system to krylov.csv"});
   }

@@ -1,4 +1,5 @@
-// Files that a run reads and writes.
+// Files that a run reads and writes: changed inputs, folders in use, files of other people, names that lead elsewhere.
+#include "core/io/folder_lock.hpp"
 #include "tests/cases/run_case.hpp"
 
 namespace bulbus::test {
@@ -74,6 +75,94 @@ TEST(ChangedInput, IsNoFinishedRunOfAStudy) {
   fs::copy_file(folder / "other.stl", folder / "m.stl", fs::copy_options::overwrite_existing);
   ASSERT_EQ(study().status, 0);
   EXPECT_NE(read(folder / "out/run_001/summary.json"), first);
+}
+
+TEST(FolderInUse, IsRefusedAndNotTouched) {
+  const auto folder = copy_of("interrupted");
+  ASSERT_EQ(run_in(folder, "s.yaml").status, 0);
+  const auto before = content(folder);
+  {
+    const FolderLock other(folder / "out");
+    expect_refused(run_in(folder, "s.yaml"), {"out: another run is writing into this folder", "-o"});
+    EXPECT_EQ(command(folder, {"check", folder / "s.yaml"}).status, 0);
+  }
+  EXPECT_EQ(content(folder), before);
+  EXPECT_EQ(run_in(folder, "s.yaml").status, 0);
+}
+
+TEST(FolderInUse, OfAStudyOrOneOfItsRunsIsRefused) {
+  const auto folder = copy_of("interrupted");
+  write(folder / "study.yaml", "scene: s.yaml\nvary: [{name: stiffness, keys: [regions.block.c10], values: [50 kPa, 60 kPa]}]\n");
+  for (const char* used : {"out", "out/run_002"}) {
+    fs::create_directories(folder / used);
+    const FolderLock other(folder / used);
+    expect_refused(command(folder, {"study", folder / "study.yaml", "-o", folder / "out"}), {std::string(used) + ": another run is writing"});
+    EXPECT_FALSE(fs::exists(folder / "out/run_001"));
+  }
+}
+
+TEST(FilesOfOthers, AreNotOverwritten) {
+  for (const char* name : {"summary.json", "run.log", "history.csv", "resolved.yaml", "checkpoint.h5", "result_0002.vtkhdf", "result_0001.vtkhdf.tmp",
+                           "bodies.pvd", "manifest.txt"}) {
+    const auto folder = copy_of("interrupted");
+    fs::create_directories(folder / "out");
+    write(folder / "out" / name, "mine");
+    const auto before = content(folder);
+    expect_refused(run_in(folder, "s.yaml"), {name, "Move it away, or name another folder with -o."});
+    EXPECT_EQ(content(folder), before);
+  }
+}
+
+TEST(FilesOfOthers, LastThroughRunsAndRestarts) {
+  const auto folder = copy_of("interrupted");
+  fs::create_directories(folder / "out/result_0001");
+  for (const char* name : {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"}) write(folder / "out" / name, name);
+  ASSERT_EQ(run_in(folder, "s.yaml", {"--set", "output.checkpoint=1"}).status, 0);
+  ASSERT_EQ(run_in(folder, "s.yaml", {"--restart"}).status, 0);
+  ASSERT_EQ(run_in(folder, "s.yaml", {"--set", "output.vtk=false"}).status, 0);
+  for (const char* name : {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"})
+    EXPECT_EQ(read(folder / "out" / name), name);
+  EXPECT_FALSE(fs::exists(folder / "out/result_0001.vtkhdf"));
+}
+
+/// A manifest that somebody wrote by hand takes nothing away elsewhere.
+TEST(Manifest, EndsAtItsFolder) {
+  const auto folder = copy_of("interrupted");
+  ASSERT_EQ(run_in(folder, "s.yaml").status, 0);
+  write(folder / "mine.txt", "mine");
+  std::ofstream(folder / "out/manifest.txt", std::ios::app) << "../mine.txt\n" << (folder / "mine.txt").string() << "\n";
+  ASSERT_EQ(run_in(folder, "s.yaml").status, 0);
+  EXPECT_EQ(read(folder / "mine.txt"), "mine");
+}
+
+TEST(NameOfOutput, StaysInsideOfTheFolder) {
+  for (const std::string name : {"/tmp/bulbus_elsewhere", "../elsewhere", "a/../../elsewhere", "summary.json", "run.log/x"})
+    for (const char* verb : {"check", "run"}) {
+      const Ran r = run_case("interrupted", {"solver.linear.dump=" + name}, "s.yaml", verb);
+      expect_refused(r, {"solver.linear.dump", name});
+      EXPECT_FALSE(fs::exists(r.folder / "out"));
+    }
+  EXPECT_TRUE(run_case("interrupted", {"solver.linear.dump=deep/systems"}).wrote("deep/systems/system_0001.h5"));
+}
+
+TEST(NameOfOutput, MayLeadElsewhereByALinkOfTheUser) {
+  const auto folder = copy_of("interrupted");
+  fs::create_directories(folder / "elsewhere");
+  fs::create_directory_symlink(folder / "elsewhere", folder / "out");
+  EXPECT_EQ(run_in(folder, "s.yaml").status, 0);
+  EXPECT_TRUE(fs::exists(folder / "elsewhere/summary.json"));
+}
+
+TEST(FolderThatCannotBe, IsRefusedBeforeAnyComputing) {
+  const auto folder = copy_of("interrupted");
+  write(folder / "file", "mine");
+  fs::create_symlink(folder / "nowhere", folder / "link");
+  fs::create_directories(folder / "taken/run.log");
+  for (const char* out : {"file", "file/below", "link", "taken"}) {
+    const Ran r = command(folder, {"run", folder / "s.yaml", "-o", folder / out});
+    expect_refused(r, {(folder / out).string() + ": cannot be made a folder of results", "Name another with -o."});
+  }
+  EXPECT_EQ(command(folder, {"run", folder / "s.yaml", "-o", folder / "some/where/else"}).status, 0);
 }
 
 }  // namespace

@@ -31,8 +31,11 @@ class Leaving final : public MarchObserver {
 inline void run_and_leave(const Scene& scene, const std::string& folder, const Comm& comm, const std::function<void(int)>& rested) {
   Meters meters;
   const Prepared prepared = prepare(scene, comm);
+  ResultsFolder results(folder, record_names(scene), comm);
+  results.begin();
+  results.claim({log_file});
   const Log log(folder + "/run.log", comm, Log::Screen::silent);
-  Recorder recorder(prepared, scene, folder, log, meters);
+  Recorder recorder(prepared, scene, results, log, meters);
   CoupledSystem system(*prepared.problem, LinearSettings{.gamma = 0});
   const auto solver = make_direct_solver(scene.solver.linear, meters);
   State state = prepared.problem->initial_state();

@@ -117,10 +117,13 @@ TEST(Restart, TakesAwayWhatCameAfterTheCheckpoint) {
   ASSERT_EQ(go_on(folder).status, 0);
   std::ofstream(folder / "out/history.csv", std::ios::app) << "10,cut sho";
   std::ofstream(folder / "out/result_0017.vtkhdf") << "late";
+  std::ofstream(folder / "out/manifest.txt", std::ios::app) << "result_0017.vtkhdf\n";
+  std::ofstream(folder / "out/result_final.vtkhdf") << "mine";
   fs::rename(folder / "fourth.h5", folder / "out/checkpoint.h5");
   const Ran r = go_on(folder);
   ASSERT_EQ(r.status, 0) << r.err;
   expect_same_history(r);
+  EXPECT_TRUE(fs::remove(folder / "out/result_final.vtkhdf"));
   EXPECT_EQ(results_in(r.folder / "out"), results_in(whole().folder / "out"));
 }
 

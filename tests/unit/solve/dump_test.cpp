@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/base/error.hpp"
+#include "core/io/output.hpp"
 
 namespace bulbus {
 namespace {
@@ -70,7 +71,7 @@ TEST_F(Dump, OverwritesAnOlderFile) {
 }
 
 TEST_F(Dump, SaysWhichFileCannotBeUsed) {
-  EXPECT_THROW(write_system("/no/such/folder/a.h5", mine, comm), InputError);
+  EXPECT_THROW(write_system("/no/such/folder/a.h5", mine, comm), OutputError);
   EXPECT_THROW(read_system("/no/such/folder/a.h5"), InputError);
   mine.kind.push_back(UnknownKind::rigid);
   EXPECT_THROW(write_system(path, mine, comm), std::invalid_argument);
