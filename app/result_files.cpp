@@ -104,9 +104,8 @@ void ResultFiles::finish(Snapshot& snapshot) {
 void ResultFiles::save(Snapshot& s) {
   if (!settings_.vtk) return;
   const std::string file = result_file(last_);
-  std::vector<std::string> files{file, series_file};
-  if (!operation_->bodies().empty()) files.insert(files.end(), {bodies_file(last_), bodies_index});
-  folder_.claim(files);
+  claim_indices();
+  folder_.claim(operation_->bodies().empty() ? std::vector{file} : std::vector{file, bodies_file(last_)});
   const auto points = reference_points(s.problem.mesh());
   write_vtkhdf(folder_.path() + "/" + file, piece_of(s, *operation_, settings_, points), s.problem.comm());
   write_together(s.problem.comm(), [&] {
@@ -117,6 +116,10 @@ void ResultFiles::save(Snapshot& s) {
   saved_.insert(saved_.end(), {static_cast<double>(last_), time_});
 }
 
+void ResultFiles::claim_indices() {
+  folder_.claim(operation_->bodies().empty() ? std::vector<std::string>{series_file} : std::vector<std::string>{series_file, bodies_index});
+}
+
 void ResultFiles::list(int number, double time) {
   series_.add(result_file(number), time);
   bodies_.list(number, time);
@@ -125,7 +128,8 @@ void ResultFiles::list(int number, double time) {
 void ResultFiles::remember(Keeper& keeper, const Comm& comm) {
   keeper.scalars("last result", last_, time_);
   keeper.numbers("results", saved_);
-  if (!keeper.reading()) return;
+  if (!keeper.reading() || saved_.empty()) return;
+  claim_indices();
   write_together(comm, [&] {
     for (std::size_t i = 0; i < saved_.size() && comm.rank() == 0; i += 2) list(static_cast<int>(saved_[i]), saved_[i + 1]);
   });

@@ -24,6 +24,7 @@ class ResultFiles {
 
  private:
   void save(Snapshot& snapshot);
+  void claim_indices();
   void list(int number, double time);
 
   OutputSettings settings_;

@@ -31,7 +31,7 @@ Log::Log(const std::string& path, const Comm& comm, Screen screen, FileStart sta
     failed = true;
   }
   if (comm.any(failed))
-    throw std::runtime_error(path + ": cannot be written (no such folder, or no permission?)");
+    throw OutputError(path + ": cannot be written (no such folder, no permission, or a full disk?)");
   logger_ = std::make_shared<spdlog::logger>("bulbus", sinks.begin(), sinks.end());
   logger_->set_pattern("%v");
   logger_->flush_on(spdlog::level::info);

@@ -15,7 +15,7 @@ namespace bulbus {
 class Log {
  public:
   enum class Screen { shown, silent };
-  /// Collective. An empty path means the screen only. Throws std::runtime_error on
+  /// Collective. An empty path means the screen only. Throws OutputError on
   /// every rank if the file cannot be opened.
   Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown, FileStart start = FileStart::anew);
 

@@ -40,6 +40,7 @@ void Manifest::add(const std::vector<std::string>& names) {
 }
 
 void Manifest::remove_file(const std::string& name) const {
+  if (!lists(name)) return;
   for (const char* ending : {"", ".tmp"}) {
     const fs::path file = folder_ + "/" + name + ending;
     const auto kind = fs::symlink_status(file).type();

@@ -15,7 +15,7 @@ class Manifest {
   bool lists(const std::string& name) const { return names_.contains(name); }
   const std::set<std::string>& names() const { return names_; }
   void add(const std::vector<std::string>& names);
-  /// Takes the file away, and the beginnings of it that were left; its name stays listed.
+  /// Takes a listed file away, and the beginnings of it that were left; its name stays listed.
   void remove_file(const std::string& name) const;
   /// Takes all of them away; then none is listed.
   void remove_files();

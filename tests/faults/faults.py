@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs that are killed, fill the disk, or may not write: what stands under its final name is whole, and a restart ends as if nothing had been.
+"""Runs that are killed, interrupted, fill the disk, or may not write: what stands under its final name is whole, and a restart ends as if nothing had been.
 
     python3 tests/faults/faults.py build/bulbus build/tests/faults_whole [--kills 200] [--seed 1]
 """
@@ -10,6 +10,7 @@ import tempfile
 
 import disk
 import folders
+import interrupts
 import kills
 from runs import Runs
 
@@ -24,6 +25,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="bulbus_faults_") as name:
         runs = Runs(given.program, given.whole, pathlib.Path(name))
         losses = kills.campaign(runs, given.kills, random.Random(given.seed))
+        losses += interrupts.faults(runs)
         losses += folders.faults(runs)
         losses += disk.faults(runs)
     for loss in losses:

@@ -2,7 +2,6 @@
 import os
 import signal
 import subprocess
-import time
 
 from runs import PATIENCE, environment
 
@@ -25,9 +24,7 @@ def in_use(runs):
     """The lock of a run that is at work, and that goes with it however it ends."""
     out = runs.fresh()
     process = runs.start(out)
-    end = time.monotonic() + PATIENCE
-    while not (out / "run.log").exists() and time.monotonic() < end:
-        time.sleep(.005)
+    runs.wait_for(out / "run.log")
     os.kill(process.pid, signal.SIGSTOP)
     before = state(out)
     losses = []

@@ -55,6 +55,8 @@ def one_kill(runs, mode, random, ends):
     out = runs.fresh()
     delay = random.uniform(0, 1.1) * runs.seconds[ranks]
     process = runs.start(out, ranks)
+    if random.random() < .9:
+        runs.wait_for(out)  # the way there is long, and leaves nothing
     time.sleep(delay)
     workers = children_of(process.pid) if ranks > 1 else []
     victim = process.pid if mode in ("alone", "mpirun") else random.choice(workers) if workers else None

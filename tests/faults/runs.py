@@ -26,13 +26,15 @@ def near(a, b):
 class Runs:
     def __init__(self, program, whole, folder):
         self.program, self.whole, self.folder, self.number = str(pathlib.Path(program).resolve()), whole, folder, 0
-        self.seconds, self.prefix = {}, []
+        self.seconds = {}  # from the making of the folder to the end, on so many ranks
+        self.prefix = []
         for ranks in (1, 2, 3):
             out = self.fresh()
+            process = self.start(out, ranks)
+            self.wait_for(out)
             start = time.monotonic()
-            done = self.run(out, ranks)
+            assert process.wait(timeout=PATIENCE) == 0
             self.seconds[ranks] = time.monotonic() - start
-            assert done.returncode == 0, done.stdout + done.stderr
             if ranks == 1:
                 self.reference = out
                 self.figures = self.summary(out)
@@ -52,6 +54,12 @@ class Runs:
 
     def start(self, out, ranks=1, *more):
         return subprocess.Popen(self.command(out, ranks, *more), env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    @staticmethod
+    def wait_for(path):
+        end = time.monotonic() + PATIENCE
+        while not path.exists() and time.monotonic() < end:
+            time.sleep(.002)
 
     def go_on(self, out, ranks=1):
         """Finishes what was left: from the checkpoint, if there is one."""
