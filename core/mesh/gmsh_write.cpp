@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 #include "core/base/error.hpp"
@@ -66,9 +68,10 @@ struct Content {
   }
 };
 
+/// Writes under a temporary name: the file takes its own when it is whole.
 class Writer {
  public:
-  Writer(const std::string& path, bool binary) : path_(path), out_(path, std::ios::binary), binary_(binary) {
+  Writer(const std::string& path, bool binary) : path_(path), written_(is_special(path) ? path : path + ".tmp"), out_(written_, std::ios::binary), binary_(binary) {
     if (!out_) fail();
   }
   template <class... T>
@@ -91,14 +94,17 @@ class Writer {
   }
   void close() {
     out_.close();
-    if (!out_) fail();
+    if (!out_ || std::rename(written_.c_str(), path_.c_str()) != 0) fail();
   }
 
  private:
+  // A pipe or a device.
+  static bool is_special(const std::string& path) { return std::filesystem::exists(path) && !std::filesystem::is_regular_file(path); }
   [[noreturn]] void fail() const {
+    if (written_ != path_) std::remove(written_.c_str());
     throw input_error(path_, 0, "cannot write the mesh", "check the folder and its free space");
   }
-  std::string path_;
+  std::string path_, written_;
   std::ofstream out_;
   bool binary_;
 };

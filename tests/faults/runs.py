@@ -48,9 +48,12 @@ class Runs:
         mpi = [] if ranks == 1 else ["mpirun", "--oversubscribe", "-n", str(ranks)]
         return [*mpi, *self.prefix, self.program, "run", str(HERE / "scene.yaml"), "-o", str(out), *more]
 
-    def run(self, out, ranks=1, *more, **options):
-        return subprocess.run(self.command(out, ranks, *more), env=environment(), capture_output=True, text=True, errors="replace",
-                              timeout=PATIENCE, **options)
+    def run(self, out, ranks=1, *more):
+        command = self.command(out, ranks, *more)
+        try:
+            return subprocess.run(command, env=environment(), capture_output=True, text=True, errors="replace", timeout=PATIENCE)
+        except subprocess.TimeoutExpired as fault:
+            return subprocess.CompletedProcess(command, -1, "", f"no end after {PATIENCE} s: {fault.stdout}")
 
     def start(self, out, ranks=1, *more):
         return subprocess.Popen(self.command(out, ranks, *more), env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
