@@ -157,9 +157,11 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
 }
 
 // Where a record could not be written.
-std::string what_to_do(const Parser& parser) {
+std::string what_to_do(const Parser& parser, const std::string& fault) {
+  const bool full = fault.find("no space left") != std::string::npos || fault.find("a full disk") != std::string::npos;
   const bool goes_on = *parser.run && std::filesystem::exists(checkpoint_in(places_of(parser).first));
-  return std::string("make room there, then the same command ") + (goes_on ? "with --restart goes on" : *parser.run ? "begins anew" : "goes on");
+  return std::string(full ? "make room there, then" : "when that is mended,") + " the same command " +
+         (goes_on ? "with --restart goes on" : *parser.run ? "begins anew" : "goes on");
 }
 
 }  // namespace
@@ -176,7 +178,7 @@ int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostr
   } catch (const CLI::ParseError& e) {
     return parser.app.exit(e, said, faults) == 0 ? 0 : 2;
   } catch (const OutputError& e) {
-    faults << "bulbus: " << e.what() << "; " << what_to_do(parser) << std::endl;
+    faults << "bulbus: " << e.what() << "; " << what_to_do(parser, e.what()) << std::endl;
     return 1;
   } catch (const InputError& e) {
     faults << located(e, parser.given.scene, parser.given.set).what() << std::endl;

@@ -49,34 +49,41 @@ def end_of(process, ranks):
     return None if left else status
 
 
-def one_kill(runs, mode, random, ends):
-    """What is lost, in words; empty if nothing."""
+def hit(runs, mode, out, random):
+    """Starts the run, or goes on with it, and kills it: whether that was in time, the exit status (None: something went on), where."""
     ranks = 1 if mode == "alone" else 3 if mode.endswith("3") else 2
-    out = runs.fresh()
-    delay = random.uniform(0, 1.1) * runs.seconds[ranks]
-    process = runs.start(out, ranks)
-    if random.random() < .9:
+    fresh, delay = not out.exists(), random.uniform(0, 1.1) * runs.seconds[ranks]
+    process = runs.start(out, ranks, *runs.restart(out))
+    if fresh and random.random() < .9:
         runs.wait_for(out)  # the way there is long, and leaves nothing
     time.sleep(delay)
     workers = children_of(process.pid) if ranks > 1 else []
     victim = process.pid if mode in ("alone", "mpirun") else random.choice(workers) if workers else None
-    if victim and process.poll() is None:
+    in_time = victim is not None and process.poll() is None
+    if in_time:
         kill(victim)
-    else:
-        victim = None
-    status = end_of(process, workers)
-    where = f"{mode}, killed after {delay:.2f} s"
-    if status is None:
-        return where + ": some rank did not end"
-    summary = out / "summary.json"
-    finished = summary.exists() and runs.summary(out)["converged"]
-    ends[mode, "not hit" if victim is None else "finished before" if finished else "in the middle" if out.exists() else "at the start"] += 1
-    if victim and status == 0 and not finished:
-        return where + ": status 0"
-    if fault := runs.unwhole(out):
-        return f"{where}: {fault}"
-    if finished:
-        return ""
+    return in_time, end_of(process, workers), f"{mode}, killed after {delay:.2f} s"
+
+
+def finished(runs, out):
+    return (out / "summary.json").exists() and runs.summary(out)["converged"]
+
+
+def one_kill(runs, mode, random, ends):
+    """A run that is killed, at times once more when it goes on, and then finished: what is lost, in words; empty if nothing."""
+    out = runs.fresh()
+    for _ in range(random.choice([1, 1, 2])):
+        in_time, status, where = hit(runs, mode, out, random)
+        if status is None:
+            return where + ": some rank did not end"
+        done = finished(runs, out)
+        ends[mode, "not hit" if not in_time else "finished before" if done else "in the middle" if out.exists() else "at the start"] += 1
+        if in_time and status == 0 and not done:
+            return where + ": status 0"
+        if fault := runs.unwhole(out):
+            return f"{where}: {fault}"
+        if done:
+            return ""
     fault = runs.finish(out, random.choice([1, 1, 2]))
     return f"{where}, restart: {fault}" if fault else ""
 

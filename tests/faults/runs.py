@@ -66,7 +66,11 @@ class Runs:
 
     def go_on(self, out, ranks=1):
         """Finishes what was left: from the checkpoint, if there is one."""
-        return self.run(out, ranks, *(["--restart"] if (out / "checkpoint.h5").exists() else []))
+        return self.run(out, ranks, *self.restart(out))
+
+    @staticmethod
+    def restart(out):
+        return ["--restart"] if (out / "checkpoint.h5").exists() else []
 
     @staticmethod
     def summary(out):
