@@ -8,7 +8,7 @@ import time
 
 from runs import PATIENCE
 
-MODES = ["alone", "one rank of 2", "mpirun", "one rank of 3"]
+MODES = ["alone", "one rank of 2", "alone", "mpirun", "alone", "one rank of 3"]
 
 
 def children_of(parent):
@@ -84,7 +84,7 @@ def one_kill(runs, mode, random, ends):
             return f"{where}: {fault}"
         if done:
             return ""
-    fault = runs.finish(out, random.choice([1, 1, 2]))
+    fault = runs.finish(out, random.choice([1, 1, 1, 2]))
     return f"{where}, restart: {fault}" if fault else ""
 
 
