@@ -44,7 +44,12 @@ class Checkpoint {
 class Checkpoints {
  public:
   Checkpoints(const Scene& scene, const Prepared& prepared, Remembering& records, ResultsFolder& folder)
-      : scene_(scene), inputs_(prepared.inputs), problem_(*prepared.problem), records_(records), folder_(folder), every_(scene.output.checkpoint) {}
+      : scene_(scene),
+        inputs_(prepared.inputs),
+        problem_(*prepared.problem),
+        records_(records),
+        folder_(folder),
+        every_(scene.output.checkpoint) {}
 
   /// Keeps where a step begins.
   void step_begins(const State& start);

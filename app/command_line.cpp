@@ -158,10 +158,13 @@ int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
 
 // Where a record could not be written.
 std::string what_to_do(const Parser& parser, const std::string& fault) {
-  const bool full = fault.find("no space left") != std::string::npos || fault.find("a full disk") != std::string::npos;
+  const bool full =
+      fault.find("no space left") != std::string::npos || fault.find("a full disk") != std::string::npos;
   const bool goes_on = *parser.run && std::filesystem::exists(checkpoint_in(places_of(parser).first));
   return std::string(full ? "make room there, then" : "when that is mended,") + " the same command " +
-         (goes_on ? "with --restart goes on" : *parser.run ? "begins anew" : "goes on");
+         (goes_on       ? "with --restart goes on"
+          : *parser.run ? "begins anew"
+                        : "goes on");
 }
 
 }  // namespace

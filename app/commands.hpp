@@ -8,9 +8,10 @@
 
 namespace bulbus {
 
-/// Solves the scene into the folder, or goes on from a checkpoint (empty: none) and adds to the records beside that. Returns the exit
-/// status: 0 finished, 1 not converged, 128 and the signal's number if it was interrupted. Collective. Throws InputError before anything is written, and
-/// OutputError where a record cannot be written: what was written before stays.
+/// Solves the scene into the folder, or goes on from a checkpoint (empty: none) and adds to the records
+/// beside that. Returns the exit status: 0 finished, 1 not converged, 128 and the signal's number if it was
+/// interrupted. Collective. Throws InputError before anything is written, and OutputError where a record
+/// cannot be written: what was written before stays.
 int run(const Scene& scene, const std::string& scene_path, const std::string& out_dir, const Comm& comm,
         Log::Screen screen = Log::Screen::shown, const std::string& checkpoint = "");
 

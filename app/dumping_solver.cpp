@@ -9,8 +9,12 @@ namespace {
 
 class DumpingSolver final : public LinearSolver {
  public:
-  DumpingSolver(std::unique_ptr<LinearSolver> solver, std::string name, ResultsFolder& folder, std::function<int()> increment)
-      : solver_(std::move(solver)), name_(std::move(name)), folder_(folder), increment_(std::move(increment)) {}
+  DumpingSolver(std::unique_ptr<LinearSolver> solver, std::string name, ResultsFolder& folder,
+                std::function<int()> increment)
+      : solver_(std::move(solver)),
+        name_(std::move(name)),
+        folder_(folder),
+        increment_(std::move(increment)) {}
 
   LinearReport prepare(CoupledSystem& system) override { return solver_->prepare(system); }
   void renew() override { solver_->renew(); }
@@ -44,8 +48,8 @@ class DumpingSolver final : public LinearSolver {
 }  // namespace
 
 std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> solver,
-                                                  const std::string& name, ResultsFolder& folder, std::function<int()> increment,
-                                                  const Comm& comm) {
+                                                  const std::string& name, ResultsFolder& folder,
+                                                  std::function<int()> increment, const Comm& comm) {
   make_folder(folder.path() + "/" + name, comm);
   return std::make_unique<DumpingSolver>(std::move(solver), name, folder, std::move(increment));
 }

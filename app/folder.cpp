@@ -55,11 +55,14 @@ void refuse_unwritable(const std::string& folder) {
   const fs::path at = standing(folder);
   if (!fs::exists(at)) throw no_folder(folder, at.string() + " is a link that leads nowhere");
   if (!fs::is_directory(at)) throw no_folder(folder, at.string() + " is a file");
-  if (access(at.c_str(), R_OK | W_OK | X_OK) != 0) throw no_folder(folder, at.string() + " cannot be written: " + std::strerror(errno));
+  if (access(at.c_str(), R_OK | W_OK | X_OK) != 0)
+    throw no_folder(folder, at.string() + " cannot be written: " + std::strerror(errno));
 }
 
 InputError of_someone_else(const fs::path& file) {
-  return input_error(file.string() + ": no run wrote this file (manifest.txt beside it does not list it), but this one would write one of this name",
+  return input_error(file.string() +
+                         ": no run wrote this file (manifest.txt beside it does not list it), but this one "
+                         "would write one of this name",
                      "Move it away, or name another folder with -o.");
 }
 
@@ -92,7 +95,8 @@ void ResultsFolder::refuse_files_of_others() const {
 }
 
 void ResultsFolder::refuse(const fs::path& file, const std::string& name) const {
-  if (fs::is_directory(file)) throw no_folder(path_, file.string() + " is a folder, where a file is to be written");
+  if (fs::is_directory(file))
+    throw no_folder(path_, file.string() + " is a folder, where a file is to be written");
   const bool given = !checkpoint_.empty() && fs::exists(checkpoint_) && fs::equivalent(file, checkpoint_);
   if (!given && !manifest_->lists(name)) throw of_someone_else(file);
   if (!checkpoint_.empty() && access(file.c_str(), W_OK) != 0)
@@ -118,8 +122,10 @@ void ResultsFolder::begin() {
 void ResultsFolder::go_on(const std::string& from, int last) {
   on_first_rank(path_, comm_, [&] {
     open();
-    if (fs::equivalent(from, path_)) manifest_->add({checkpoint_file});
-    else take_over(from, last);
+    if (fs::equivalent(from, path_))
+      manifest_->add({checkpoint_file});
+    else
+      take_over(from, last);
     remove_after(last);
   });
 }

@@ -14,21 +14,22 @@ namespace bulbus {
 /// Makes a folder and those around it. Collective. Throws InputError on every rank if it cannot.
 void make_folder(const std::string& folder, const Comm& comm);
 
-/// The folder into which a run, a study or a trade writes: held against others while this lives, by the first rank. Of what is in it
-/// only files that its manifest lists are written again or taken away. Members are collective and throw InputError or OutputError
-/// on every rank.
+/// The folder into which a run, a study or a trade writes: held against others while this lives, by the first
+/// rank. Of what is in it only files that its manifest lists are written again or taken away. Members are
+/// collective and throw InputError or OutputError on every rank.
 class ResultsFolder {
  public:
-  /// Makes nothing. Throws if another holds the folder, if it cannot be made or written, or if it has a file of a `wanted` name that no
-  /// run wrote. `checkpoint`: the run goes on from that file, which may stand in the folder under a wanted name.
+  /// Makes nothing. Throws if another holds the folder, if it cannot be made or written, or if it has a file
+  /// of a `wanted` name that no run wrote. `checkpoint`: the run goes on from that file, which may stand in
+  /// the folder under a wanted name.
   ResultsFolder(std::string path, RecordNames wanted, const Comm& comm, std::string checkpoint = "");
 
   /// Makes the folder where it is not there.
   void make();
   /// The same, and takes away what earlier runs left.
   void begin();
-  /// For a run that goes on after the increment `last`: takes over the records of the folder `from`, if that is another one, and takes
-  /// away what came after that increment.
+  /// For a run that goes on after the increment `last`: takes over the records of the folder `from`, if that
+  /// is another one, and takes away what came after that increment.
   void go_on(const std::string& from, int last);
   /// Lists files, before they are written. Throws OutputError if there are such of someone else.
   void claim(const std::vector<std::string>& names);
@@ -49,7 +50,7 @@ class ResultsFolder {
   RecordNames wanted_;
   const Comm& comm_;
   std::string checkpoint_;
-  std::optional<FolderLock> lock_;    // on the first rank, as the next
+  std::optional<FolderLock> lock_;  // on the first rank, as the next
   std::optional<Manifest> manifest_;
 };
 

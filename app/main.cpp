@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
     return status;
   } catch (const std::exception& fault) {
     std::cerr << "bulbus: " << fault.what() << std::endl;
-    if (comm.size() > 1 || bulbus::files_left_open()) leave(1, comm);  // the other ranks may be waiting for this one
+    if (comm.size() > 1 || bulbus::files_left_open())
+      leave(1, comm);  // the other ranks may be waiting for this one
     return 1;
   }
 }

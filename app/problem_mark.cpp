@@ -52,15 +52,18 @@ std::map<std::string, std::string> entries_of(const std::string& files) {
   std::map<std::string, std::string> entries;
   std::istringstream in(files);
   for (std::string line; std::getline(in, line);)
-    if (const auto blank = line.find(' '); blank != std::string::npos) entries[line.substr(blank + 1)] = line.substr(0, blank);
+    if (const auto blank = line.find(' '); blank != std::string::npos)
+      entries[line.substr(blank + 1)] = line.substr(0, blank);
   return entries;
 }
 
-void refuse_changed_files(const ProblemMark& kept, const std::vector<InputFile>& inputs, const std::string& path) {
+void refuse_changed_files(const ProblemMark& kept, const std::vector<InputFile>& inputs,
+                          const std::string& path) {
   const auto then = entries_of(kept.files);
   for (const InputFile& file : inputs)
     if (const auto at = then.find(file.key); at != then.end() && at->second != file.hash())
-      throw input_error(fmt::format("{}: is of another problem: {} ({}) does not hold what it held then", path, file.path, file.key),
+      throw input_error(fmt::format("{}: is of another problem: {} ({}) does not hold what it held then",
+                                    path, file.path, file.key),
                         "Restart with the file as it was, or run without --restart.");
 }
 
@@ -88,13 +91,15 @@ void ProblemMark::remember(Keeper& keeper) {
   if (!keeper.reading() || keeper.knows("input files")) keeper.text("input files", files);
 }
 
-ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, const Problem& problem, int step) {
+ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, const Problem& problem,
+                    int step) {
   std::string files;
   for (const InputFile& file : inputs) files += file.hash() + " " + file.key + "\n";
   return {resolved_yaml(without_its_course(scene, problem.model(), step)), files, figures_of(problem.mesh())};
 }
 
-void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::vector<InputFile>& inputs, const std::string& path) {
+void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::vector<InputFile>& inputs,
+                    const std::string& path) {
   refuse_changed_files(kept, inputs, path);
   const std::string remedy = "Restart with the scene that wrote it, or run without --restart.";
   if (kept.mesh.at(0) != here.mesh[0] || kept.mesh.at(1) != here.mesh[1])

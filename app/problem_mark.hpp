@@ -5,8 +5,9 @@
 
 namespace bulbus {
 
-/// What tells one problem from another: the mesh in a few numbers and the scene up to the step that is under way, but for title,
-/// solver, output, how the mesh is made and how the steps are divided, and what the files hold that it names.
+/// What tells one problem from another: the mesh in a few numbers and the scene up to the step that is under
+/// way, but for title, solver, output, how the mesh is made and how the steps are divided, and what the files
+/// hold that it names.
 struct ProblemMark {
   std::string scene;         ///< YAML
   std::string files;         ///< a line for each: hash and key
@@ -15,9 +16,12 @@ struct ProblemMark {
 };
 
 /// Collective.
-ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, const Problem& problem, int step);
+ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, const Problem& problem,
+                    int step);
 
-/// Throws InputError that names what differs; `path` is that of the checkpoint, `inputs` are the files of the scene `here`.
-void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::vector<InputFile>& inputs, const std::string& path);
+/// Throws InputError that names what differs; `path` is that of the checkpoint, `inputs` are the files of the
+/// scene `here`.
+void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::vector<InputFile>& inputs,
+                    const std::string& path);
 
 }  // namespace bulbus

@@ -37,7 +37,8 @@ RecordNames record_names(const Scene& scene) {
   if (!scene.output.vtk) return records;
   records.names.insert({series_file, bodies_index});
   records.increments = 0;
-  for (const StepSpec& step : scene.model.steps) records.increments += increments_of(step, scene.solver.stepping);
+  for (const StepSpec& step : scene.model.steps)
+    records.increments += increments_of(step, scene.solver.stepping);
   return records;
 }
 
@@ -45,9 +46,11 @@ void refuse_outside(const Scene& scene) {
   const std::filesystem::path dump = scene.solver.linear.dump;
   const bool control = std::ranges::any_of(dump.string(), [](unsigned char c) { return c < ' '; });
   if (dump.is_absolute() || std::ranges::count(dump, std::filesystem::path("..")) > 0 || control)
-    throw scene_error("solver.linear.dump", "'" + dump.string() + "' is no folder within that of the results", "Give it a plain name: 'systems' becomes a folder beside run.log.");
+    throw scene_error("solver.linear.dump", "'" + dump.string() + "' is no folder within that of the results",
+                      "Give it a plain name: 'systems' becomes a folder beside run.log.");
   if (!dump.empty() && record_names(scene).contains(dump.begin()->string()))
-    throw scene_error("solver.linear.dump", "'" + dump.string() + "' is the name of a record", "Give it another: 'systems'.");
+    throw scene_error("solver.linear.dump", "'" + dump.string() + "' is the name of a record",
+                      "Give it another: 'systems'.");
 }
 
 }  // namespace bulbus

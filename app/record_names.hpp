@@ -7,8 +7,9 @@
 namespace bulbus {
 
 /// Files of a run's folder.
-inline constexpr const char *summary_file = "summary.json", *history_file = "history.csv", *krylov_file = "krylov.csv",
-                            *resolved_file = "resolved.yaml", *log_file = "run.log", *series_file = "result.vtkhdf.series",
+inline constexpr const char *summary_file = "summary.json", *history_file = "history.csv",
+                            *krylov_file = "krylov.csv", *resolved_file = "resolved.yaml",
+                            *log_file = "run.log", *series_file = "result.vtkhdf.series",
                             *bodies_index = "bodies.pvd", *checkpoint_file = "checkpoint.h5";
 /// Those of an increment: result_0012.vtkhdf, bodies_0012.vtp.
 std::string result_file(int increment);
@@ -28,7 +29,8 @@ struct RecordNames {
 /// Of a run of the scene: without increments that come of cuts.
 RecordNames record_names(const Scene& scene);
 
-/// Throws InputError if something of the scene would be written outside of the folder of the results, or in place of a record.
+/// Throws InputError if something of the scene would be written outside of the folder of the results, or in
+/// place of a record.
 void refuse_outside(const Scene& scene);
 
 }  // namespace bulbus

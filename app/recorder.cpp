@@ -17,7 +17,8 @@ std::vector<std::string> history_columns(const ProbeSet& probes) {
 }
 
 std::vector<std::string> krylov_columns() {
-  return {"increment", "newton", "iteration", "residual", "displacement", "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"};
+  return {"increment",        "newton",          "iteration",           "residual",          "displacement",
+          "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"};
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       results_(scene.output, operation_, folder),
       checkpoints_(scene, prepared, *this, folder) {
   const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
-  folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file} : std::vector<std::string>{history_file});
+  folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file}
+                      : std::vector<std::string>{history_file});
   write_together(problem_.comm(), [&] {
     if (problem_.comm().rank() != 0) return;
     history_.emplace(folder.path() + "/" + history_file, history_columns(probes_), start);

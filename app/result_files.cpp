@@ -117,7 +117,8 @@ void ResultFiles::save(Snapshot& s) {
 }
 
 void ResultFiles::claim_indices() {
-  folder_.claim(operation_->bodies().empty() ? std::vector<std::string>{series_file} : std::vector<std::string>{series_file, bodies_index});
+  folder_.claim(operation_->bodies().empty() ? std::vector<std::string>{series_file}
+                                             : std::vector<std::string>{series_file, bodies_index});
 }
 
 void ResultFiles::list(int number, double time) {
@@ -131,7 +132,8 @@ void ResultFiles::remember(Keeper& keeper, const Comm& comm) {
   if (!keeper.reading() || saved_.empty()) return;
   claim_indices();
   write_together(comm, [&] {
-    for (std::size_t i = 0; i < saved_.size() && comm.rank() == 0; i += 2) list(static_cast<int>(saved_[i]), saved_[i + 1]);
+    for (std::size_t i = 0; i < saved_.size() && comm.rank() == 0; i += 2)
+      list(static_cast<int>(saved_[i]), saved_[i + 1]);
   });
 }
 

@@ -13,7 +13,8 @@ namespace bulbus {
 /// last.
 class ResultFiles {
  public:
-  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation, ResultsFolder& folder);
+  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation,
+              ResultsFolder& folder);
 
   /// Saves if it is this increment's turn. Collective. Throws std::runtime_error.
   void increment_done(int number, double time, Snapshot& snapshot);

@@ -118,8 +118,8 @@ void note_in_log(const ResultsFolder& folder, const std::string& fault) {
   }
 }
 
-int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene_path, const Comm& comm, Log::Screen screen,
-             const std::string& checkpoint) {
+int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene_path, const Comm& comm,
+             Log::Screen screen, const std::string& checkpoint) {
   const double start = Clock::now();
   Meters meters;
   Prepared prepared;
@@ -137,15 +137,18 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
     folder.go_on(folder_of(checkpoint), from->place().report.increments);
   else
     folder.begin();
+  if (comm.any(comm.rank() == 0 && !folder.held()))
+    prepared.warnings.push_back(folder.path() +
+                                ": its file system has no locks: nothing keeps a second run out of this folder");
   const auto path_of = [&](const char* file) { return folder.path() + "/" + file; };
   folder.claim({resolved_file, log_file, summary_file});
   write_together(comm, [&] {
-    if (comm.rank() == 0) write_whole(path_of(resolved_file), resolved_yaml(with_materials_of(problem, scene)));
+    if (comm.rank() == 0)
+      write_whole(path_of(resolved_file), resolved_yaml(with_materials_of(problem, scene)));
   });
   const FileStart start_of_records = from ? FileStart::continued : FileStart::anew;
   const Log log(path_of(log_file), comm, screen, start_of_records);
   write_header(log, scene, scene_path, prepared);
-  if (!folder.held()) log.warn(folder.path() + ": its file system has no locks: nothing keeps a second run out of this folder");
   log.info(fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * sum_of(memory)));
 
   const InterruptsHeeded heeded;

@@ -42,7 +42,12 @@ StudyResults nothing_yet(const Study& study, const std::vector<StudyRun>& runs) 
 class StudyRunner {
  public:
   StudyRunner(const Study& study, const std::string& folder, const Comm& comm)
-      : study_(study), folder_(folder), comm_(comm), runs_(plan(study)), results_(nothing_yet(study, runs_)), held_(folder, study_records, comm) {
+      : study_(study),
+        folder_(folder),
+        comm_(comm),
+        runs_(plan(study)),
+        results_(nothing_yet(study, runs_)),
+        held_(folder, study_records, comm) {
     for (const StudyRun& run : runs_) {
       done_.push_back(comm.rank() == 0 && is_finished(run.scene, folder_of(run)));
       done_.back() = comm.any(done_.back());
@@ -113,7 +118,8 @@ class StudyRunner {
   }
 
   void write() const {
-    write_whole(folder_ + "/study.csv", [&](const std::string& file) { write_study_csv(file, study_, results_); });
+    write_whole(folder_ + "/study.csv",
+                [&](const std::string& file) { write_study_csv(file, study_, results_); });
     write_json(folder_ + "/study.json", json_of(study_, results_, trends_of(study_, results_)));
     write_whole(folder_ + "/study.svg", svg_of(chart_of(study_, results_)));
   }

@@ -120,7 +120,8 @@ class TradeRunner {
   }
 
   void write() const {
-    write_whole(folder_ + "/trade.csv", [&](const std::string& file) { write_trade_csv(file, trade_, results_); });
+    write_whole(folder_ + "/trade.csv",
+                [&](const std::string& file) { write_trade_csv(file, trade_, results_); });
     write_whole(folder_ + "/trade.svg", svg_of(chart_of(trade_, results_)));
     log_.require_written();
   }

@@ -41,8 +41,8 @@ void give_freed_memory_back() {
 #endif
 }
 
-// A process that mpirun has not started is no server of others: it needs none of the large files that Open MPI shares with them, which
-// fail where the disk is full.
+// A process that mpirun has not started is no server of others: it needs none of the large files that Open
+// MPI shares with them, which fail where the disk is full.
 void share_nothing_alone() {
   if (!std::getenv("PMIX_NAMESPACE")) setenv("PMIX_MCA_gds", "hash", 0);
 }

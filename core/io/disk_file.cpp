@@ -14,7 +14,8 @@ namespace bulbus {
 
 DiskFile::DiskFile(std::string path, Start start)
     : path_(std::move(path)),
-      file_(open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (start == Start::empty ? O_TRUNC : O_APPEND), 0666)) {
+      file_(open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (start == Start::empty ? O_TRUNC : O_APPEND),
+                 0666)) {
   if (file_ < 0) fail(errno);
 }
 

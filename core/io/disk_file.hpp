@@ -4,7 +4,8 @@
 
 namespace bulbus {
 
-/// A file for writing of which every byte is accounted for. All members throw std::runtime_error with file and reason. Not collective.
+/// A file for writing of which every byte is accounted for. All members throw std::runtime_error with file
+/// and reason. Not collective.
 class DiskFile {
  public:
   enum class Start { empty, end };

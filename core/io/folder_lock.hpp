@@ -3,8 +3,8 @@
 
 namespace bulbus {
 
-/// Holds a folder against every other process and lock until it is destroyed. The system lets go of it however the process ends. Not
-/// collective: for one rank.
+/// Holds a folder against every other process and lock until it is destroyed. The system lets go of it
+/// however the process ends. Not collective: for one rank.
 class FolderLock {
  public:
   /// Throws InputError if another holds the folder, or it is none.

@@ -72,15 +72,24 @@ class Measure final : public Keeper {
   explicit Measure(const LocalMesh& mesh) : Keeper(mesh) {}
   bool reading() const override { return false; }
   bool knows(const std::string&) const override { return true; }
-  void numbers(const std::string&, std::vector<double>& values) override { add(values.size() * sizeof(double)); }
+  void numbers(const std::string&, std::vector<double>& values) override {
+    add(values.size() * sizeof(double));
+  }
   void text(const std::string&, std::string& value) override { add(value.size()); }
-  void rows(const std::string&, const Keys& keys, int width, std::vector<double>&) override { add_rows(keys, width); }
-  void mesh_table(const std::string&, const std::string&, const Keys& keys, int width, std::vector<double>&) override { add_rows(keys, width); }
+  void rows(const std::string&, const Keys& keys, int width, std::vector<double>&) override {
+    add_rows(keys, width);
+  }
+  void mesh_table(const std::string&, const std::string&, const Keys& keys, int width,
+                  std::vector<double>&) override {
+    add_rows(keys, width);
+  }
   double bytes() const { return bytes_; }
 
  private:
   static constexpr double header = 4096;  // of a dataset and the groups around it
-  void add_rows(const Keys& keys, int width) { add(static_cast<double>(std::ranges::count(keys.mine, 1)) * (width + 1) * sizeof(double)); }
+  void add_rows(const Keys& keys, int width) {
+    add(static_cast<double>(std::ranges::count(keys.mine, 1)) * (width + 1) * sizeof(double));
+  }
   void add(double bytes) { bytes_ += bytes + header; }
 
   double bytes_ = 0;

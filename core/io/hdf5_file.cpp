@@ -63,7 +63,8 @@ hid_t access_of(MPI_Comm comm) {
   return access;
 }
 
-// HDF5 cannot get rid of a file that it cannot write: so there has to be room for all of it before the first byte.
+// HDF5 cannot get rid of a file that it cannot write: so there has to be room for all of it before the first
+// byte.
 void reserve(const std::string& path, long long bytes, DiskFile::Start start, const Comm& comm) {
   write_together(comm, [&] {
     if (comm.rank() == 0) DiskFile(path, start).reserve(bytes);
@@ -73,11 +74,13 @@ void reserve(const std::string& path, long long bytes, DiskFile::Start start, co
 void prove_readable(const std::string& path) {
   const Handle access(access_of(MPI_COMM_SELF), H5Pclose, path);  // which needs no lock of the file
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-  if (file < 0 || H5Fclose(file) < 0) throw std::runtime_error(path + ": what was written cannot be read again");
+  if (file < 0 || H5Fclose(file) < 0)
+    throw std::runtime_error(path + ": what was written cannot be read again");
 }
 
 // A file that could not be written stays open: to close it, ranks would wait for each other.
-void write_and_close(const std::string& path, const Comm& comm, long long bytes, const std::function<void(hid_t)>& write) {
+void write_and_close(const std::string& path, const Comm& comm, long long bytes,
+                     const std::function<void(hid_t)>& write) {
   const Handle access(access_of(comm.raw()), H5Pclose, path);
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   any_left_open = file >= 0;
@@ -90,7 +93,8 @@ void write_and_close(const std::string& path, const Comm& comm, long long bytes,
 
 }  // namespace
 
-void write_whole(const std::string& path, const Comm& comm, double bytes, const std::function<void(hid_t)>& write) {
+void write_whole(const std::string& path, const Comm& comm, double bytes,
+                 const std::function<void(hid_t)>& write) {
   const Quiet quiet;
   const std::string temporary = path + ".tmp";
   const long long room = static_cast<long long>(bytes) + overhead;

@@ -41,9 +41,10 @@ class Quiet {
 
 void check(herr_t status, const std::string& what);
 
-/// Writes a new file on all ranks that is whole or not there: `write` fills it under a temporary name, with at most `bytes` of all
-/// ranks' data, for which room is taken before. Throws OutputError on every rank.
-void write_whole(const std::string& path, const Comm& comm, double bytes, const std::function<void(hid_t)>& write);
+/// Writes a new file on all ranks that is whole or not there: `write` fills it under a temporary name, with
+/// at most `bytes` of all ranks' data, for which room is taken before. Throws OutputError on every rank.
+void write_whole(const std::string& path, const Comm& comm, double bytes,
+                 const std::function<void(hid_t)>& write);
 
 template <class T>
 hid_t type_of();

@@ -35,7 +35,9 @@ Log::Log(const std::string& path, const Comm& comm, Screen screen, FileStart sta
   logger_ = std::make_shared<spdlog::logger>("bulbus", sinks.begin(), sinks.end());
   logger_->set_pattern("%v");
   logger_->flush_on(spdlog::level::info);
-  logger_->set_error_handler([fault = fault_](const std::string&) { if (*fault == 0) *fault = errno ? errno : EIO; });
+  logger_->set_error_handler([fault = fault_](const std::string&) {
+    if (*fault == 0) *fault = errno ? errno : EIO;
+  });
 }
 
 // The text goes in as an argument: braces in it are not a format.

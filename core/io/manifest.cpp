@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string headline = "# Files that bulbus wrote into this folder: a later run may write them again or take them away.";
+const std::string headline =
+    "# Files that bulbus wrote into this folder: a later run may write them again or take them away.";
 
 // Nobody's manifest reaches out of its folder.
 bool is_inside(const fs::path& name) {

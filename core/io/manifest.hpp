@@ -5,8 +5,9 @@
 
 namespace bulbus {
 
-/// manifest.txt of a folder: the names of the files that runs wrote there, and may write again or take away. A name is listed before its
-/// file is there. Not collective: for one rank. Disk faults are std::runtime_error.
+/// manifest.txt of a folder: the names of the files that runs wrote there, and may write again or take away.
+/// A name is listed before its file is there. Not collective: for one rank. Disk faults are
+/// std::runtime_error.
 class Manifest {
  public:
   /// Throws InputError if the file of that name is no manifest.

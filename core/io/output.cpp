@@ -10,10 +10,14 @@ namespace {
 
 std::string reason_of(int error) {
   switch (error) {
-    case ENOSPC: return "no space left on the disk";
-    case EDQUOT: return "no space left in the disk quota";
-    case EFBIG: return "no space left: a file may not grow that large (ulimit -f)";
-    default: return std::strerror(error);
+    case ENOSPC:
+      return "no space left on the disk";
+    case EDQUOT:
+      return "no space left in the disk quota";
+    case EFBIG:
+      return "no space left: a file may not grow that large (ulimit -f)";
+    default:
+      return std::strerror(error);
   }
 }
 

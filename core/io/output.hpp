@@ -13,14 +13,16 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs work of one rank or of each, which waits for no other rank; if it throws std::runtime_error anywhere, every rank throws the
-/// OutputError of the lowest such rank. Collective.
+/// Runs work of one rank or of each, which waits for no other rank; if it throws std::runtime_error anywhere,
+/// every rank throws the OutputError of the lowest such rank. Collective.
 void write_together(const Comm& comm, const std::function<void()>& work);
 
-/// "path: cannot be written: no space left on the disk", from an errno. A temporary file goes by its final name.
+/// "path: cannot be written: no space left on the disk", from an errno. A temporary file goes by its final
+/// name.
 std::string not_written(std::string path, int error);
 
-/// Is a file open that HDF5 could neither write nor close? Then the program must end without MPI_Finalize and exit(): they would crash.
+/// Is a file open that HDF5 could neither write nor close? Then the program must end without MPI_Finalize and
+/// exit(): they would crash.
 bool files_left_open();
 
 }  // namespace bulbus

@@ -9,7 +9,8 @@
 
 namespace bulbus {
 
-/// A table that grows row by row: header first, every row whole on the disk or not at all, twelve significant digits. Not collective.
+/// A table that grows row by row: header first, every row whole on the disk or not at all, twelve significant
+/// digits. Not collective.
 class CsvTable {
  public:
   using Cell = std::variant<double, long long, std::string>;
@@ -28,11 +29,12 @@ class CsvTable {
   std::unique_ptr<DiskFile> out_;
 };
 
-/// Cuts a table whose first column is a number in rising order: rows after `last` go, and a last one that was cut short. Nothing where
-/// there is no file. Throws std::runtime_error. Not collective.
+/// Cuts a table whose first column is a number in rising order: rows after `last` go, and a last one that was
+/// cut short. Nothing where there is no file. Throws std::runtime_error. Not collective.
 void cut_table(const std::string& path, int last);
 
-/// Takes away the last line of a text if it has no end. Nothing where there is no file. Throws std::runtime_error. Not collective.
+/// Takes away the last line of a text if it has no end. Nothing where there is no file. Throws
+/// std::runtime_error. Not collective.
 void cut_half_line(const std::string& path);
 
 }  // namespace bulbus

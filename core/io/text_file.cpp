@@ -17,7 +17,8 @@ namespace {
 // Of a file or a folder.
 void flush_to_disk(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool flushed = file >= 0 && (fsync(file) == 0 || errno == EINVAL);  // some file systems have no fsync of folders
+  const bool flushed =
+      file >= 0 && (fsync(file) == 0 || errno == EINVAL);  // some file systems have no fsync of folders
   const int error = errno;
   if (file >= 0) close(file);
   if (!flushed) throw std::runtime_error(not_written(path, error));
@@ -52,7 +53,8 @@ void write_whole(const std::string& path, const std::function<void(const std::st
 }
 
 void write_whole(const std::string& path, const std::string& text) {
-  write_whole(path, [&](const std::string& temporary) { DiskFile(temporary, DiskFile::Start::empty).write(text); });
+  write_whole(path,
+              [&](const std::string& temporary) { DiskFile(temporary, DiskFile::Start::empty).write(text); });
 }
 
 }  // namespace bulbus

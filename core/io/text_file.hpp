@@ -14,8 +14,8 @@ void write_whole(const std::string& path, const std::string& text);
 /// The same where `write` makes the file of the temporary name. Throws std::runtime_error.
 void write_whole(const std::string& path, const std::function<void(const std::string&)>& write);
 
-/// The second half of the same, for files that a library writes, once their content is on the disk: the name outlives a power cut
-/// only with what it names. Throws std::runtime_error.
+/// The second half of the same, for files that a library writes, once their content is on the disk: the name
+/// outlives a power cut only with what it names. Throws std::runtime_error.
 void settle(const std::string& temporary, const std::string& path);
 
 }  // namespace bulbus

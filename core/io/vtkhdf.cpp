@@ -117,7 +117,8 @@ double bytes_of(const Piece& piece) {
 }
 
 void write_content(hid_t file, const Piece& piece, const Comm& comm) {
-  Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "the group VTKHDF cannot be made");
+  Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+              "the group VTKHDF cannot be made");
   write_attributes(root);
   write_mesh(root, piece, comm);
   write_fields(root, "PointData", piece.point_fields, comm);
@@ -128,7 +129,8 @@ void write_content(hid_t file, const Piece& piece, const Comm& comm) {
 
 void write_vtkhdf(const std::string& path, const Piece& piece, const Comm& comm) {
   refuse_faults(path, piece, comm);
-  hdf5::write_whole(path, comm, comm.sum(bytes_of(piece)), [&](hid_t file) { write_content(file, piece, comm); });
+  hdf5::write_whole(path, comm, comm.sum(bytes_of(piece)),
+                    [&](hid_t file) { write_content(file, piece, comm); });
 }
 
 }  // namespace bulbus

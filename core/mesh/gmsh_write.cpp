@@ -71,7 +71,11 @@ struct Content {
 /// Writes under a temporary name: the file takes its own when it is whole.
 class Writer {
  public:
-  Writer(const std::string& path, bool binary) : path_(path), written_(is_special(path) ? path : path + ".tmp"), out_(written_, std::ios::binary), binary_(binary) {
+  Writer(const std::string& path, bool binary)
+      : path_(path),
+        written_(is_special(path) ? path : path + ".tmp"),
+        out_(written_, std::ios::binary),
+        binary_(binary) {
     if (!out_) fail();
   }
   template <class... T>
@@ -99,7 +103,9 @@ class Writer {
 
  private:
   // A pipe or a device.
-  static bool is_special(const std::string& path) { return std::filesystem::exists(path) && !std::filesystem::is_regular_file(path); }
+  static bool is_special(const std::string& path) {
+    return std::filesystem::exists(path) && !std::filesystem::is_regular_file(path);
+  }
   [[noreturn]] void fail() const {
     if (written_ != path_) std::remove(written_.c_str());
     throw input_error(path_, 0, "cannot write the mesh", "check the folder and its free space");

@@ -1,4 +1,5 @@
-// Files that a run reads and writes: changed inputs, folders in use, files of other people, names that lead elsewhere.
+// Files that a run reads and writes: changed inputs, folders in use, files of other people, names that lead
+// elsewhere.
 #include "core/io/folder_lock.hpp"
 #include "tests/cases/run_case.hpp"
 
@@ -43,7 +44,8 @@ TEST(ChangedInput, OfABodyIsRefused) {
   ASSERT_EQ(run_in(folder, "scene.yaml").status, 0);
   fs::copy_file(folder / "other.stl", folder / "m.stl", fs::copy_options::overwrite_existing);
   const auto before = content(folder);
-  expect_refused(run_in(folder, "scene.yaml", {"--restart"}), {"checkpoint.h5: ", "m.stl", "rigid_bodies.ball.file.path", "run without --restart"});
+  expect_refused(run_in(folder, "scene.yaml", {"--restart"}),
+                 {"checkpoint.h5: ", "m.stl", "rigid_bodies.ball.file.path", "run without --restart"});
   EXPECT_EQ(content(folder), before);
   fs::copy_file(folder / "good.stl", folder / "m.stl", fs::copy_options::overwrite_existing);
   write(folder / "scene.yaml", "# a comment\n" + read(folder / "scene.yaml"));
@@ -54,10 +56,13 @@ TEST(ChangedInput, OfABodyIsRefused) {
 TEST(ChangedInput, OfAMeshIsRefused) {
   const auto folder = copy_of("interrupted");
   ASSERT_EQ(command(folder, {"mesh", folder / "s.yaml", "-o", folder / "m.msh", "--text"}).status, 0);
-  write(folder / "s.yaml", replaced(read(folder / "s.yaml"), "{block: {upper: [1,1,1], nx: 2, ny: 2, nz: 2}}", "{file: m.msh}"));
+  write(folder / "s.yaml",
+        replaced(read(folder / "s.yaml"), "{block: {upper: [1,1,1], nx: 2, ny: 2, nz: 2}}", "{file: m.msh}"));
   ASSERT_EQ(run_in(folder, "s.yaml", {"--set", "output.checkpoint=1"}).status, 0);
   std::string mesh = read(folder / "m.msh");
-  for (const auto& [from, to] : {std::pair{"\"zmax\"", "\"\""}, {"\"ymax\"", "\"zmax\""}, {"\"\"", "\"ymax\""}}) mesh = replaced(mesh, from, to);
+  for (const auto& [from, to] :
+       {std::pair{"\"zmax\"", "\"\""}, {"\"ymax\"", "\"zmax\""}, {"\"\"", "\"ymax\""}})
+    mesh = replaced(mesh, from, to);
   write(folder / "m.msh", mesh);
   expect_refused(run_in(folder, "s.yaml", {"--restart"}), {"m.msh", "mesh.file", "run without --restart"});
 }
@@ -66,7 +71,9 @@ TEST(ChangedInput, OfAMeshIsRefused) {
 TEST(ChangedInput, IsNoFinishedRunOfAStudy) {
   const auto folder = copy_of("restart_other_body");
   fs::copy_file(folder / "good.stl", folder / "m.stl");
-  write(folder / "study.yaml", "scene: scene.yaml\nvary: [{name: stiffness, keys: [regions.block.c10], values: [50 kPa, 60 kPa]}]\n");
+  write(
+      folder / "study.yaml",
+      "scene: scene.yaml\nvary: [{name: stiffness, keys: [regions.block.c10], values: [50 kPa, 60 kPa]}]\n");
   const auto study = [&] { return command(folder, {"study", folder / "study.yaml", "-o", folder / "out"}); };
   ASSERT_EQ(study().status, 0);
   const std::string first = read(folder / "out/run_001/summary.json");
@@ -92,18 +99,20 @@ TEST(FolderInUse, IsRefusedAndNotTouched) {
 
 TEST(FolderInUse, OfAStudyOrOneOfItsRunsIsRefused) {
   const auto folder = copy_of("interrupted");
-  write(folder / "study.yaml", "scene: s.yaml\nvary: [{name: stiffness, keys: [regions.block.c10], values: [50 kPa, 60 kPa]}]\n");
+  write(folder / "study.yaml",
+        "scene: s.yaml\nvary: [{name: stiffness, keys: [regions.block.c10], values: [50 kPa, 60 kPa]}]\n");
   for (const char* used : {"out", "out/run_002"}) {
     fs::create_directories(folder / used);
     const FolderLock other(folder / used);
-    expect_refused(command(folder, {"study", folder / "study.yaml", "-o", folder / "out"}), {std::string(used) + ": another run is writing"});
+    expect_refused(command(folder, {"study", folder / "study.yaml", "-o", folder / "out"}),
+                   {std::string(used) + ": another run is writing"});
     EXPECT_FALSE(fs::exists(folder / "out/run_001"));
   }
 }
 
 TEST(FilesOfOthers, AreNotOverwritten) {
-  for (const char* name : {"summary.json", "run.log", "history.csv", "resolved.yaml", "checkpoint.h5", "result_0002.vtkhdf", "result_0001.vtkhdf.tmp",
-                           "bodies.pvd", "manifest.txt"}) {
+  for (const char* name : {"summary.json", "run.log", "history.csv", "resolved.yaml", "checkpoint.h5",
+                           "result_0002.vtkhdf", "result_0001.vtkhdf.tmp", "bodies.pvd", "manifest.txt"}) {
     const auto folder = copy_of("interrupted");
     fs::create_directories(folder / "out");
     write(folder / "out" / name, "mine");
@@ -116,11 +125,14 @@ TEST(FilesOfOthers, AreNotOverwritten) {
 TEST(FilesOfOthers, LastThroughRunsAndRestarts) {
   const auto folder = copy_of("interrupted");
   fs::create_directories(folder / "out/result_0001");
-  for (const char* name : {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"}) write(folder / "out" / name, name);
+  for (const char* name :
+       {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"})
+    write(folder / "out" / name, name);
   ASSERT_EQ(run_in(folder, "s.yaml", {"--set", "output.checkpoint=1"}).status, 0);
   ASSERT_EQ(run_in(folder, "s.yaml", {"--restart"}).status, 0);
   ASSERT_EQ(run_in(folder, "s.yaml", {"--set", "output.vtk=false"}).status, 0);
-  for (const char* name : {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"})
+  for (const char* name :
+       {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"})
     EXPECT_EQ(read(folder / "out" / name), name);
   EXPECT_FALSE(fs::exists(folder / "out/result_0001.vtkhdf"));
 }
@@ -130,19 +142,22 @@ TEST(Manifest, EndsAtItsFolder) {
   const auto folder = copy_of("interrupted");
   ASSERT_EQ(run_in(folder, "s.yaml").status, 0);
   write(folder / "mine.txt", "mine");
-  std::ofstream(folder / "out/manifest.txt", std::ios::app) << "../mine.txt\n" << (folder / "mine.txt").string() << "\n";
+  std::ofstream(folder / "out/manifest.txt", std::ios::app) << "../mine.txt\n"
+                                                            << (folder / "mine.txt").string() << "\n";
   ASSERT_EQ(run_in(folder, "s.yaml").status, 0);
   EXPECT_EQ(read(folder / "mine.txt"), "mine");
 }
 
 TEST(NameOfOutput, StaysInsideOfTheFolder) {
-  for (const std::string name : {"/tmp/bulbus_elsewhere", "../elsewhere", "a/../../elsewhere", "summary.json", "run.log/x"})
+  for (const std::string name :
+       {"/tmp/bulbus_elsewhere", "../elsewhere", "a/../../elsewhere", "summary.json", "run.log/x"})
     for (const char* verb : {"check", "run"}) {
       const Ran r = run_case("interrupted", {"solver.linear.dump=" + name}, "s.yaml", verb);
       expect_refused(r, {"solver.linear.dump", name});
       EXPECT_FALSE(fs::exists(r.folder / "out"));
     }
-  EXPECT_TRUE(run_case("interrupted", {"solver.linear.dump=deep/systems"}).wrote("deep/systems/system_0001.h5"));
+  EXPECT_TRUE(
+      run_case("interrupted", {"solver.linear.dump=deep/systems"}).wrote("deep/systems/system_0001.h5"));
 }
 
 TEST(NameOfOutput, MayLeadElsewhereByALinkOfTheUser) {
@@ -160,7 +175,8 @@ TEST(FolderThatCannotBe, IsRefusedBeforeAnyComputing) {
   fs::create_directories(folder / "taken/run.log");
   for (const char* out : {"file", "file/below", "link", "taken"}) {
     const Ran r = command(folder, {"run", folder / "s.yaml", "-o", folder / out});
-    expect_refused(r, {(folder / out).string() + ": cannot be made a folder of results", "Name another with -o."});
+    expect_refused(
+        r, {(folder / out).string() + ": cannot be made a folder of results", "Name another with -o."});
   }
   EXPECT_EQ(command(folder, {"run", folder / "s.yaml", "-o", folder / "some/where/else"}).status, 0);
 }

@@ -118,14 +118,17 @@ TEST(Run, TellsWhyItDidNotConverge) {
 
 TEST(Run, TakesAwayTheRecordsOfAnEarlierRun) {
   Ran r = run_scene(scene);
-  for (const char* mine : {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
+  for (const char* mine :
+       {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
     std::ofstream(r.folder / "out" / mine) << "mine";
   std::ostringstream out, err;
-  EXPECT_EQ(command_line({"run", r.folder / "scene.yaml", "-o", r.folder / "out", "--set", "steps.0.increments=1"},
-                         Comm(MPI_COMM_SELF), out, err),
-            0);
+  EXPECT_EQ(
+      command_line({"run", r.folder / "scene.yaml", "-o", r.folder / "out", "--set", "steps.0.increments=1"},
+                   Comm(MPI_COMM_SELF), out, err),
+      0);
   EXPECT_FALSE(r.wrote("result_0002.vtkhdf"));
-  for (const char* mine : {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
+  for (const char* mine :
+       {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
     EXPECT_EQ(r.text(mine), "mine") << mine;
 }
 

@@ -84,7 +84,8 @@ TEST(StudyRun, FindsRunsOfMaterialsAgain) {
 TEST(StudyRun, DumpsEveryRunIntoItsOwnFolder) {
   const Ran r = run_a_study(bar_study, {"solver.linear.dump=systems"});
   ASSERT_EQ(r.status, 0) << r.err;
-  for (int run = 1; run <= 6; ++run) EXPECT_TRUE(r.wrote("run_00" + std::to_string(run) + "/systems/system_0001.h5")) << run;
+  for (int run = 1; run <= 6; ++run)
+    EXPECT_TRUE(r.wrote("run_00" + std::to_string(run) + "/systems/system_0001.h5")) << run;
 }
 
 TEST(StudyRun, ChecksWithoutSolving) {

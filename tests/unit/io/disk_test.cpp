@@ -83,7 +83,8 @@ TEST(FullDisk, IsMetBeforeAResultIsBegun) {
     write_vtkhdf(path, {points, {}, {}, {}}, Comm(MPI_COMM_SELF));
     FAIL() << "written";
   } catch (const OutputError& fault) {
-    EXPECT_EQ(std::string(fault.what()).find(path.string() + ": cannot be written: no space left"), 0u) << fault.what();
+    EXPECT_EQ(std::string(fault.what()).find(path.string() + ": cannot be written: no space left"), 0u)
+        << fault.what();
   }
   EXPECT_TRUE(fs::is_empty(path.parent_path()));
   EXPECT_FALSE(files_left_open());

@@ -130,7 +130,8 @@ TEST(Vtkhdf, NamesAFileThatCannotBeCreated) {
     write_vtkhdf("/no/such/folder/a.vtkhdf", Cube().piece(), Comm(MPI_COMM_SELF));
     FAIL() << "written";
   } catch (const std::runtime_error& fault) {
-    EXPECT_NE(std::string(fault.what()).find("/no/such/folder/a.vtkhdf: cannot be written: No such file or directory"),
+    EXPECT_NE(std::string(fault.what())
+                  .find("/no/such/folder/a.vtkhdf: cannot be written: No such file or directory"),
               std::string::npos);
   }
 }
