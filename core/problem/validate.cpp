@@ -88,17 +88,13 @@ std::vector<std::string> prescribed(const DisplaceSpec& d) {
 // What one step says twice of the same set replaces what it said first.
 void refuse_twice(const StepSpec& step, const std::string& key) {
   std::set<std::string> seen;
-  const auto take = [&](const std::string& what, const std::string& at) {
-    if (!seen.insert(what).second) throw scene_error(at, what + " is given twice in one step: only the last would count", "Keep one of the two, or give their sum.");
-  };
   for (std::size_t i = 0; i < step.displace.size(); ++i)
-    for (const std::string& what : prescribed(step.displace[i])) take("displacement " + what + " of '" + step.displace[i].set + "'", key + ".displace." + std::to_string(i));
-  for (std::size_t i = 0; i < step.loads.size(); ++i) {
-    const LoadSpec& l = step.loads[i];
-    const std::string at = key + ".loads." + std::to_string(i);
-    if (l.pressure) take("the pressure on '" + l.surface + "'", at);
-    if (l.force) take("the force on '" + l.set + "'", at);
-  }
+    for (const std::string& what : prescribed(step.displace[i])) {
+      const std::string& set = step.displace[i].set;
+      if (!seen.insert(what + " " + set).second)
+        throw scene_error(key + ".displace." + std::to_string(i), "displacement " + what + " of '" + set + "' is given twice in one step: only the last would count",
+                          "Keep one of the two, or give their sum.");
+    }
 }
 
 void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, const std::string& key) {
