@@ -117,8 +117,9 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   parts.push_back({"libraries at work", 10 * megabyte * size.ranks});
   // MUMPS sends fronts from rank to rank
   if (size.ranks > 1) parts.push_back({"message buffers", 8 * megabyte * size.ranks});
-  // gap, foot and normal of a point and of its trial, its candidates, and its block of the tangent
-  if (size.contact_points > 0) parts.push_back({"contacts", 300 * size.contact_points});
+  // of a point: place, normal and area now, on trial, at the last search and at the start of the increment, multipliers and history of its
+  // pieces, candidates, its block of the tangent; measured on the encircling eye
+  if (size.contact_points > 0) parts.push_back({"contacts", 800 * size.contact_points});
   // states at rest, on trial and of a probe's beginning, right-hand side and solution
   parts.push_back({"states and residuals", number * 5 * s.unknowns()});
   // fields on their way to a file, measured; elsewhere they are less than a Krylov basis, which is gone by then
