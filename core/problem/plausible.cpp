@@ -57,7 +57,7 @@ void check_displacement(const Sizes& sizes, const std::optional<std::string>& te
 }
 
 // What no unit explains: such motions lead out of sight, and such forces are beyond what any tissue bears.
-constexpr double most_way = 1000, most_force = 1000;
+constexpr double most_way = 1000, most_force = 1000, most_volume = 100;
 
 void check_size(double value, double most, const std::string& key, const std::string& what, const std::string& unit, const std::string& against) {
   if (std::abs(value) <= most) return;
@@ -71,6 +71,8 @@ void check_step(const Sizes& sizes, const StepSpec& step, const std::string& at)
     check_size(norm(step.move[i].translate), way, key + ".translate", "a shift", "mm", against);
     check_size(step.move[i].close, way, key + ".close", "a way", "mm", against);
   }
+  for (const auto& [name, volume] : step.add)
+    check_size(volume, most_volume * std::pow(sizes.diagonal, 3), at + "add." + name, "a volume", "mm3", "more than a hundred times the cube of the mesh's diagonal");
   if (force == 0) return;
   const std::string against = "more than a thousand times the stiffest region's shear modulus times the mesh's diagonal squared";
   for (std::size_t i = 0; i < step.loads.size(); ++i)

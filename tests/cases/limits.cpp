@@ -141,6 +141,10 @@ TEST(SlipsOfMeaning, AreRefused) {
   expect_refused(checked(with_body, {"contacts.0.tolerance=1000"}), {"contacts.0.tolerance"});
   expect_refused(checked(with_body, {"rigid_bodies.lid.plane.point=[0, 0, 1e9]"}), {"rigid_bodies.lid", "diagonals"});
   expect_refused(checked(block, {"steps.0.loads=[{set: zmax, force: [1e30, 0, 0]}]"}), {"steps.0.loads.0.force"});
+  // squares that overflow or vanish turned directions into nothing
+  expect_refused(checked(block, {"steps.0.loads=[{surface: zmax, pressure: 1 kPa, dead: true, direction: [0, -1e308, -1]}]"}), {"direction", "beyond all measure"});
+  expect_refused(checked(block, {"steps.0.displace=[{set: xmax, rotate: {axis: [0, 1e200, 1], angle: 0.1}}]"}), {"axis", "beyond all measure"});
+  expect_refused(checked(with_body, {"rigid_bodies.lid.direction=[0, 0, 1e-300]"}), {"direction", "beyond all measure"});
   EXPECT_EQ(checked(block).status, 0);
   EXPECT_EQ(checked(with_body).status, 0);
 }
