@@ -14,9 +14,9 @@
 namespace bulbus {
 namespace {
 
-constexpr int deepest = 64;                   // an alias inside its own anchor would nest for ever
-constexpr std::size_t most_bytes = 4 << 20;   // a scene is a few kilobytes
-constexpr std::size_t most_values = 200000;   // aliases of aliases multiply
+constexpr int deepest = 64;                  // an alias inside its own anchor would nest for ever
+constexpr std::size_t most_bytes = 4 << 20;  // a scene is a few kilobytes
+constexpr std::size_t most_values = 200000;  // aliases of aliases multiply
 
 struct Source {
   std::string name;
@@ -38,22 +38,26 @@ class Converter {
     count(1, place);
     if (node.IsMap()) return convert_map(node, place, depth);
     if (node.IsSequence()) return convert_list(node, place, depth);
-    return node.IsScalar() ? Entry::word(whole(node.Scalar(), place), place) : Entry::empty(Entry::Kind::nothing, place);
+    return node.IsScalar() ? Entry::word(whole(node.Scalar(), place), place)
+                           : Entry::empty(Entry::Kind::nothing, place);
   }
 
  private:
   // Messages and names of files would end there.
   static std::string whole(const std::string& word, const Place& place) {
     if (word.find('\0') != std::string::npos)
-      throw input_error(place.file, place.line, "'" + printable(word, true) + "' has a character of code 0", "write it again without: editors hide such characters");
+      throw input_error(place.file, place.line, "'" + printable(word, true) + "' has a character of code 0",
+                        "write it again without: editors hide such characters");
     return word;
   }
 
   void count(std::size_t more, const Place& place) {
     values_ += more;
     if (values_ > most_values)
-      throw input_error(place.file, place.line, fmt::format("with its aliases written out it has more than {} values", most_values),
-                        "let aliases (*name) not stand for lists or maps of further aliases, and keep meshes and tables in files of their own");
+      throw input_error(place.file, place.line,
+                        fmt::format("with its aliases written out it has more than {} values", most_values),
+                        "let aliases (*name) not stand for lists or maps of further aliases, and keep meshes "
+                        "and tables in files of their own");
   }
 
   Entry convert_list(const YAML::Node& node, const Place& place, int depth) {
@@ -69,11 +73,13 @@ class Converter {
     for (const auto& pair : node) {
       const Place at = source_.at(pair.first.Mark());
       if (!pair.first.IsScalar())
-        throw input_error(at.file, at.line, "a key must be a word", "write `key: value`, and put words with brackets or braces in quotes");
+        throw input_error(at.file, at.line, "a key must be a word",
+                          "write `key: value`, and put words with brackets or braces in quotes");
       const std::string key = whole(pair.first.Scalar(), at);
       if (const auto [first, fresh] = lines.emplace(key, at.line); !fresh)
-        throw input_error(at.file, at.line, "the key '" + printable(key, true) + "' is given twice",
-                          "it stands in line " + std::to_string(first->second) + " already; keep one of the two");
+        throw input_error(
+            at.file, at.line, "the key '" + printable(key, true) + "' is given twice",
+            "it stands in line " + std::to_string(first->second) + " already; keep one of the two");
       Entry value = convert(pair.second, depth + 1);
       if (value.place.line == 0) value.place = at;
       if (key == "<<")
@@ -85,16 +91,19 @@ class Converter {
     return map;
   }
 
-  // The merge key of YAML, `<<: *name`: what the map does not say itself comes from another map, or from the first of several.
+  // The merge key of YAML, `<<: *name`: what the map does not say itself comes from another map, or from the
+  // first of several.
   void merge(Entry& map, const Entry& from, std::unordered_map<std::string, int>& lines) {
     if (from.is(Entry::Kind::list)) {
       for (const Entry& one : from.items) merge(map, one, lines);
       return;
     }
     if (!from.is(Entry::Kind::map))
-      throw input_error(source_.name, from.place.line, "the merge key '<<' has no map", "write `<<: *name` with the anchor &name at a map, or a list of such");
+      throw input_error(source_.name, from.place.line, "the merge key '<<' has no map",
+                        "write `<<: *name` with the anchor &name at a map, or a list of such");
     for (std::size_t i = 0; i < from.keys.size(); ++i)
-      if (lines.emplace(from.keys[i], from.key_places[i].line).second) map.insert(from.keys[i], from.key_places[i], from.items[i]);
+      if (lines.emplace(from.keys[i], from.key_places[i].line).second)
+        map.insert(from.keys[i], from.key_places[i], from.items[i]);
   }
 
   const Source& source_;
@@ -140,8 +149,8 @@ Entry parse(const std::string& text, const Source& source) {
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
     if (documents.size() > 1)
-      throw input_error(source.name, source.at(documents[1].Mark()).line, "a second YAML document begins here",
-                        "remove the lines '---' between them");
+      throw input_error(source.name, source.at(documents[1].Mark()).line,
+                        "a second YAML document begins here", "remove the lines '---' between them");
     return documents.empty() ? Entry::empty(Entry::Kind::nothing, {source.name, 0})
                              : Converter(source).convert(documents[0], 0);
   } catch (const YAML::Exception& fault) {

@@ -22,10 +22,13 @@ double contact_points(const Operation& operation) {
 
 RunSize size_of(const Prepared& prepared) {
   const Problem& problem = *prepared.problem;
-  RunSize size{.liquids = static_cast<double>(problem.liquids().size()), .refinements = problem.mesh().refinements, .ranks = problem.comm().size()};
+  RunSize size{.liquids = static_cast<double>(problem.liquids().size()),
+               .refinements = problem.mesh().refinements,
+               .ranks = problem.comm().size()};
   size.contact_points = problem.comm().sum(contact_points(*prepared.operation));
   for (const Problem* p = &problem; p; p = p->coarser()) {
-    std::array<double, 2> sums{static_cast<double>(p->mesh().nodes()), static_cast<double>(p->mesh().hexes.size())};
+    std::array<double, 2> sums{static_cast<double>(p->mesh().nodes()),
+                               static_cast<double>(p->mesh().hexes.size())};
     p->comm().sum(sums);
     size.levels.push_back({sums[0], sums[1]});
   }

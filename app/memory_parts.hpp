@@ -14,7 +14,8 @@ struct MemoryPart {
 
 double sum_of(const std::vector<MemoryPart>& parts);
 
-/// What a run's memory depends on, summed over ranks: numbers of nodes and hexahedra, those that ranks share counted on each.
+/// What a run's memory depends on, summed over ranks: numbers of nodes and hexahedra, those that ranks share
+/// counted on each.
 struct RunSize {
   struct Level {
     double nodes, hexes;

@@ -7,8 +7,9 @@
 
 namespace bulbus {
 
-/// Refuses, before it is made, a mesh whose nodes or hexahedra cannot be numbered, or that needs more memory than there is: while it is
-/// prepared, or later by the solver as far as counts tell. Throws InputError with the key `mesh`.
+/// Refuses, before it is made, a mesh whose nodes or hexahedra cannot be numbered, or that needs more memory
+/// than there is: while it is prepared, or later by the solver as far as counts tell. Throws InputError with
+/// the key `mesh`.
 void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks);
 
 /// The same where the mesh is made whole, by one process, and not solved on.

@@ -22,7 +22,9 @@ struct Mount {
   bool version2;
 };
 
-bool has_word(const std::string& list, const std::string& word) { return ("," + list + ",").find("," + word + ",") != std::string::npos; }
+bool has_word(const std::string& list, const std::string& word) {
+  return ("," + list + ",").find("," + word + ",") != std::string::npos;
+}
 
 // proc(5): id parent device root folder options ... - type source options
 std::vector<Mount> mounts_of_memory(const std::string& proc) {
@@ -35,7 +37,8 @@ std::vector<Mount> mounts_of_memory(const std::string& proc) {
     std::string id, parent, device, root, folder, type, source, options;
     before >> id >> parent >> device >> root >> folder;
     behind >> type >> source >> options;
-    if (type == "cgroup2" || (type == "cgroup" && has_word(options, "memory"))) mounts.push_back({root, folder, type == "cgroup2"});
+    if (type == "cgroup2" || (type == "cgroup" && has_word(options, "memory")))
+      mounts.push_back({root, folder, type == "cgroup2"});
   }
   return mounts;
 }
@@ -59,10 +62,12 @@ std::size_t limit_in(const fs::path& group, bool version2) {
   return file >> bytes ? static_cast<std::size_t>(bytes) : no_limit;
 }
 
-// In a container the path may be told as the host sees it, above what is mounted: then what is mounted is the group.
+// In a container the path may be told as the host sees it, above what is mounted: then what is mounted is the
+// group.
 fs::path folder_of(const Mount& mount, const std::string& group) {
   const fs::path below = fs::path(group).lexically_relative(mount.root);
-  return below.empty() || *below.begin() == ".." ? fs::path(mount.folder) : (mount.folder / below).lexically_normal();
+  return below.empty() || *below.begin() == ".." ? fs::path(mount.folder)
+                                                 : (mount.folder / below).lexically_normal();
 }
 
 std::size_t least_above(const Mount& mount, const std::string& group) {
@@ -74,7 +79,9 @@ std::size_t least_above(const Mount& mount, const std::string& group) {
 
 std::size_t soft_limit(int resource) {
   rlimit limit{};
-  return getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY ? no_limit : static_cast<std::size_t>(limit.rlim_cur);
+  return getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY
+             ? no_limit
+             : static_cast<std::size_t>(limit.rlim_cur);
 }
 
 }  // namespace
@@ -82,14 +89,16 @@ std::size_t soft_limit(int resource) {
 std::size_t cgroup_bytes(const std::string& proc) {
   std::size_t least = no_limit;
   for (const Mount& mount : mounts_of_memory(proc))
-    if (const auto group = group_in(proc, mount.version2)) least = std::min(least, least_above(mount, *group));
+    if (const auto group = group_in(proc, mount.version2))
+      least = std::min(least, least_above(mount, *group));
   return least;
 }
 
 std::size_t process_limit_bytes() {
   const std::size_t data = soft_limit(RLIMIT_DATA), space = soft_limit(RLIMIT_AS);
   if (space == no_limit) return data;
-  const std::size_t mapped = address_space_bytes(), held = resident_bytes(), idle = mapped > held ? mapped - held : 0;
+  const std::size_t mapped = address_space_bytes(), held = resident_bytes(),
+                    idle = mapped > held ? mapped - held : 0;
   return std::min(data, space > idle ? space - idle : 0);
 }
 

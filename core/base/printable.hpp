@@ -4,8 +4,8 @@
 
 namespace bulbus {
 
-/// At most 40 characters of a word of a file as a message shows them: control characters become '?', and so does what is not ASCII
-/// unless it is `utf8`.
+/// At most 40 characters of a word of a file as a message shows them: control characters become '?', and so
+/// does what is not ASCII unless it is `utf8`.
 inline std::string printable(std::string_view word, bool utf8 = false) {
   std::string text(word.substr(0, 40));
   for (char& c : text) {

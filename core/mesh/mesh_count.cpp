@@ -8,9 +8,12 @@ namespace bulbus {
 namespace {
 
 // Octants of which a part of a sphere is made.
-double octants(const std::string& part) { return part == "octant" ? 1 : part == "quarter" ? 2 : part == "half" ? 4 : 8; }
+double octants(const std::string& part) {
+  return part == "octant" ? 1 : part == "quarter" ? 2 : part == "half" ? 4 : 8;
+}
 
-// Of the sphere's side of an octant, three patches of n x n faces; where octants meet, nodes are counted twice.
+// Of the sphere's side of an octant, three patches of n x n faces; where octants meet, nodes are counted
+// twice.
 double sphere_faces(double n) { return 3 * n * n; }
 double sphere_nodes(double n) { return 3 * n * n + 3 * n + 1; }
 
@@ -21,7 +24,9 @@ MeshCount disc(const DiscMap& map, bool half) {
   return {4 * n * n + 8 * n * rings, (2 * n + 1) * (2 * n + 1) + 8 * n * rings};
 }
 
-MeshCount layered(const MeshCount& section, double layers) { return {section.hexes * layers, section.nodes * (layers + 1)}; }
+MeshCount layered(const MeshCount& section, double layers) {
+  return {section.hexes * layers, section.nodes * (layers + 1)};
+}
 
 }  // namespace
 
@@ -30,11 +35,14 @@ MeshCount count(const BlockShape& b) {
   return {x * y * z, (x + 1) * (y + 1) * (z + 1)};
 }
 
-MeshCount count(const ShellShape& s) { return layered({octants(s.part) * sphere_faces(s.n), octants(s.part) * sphere_nodes(s.n)}, s.layers); }
+MeshCount count(const ShellShape& s) {
+  return layered({octants(s.part) * sphere_faces(s.n), octants(s.part) * sphere_nodes(s.n)}, s.layers);
+}
 
 MeshCount count(const BallShape& b) {
   const double n = b.n, layers = b.layers, parts = octants(b.part);
-  return {parts * (n * n * n + layers * sphere_faces(n)), parts * (std::pow(n + 1, 3) + layers * sphere_nodes(n))};
+  return {parts * (n * n * n + layers * sphere_faces(n)),
+          parts * (std::pow(n + 1, 3) + layers * sphere_nodes(n))};
 }
 
 MeshCount count(const CylinderShape& c) { return layered(disc({c.n, c.rings, c.core}, false), c.layers); }

@@ -10,8 +10,8 @@ struct MeshCount {
   double hexes = 0, nodes = 0;
 };
 
-/// What generate() will make, without making it: hexahedra exactly; nodes exactly for blocks and cylinders, within 2 % for the eye, and
-/// for spheres those of each octant, though octants share some.
+/// What generate() will make, without making it: hexahedra exactly; nodes exactly for blocks and cylinders,
+/// within 2 % for the eye, and for spheres those of each octant, though octants share some.
 MeshCount count(const BlockShape& shape);
 MeshCount count(const ShellShape& shape);
 MeshCount count(const BallShape& shape);

@@ -23,7 +23,8 @@ Range word_at(const std::string& text, std::size_t at) {
 
 Range line_at(const std::string& text, std::size_t at) {
   const auto before = at == 0 ? std::string::npos : text.rfind('\n', at - 1), end = text.find('\n', at);
-  const std::size_t first = before == std::string::npos ? 0 : before + 1, last = end == std::string::npos ? text.size() : end + 1;
+  const std::size_t first = before == std::string::npos ? 0 : before + 1,
+                    last = end == std::string::npos ? text.size() : end + 1;
   return {first, last - first};
 }
 
@@ -35,8 +36,18 @@ void put(std::string& bytes, std::size_t at, T value) {
 
 void put_number(std::string& bytes, std::size_t at, Random& random) {
   constexpr auto inf = std::numeric_limits<double>::infinity();
-  static const std::vector<double> reals{std::numeric_limits<double>::quiet_NaN(), inf, -inf, 1e308, -1e300, 1e-300, 0, -1, 1e5};
-  static const std::vector<long long> wholes{-1, 0, 1, 2, 255, 65536, 1LL << 31, (1LL << 32) - 1, 1LL << 40, std::numeric_limits<long long>::max(),
+  static const std::vector<double> reals{
+      std::numeric_limits<double>::quiet_NaN(), inf, -inf, 1e308, -1e300, 1e-300, 0, -1, 1e5};
+  static const std::vector<long long> wholes{-1,
+                                             0,
+                                             1,
+                                             2,
+                                             255,
+                                             65536,
+                                             1LL << 31,
+                                             (1LL << 32) - 1,
+                                             1LL << 40,
+                                             std::numeric_limits<long long>::max(),
                                              std::numeric_limits<long long>::min()};
   switch (random.below(4)) {
     case 0:
@@ -99,17 +110,82 @@ void add_fault(std::string& text, bool binary, Random& random) {
 }  // namespace
 
 const std::vector<std::string>& awkward_words() {
-  static const std::vector<std::string> words{
-      "nan", ".nan", "inf", ".inf", "-.inf", "1e308", "-1e308", "1e-308", "1e999", "0", "-0.0", "-1", "1", "2", "3", "7", "0.5", "1e5", "1e-9", "100000",
-      "1000000", "2147483647", "2147483648", "-2147483648", "4294967296", "9223372036854775807", "99999999999999999999", "0x7f", "1_000", "", "~", "null",
-      "true", "no", "[]", "{}", "[1, 2]", "x", "X", "s", "xyz", "αβγ", "1/0", "sqrt(-1)", "log(s)", "s/0", "X*1e300", "t^99999", "((((1))))", "0,1",
-      "1 mmHg", "15 mmhg", "5 kg", "3 deg", "90", "-5 MPa", "2 m", "%s%n", "../../x", "/dev/null", "*a", "&a", "!!binary x", std::string(5000, 'a'),
-      std::string("a\0b", 3), "\"", "'", "|", "- -", "? :"};
+  static const std::vector<std::string> words{"nan",
+                                              ".nan",
+                                              "inf",
+                                              ".inf",
+                                              "-.inf",
+                                              "1e308",
+                                              "-1e308",
+                                              "1e-308",
+                                              "1e999",
+                                              "0",
+                                              "-0.0",
+                                              "-1",
+                                              "1",
+                                              "2",
+                                              "3",
+                                              "7",
+                                              "0.5",
+                                              "1e5",
+                                              "1e-9",
+                                              "100000",
+                                              "1000000",
+                                              "2147483647",
+                                              "2147483648",
+                                              "-2147483648",
+                                              "4294967296",
+                                              "9223372036854775807",
+                                              "99999999999999999999",
+                                              "0x7f",
+                                              "1_000",
+                                              "",
+                                              "~",
+                                              "null",
+                                              "true",
+                                              "no",
+                                              "[]",
+                                              "{}",
+                                              "[1, 2]",
+                                              "x",
+                                              "X",
+                                              "s",
+                                              "xyz",
+                                              "αβγ",
+                                              "1/0",
+                                              "sqrt(-1)",
+                                              "log(s)",
+                                              "s/0",
+                                              "X*1e300",
+                                              "t^99999",
+                                              "((((1))))",
+                                              "0,1",
+                                              "1 mmHg",
+                                              "15 mmhg",
+                                              "5 kg",
+                                              "3 deg",
+                                              "90",
+                                              "-5 MPa",
+                                              "2 m",
+                                              "%s%n",
+                                              "../../x",
+                                              "/dev/null",
+                                              "*a",
+                                              "&a",
+                                              "!!binary x",
+                                              std::string(5000, 'a'),
+                                              std::string("a\0b", 3),
+                                              "\"",
+                                              "'",
+                                              "|",
+                                              "- -",
+                                              "? :"};
   return words;
 }
 
 std::string with_faults(std::string bytes, bool binary, Random& random) {
-  for (int faults = random.one_in(3) ? random.between(2, 4) : 1; faults > 0; --faults) add_fault(bytes, binary, random);
+  for (int faults = random.one_in(3) ? random.between(2, 4) : 1; faults > 0; --faults)
+    add_fault(bytes, binary, random);
   return bytes;
 }
 

@@ -37,14 +37,16 @@ int wait_for_worker(std::vector<std::string> arguments, const std::string& progr
 
 void print(const Progress& p, double seconds) {
   static const char* const names[kinds] = {"scene", "study", "mesh", "body", "checkpoint"};
-  std::cout << fmt::format("{:<11}{:>9}{:>9}{:>9}{:>13}{:>16}{:>9}{:>12}\n", "kind", "mutants", "accepted", "refused", "without line", "without remedy", "failed", "ms each");
+  std::cout << fmt::format("{:<11}{:>9}{:>9}{:>9}{:>13}{:>16}{:>9}{:>12}\n", "kind", "mutants", "accepted",
+                           "refused", "without line", "without remedy", "failed", "ms each");
   long long all = 0;
   for (int k = 0; k < kinds; ++k) {
     const Tally& t = p.tally[k];
     const long long count = t.accepted + t.refused + t.failures;
     all += count;
     if (count > 0)
-      std::cout << fmt::format("{:<11}{:>9}{:>9}{:>9}{:>13}{:>16}{:>9}{:>12.2f}\n", names[k], count, t.accepted, t.refused, t.without_line, t.without_remedy, t.failures,
+      std::cout << fmt::format("{:<11}{:>9}{:>9}{:>9}{:>13}{:>16}{:>9}{:>12.2f}\n", names[k], count,
+                               t.accepted, t.refused, t.without_line, t.without_remedy, t.failures,
                                1e3 * t.seconds / static_cast<double>(count));
   }
   std::cout << fmt::format("{} mutants in {:.1f} s\n", all, seconds);
@@ -55,8 +57,10 @@ void print(const Progress& p, double seconds) {
 long long campaign(const Options& options, const std::vector<std::string>& arguments) {
   const std::string name = fs::temp_directory_path() / fmt::format("bulbus_fuzz_{}", getpid());
   const int file = open(name.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600);
-  if (file < 0 || ftruncate(file, sizeof(Progress)) != 0) throw std::runtime_error(name + ": cannot be written");
-  auto* progress = static_cast<Progress*>(mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0));
+  if (file < 0 || ftruncate(file, sizeof(Progress)) != 0)
+    throw std::runtime_error(name + ": cannot be written");
+  auto* progress =
+      static_cast<Progress*>(mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0));
   if (progress == MAP_FAILED) throw std::runtime_error(name + ": cannot be mapped");
   close(file);
   progress->next = options.first;
@@ -66,7 +70,11 @@ long long campaign(const Options& options, const std::vector<std::string>& argum
     if (progress->finished) break;
     const long long mutant = progress->next++;
     ++progress->tally[progress->kind].failures;
-    std::cout << fmt::format("FAILED mutant {} ended the process (status {}); again: --seed {} --first {} --mutants {}", mutant, status, options.seed, mutant, mutant + 1) << std::endl;
+    std::cout
+        << fmt::format(
+               "FAILED mutant {} ended the process (status {}); again: --seed {} --first {} --mutants {}",
+               mutant, status, options.seed, mutant, mutant + 1)
+        << std::endl;
     if (options.seconds > 0 && Clock::now() - start > options.seconds) break;
   }
   print(*progress, Clock::now() - start);

@@ -24,7 +24,9 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
 
 struct Seed {
   std::string name, content;
@@ -54,7 +56,8 @@ class ReadFile : public Target {
 class Meshes final : public ReadFile {
  public:
   Meshes(const std::string& cases, const std::string& scratch) : ReadFile(scratch + "/mesh.msh") {
-    for (const char* folder : {"coincident_nodes", "hexahedra_twice", "partitioned_mesh", "pressure_between_regions", "symmetry_noise", "matching_nodes"})
+    for (const char* folder : {"coincident_nodes", "hexahedra_twice", "partitioned_mesh",
+                               "pressure_between_regions", "symmetry_noise", "matching_nodes"})
       add(cases + "/" + folder);
   }
   std::string name() const override { return "mesh"; }
@@ -71,7 +74,8 @@ class Meshes final : public ReadFile {
       for (const bool version4 : {true, false})
         for (const bool binary : {true, false}) {
           write_gmsh(mesh, file_, {version4, binary});
-          seeds_.push_back({source + (version4 ? " 4.1" : " 2.2") + (binary ? " binary" : " text"), content_of(file_), binary, scene});
+          seeds_.push_back({source + (version4 ? " 4.1" : " 2.2") + (binary ? " binary" : " text"),
+                            content_of(file_), binary, scene});
         }
     } catch (const InputError&) {  // refused as it stands
     }
@@ -95,9 +99,12 @@ std::string binary_stl(const std::string& path) {
 class Bodies final : public ReadFile {
  public:
   Bodies(const std::string& cases, const std::string& scratch) : ReadFile(scratch + "/body.stl") {
-    for (const auto& [folder, file] : {std::pair{"ridge", "roof.stl"}, {"stl_facet_turned", "lid.stl"}, {"stl_duplicate_facets", "lid.stl"}}) {
+    for (const auto& [folder, file] : {std::pair{"ridge", "roof.stl"},
+                                       {"stl_facet_turned", "lid.stl"},
+                                       {"stl_duplicate_facets", "lid.stl"}}) {
       Entry scene = read_yaml(cases + "/" + folder + "/s.yaml");
-      for (Entry& body : scene.find("rigid_bodies")->items) set_at(body, "file.path", body.place, Entry::word(file_, body.place));
+      for (Entry& body : scene.find("rigid_bodies")->items)
+        set_at(body, "file.path", body.place, Entry::word(file_, body.place));
       const std::string source = cases + "/" + folder + "/" + file;
       seeds_.push_back({source, content_of(source), false, scene});
       seeds_.push_back({source + " binary", binary_stl(source), true, scene});
@@ -126,7 +133,9 @@ class Checkpoints final : public Target {
   }
   std::string name() const override { return "checkpoint"; }
   std::string extension() const override { return ".h5"; }
-  Mutant make(Random& random) const override { return {"checkpoint.h5", with_faults(content_, true, random)}; }
+  Mutant make(Random& random) const override {
+    return {"checkpoint.h5", with_faults(content_, true, random)};
+  }
 
   void judge(const Mutant& mutant) const override {
     write(file_, mutant.content);
@@ -146,8 +155,14 @@ class Checkpoints final : public Target {
 
 }  // namespace
 
-std::unique_ptr<Target> meshes(const std::string& cases, const std::string& scratch) { return std::make_unique<Meshes>(cases, scratch); }
-std::unique_ptr<Target> bodies(const std::string& cases, const std::string& scratch) { return std::make_unique<Bodies>(cases, scratch); }
-std::unique_ptr<Target> checkpoints(const std::string& scratch) { return std::make_unique<Checkpoints>(scratch); }
+std::unique_ptr<Target> meshes(const std::string& cases, const std::string& scratch) {
+  return std::make_unique<Meshes>(cases, scratch);
+}
+std::unique_ptr<Target> bodies(const std::string& cases, const std::string& scratch) {
+  return std::make_unique<Bodies>(cases, scratch);
+}
+std::unique_ptr<Target> checkpoints(const std::string& scratch) {
+  return std::make_unique<Checkpoints>(scratch);
+}
 
 }  // namespace bulbus::fuzz

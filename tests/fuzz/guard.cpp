@@ -14,7 +14,7 @@ namespace bulbus::fuzz {
 namespace {
 
 void say(int signal) {
-  const char* what = signal == SIGPROF ? "HANG: the time of one mutant is over\n"
+  const char* what = signal == SIGPROF   ? "HANG: the time of one mutant is over\n"
                      : signal == SIGSEGV ? "CRASH: segmentation fault\n"
                      : signal == SIGFPE  ? "CRASH: arithmetic fault\n"
                                          : "CRASH: abort, bus error or illegal instruction\n";
@@ -28,7 +28,7 @@ void guard_process(std::size_t limit_bytes) {
   static char stack[1 << 16];
   const stack_t other{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
   sigaltstack(&other, nullptr);
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = say;
   action.sa_flags = SA_ONSTACK;
 #ifdef __SANITIZE_ADDRESS__

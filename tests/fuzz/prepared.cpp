@@ -9,19 +9,22 @@ namespace bulbus::fuzz {
 namespace {
 
 void require_finite(std::span<const double> values, const std::string& what) {
-  if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) throw Silent("not finite: " + what);
+  if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); }))
+    throw Silent("not finite: " + what);
 }
 
 void require_finite(const Prepared& prepared) {
   const Problem& problem = *prepared.problem;
   require_finite(problem.mesh().X, "places of nodes");
-  for (const Liquid& l : problem.liquids()) require_finite(std::array{l.volume(problem.mesh().X)}, "volume of liquid " + l.name());
+  for (const Liquid& l : problem.liquids())
+    require_finite(std::array{l.volume(problem.mesh().X)}, "volume of liquid " + l.name());
   for (const auto& [name, body] : prepared.operation->bodies()) {
     require_finite(body->places, "places of body " + name);
     for (const auto& corners : body->normals)
       for (const auto& n : corners) require_finite(n, "normals of body " + name);
   }
-  for (const RegionQuality& q : prepared.quality) require_finite(std::array{q.volume, q.least, q.mean}, "quality of region " + q.region);
+  for (const RegionQuality& q : prepared.quality)
+    require_finite(std::array{q.volume, q.least, q.mean}, "quality of region " + q.region);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ struct Silent : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What `bulbus check` does with a scene, on one rank. Throws InputError with its place, or Silent where a number of the prepared problem is
-/// not finite.
+/// What `bulbus check` does with a scene, on one rank. Throws InputError with its place, or Silent where a
+/// number of the prepared problem is not finite.
 Prepared prepare_checked(const Entry& root, const std::string& path);
 
 }  // namespace bulbus::fuzz

@@ -25,7 +25,9 @@ std::vector<std::string> yaml_files(const std::string& folder) {
 
 // Cells and facets that only cost time.
 void shrink(Entry& at) {
-  static const std::map<std::string, int> most{{"n", 6}, {"layers", 2}, {"nx", 3}, {"ny", 2}, {"nz", 3}, {"rings", 2}, {"refine", 0}, {"parts", 4}, {"divisions", 2}};
+  static const std::map<std::string, int> most{{"n", 6},      {"layers", 2}, {"nx", 3},
+                                               {"ny", 2},     {"nz", 3},     {"rings", 2},
+                                               {"refine", 0}, {"parts", 4},  {"divisions", 2}};
   for (std::size_t i = 0; i < at.items.size(); ++i) {
     Entry& item = at.items[i];
     if (at.is(Entry::Kind::map) && item.is(Entry::Kind::word))
@@ -73,7 +75,9 @@ class Scenes final : public Target {
     return {seed.path, to_yaml(with_faults(seed.root, pool_, random))};
   }
 
-  void judge(const Mutant& mutant) const override { prepare_checked(parse_yaml(mutant.content, mutant.seed), mutant.seed); }
+  void judge(const Mutant& mutant) const override {
+    prepare_checked(parse_yaml(mutant.content, mutant.seed), mutant.seed);
+  }
 
  private:
   std::vector<Seed> seeds_;
@@ -111,7 +115,9 @@ class Studies final : public Target {
 
 }  // namespace
 
-std::unique_ptr<Target> scenes(const std::string& data, const std::string& cases) { return std::make_unique<Scenes>(data, cases); }
+std::unique_ptr<Target> scenes(const std::string& data, const std::string& cases) {
+  return std::make_unique<Scenes>(data, cases);
+}
 std::unique_ptr<Target> studies(const std::string& data) { return std::make_unique<Studies>(data); }
 
 }  // namespace bulbus::fuzz

@@ -9,7 +9,7 @@ namespace bulbus::fuzz {
 
 /// A faulty input: what a file would hold.
 struct Mutant {
-  std::string seed;     ///< the file that it was made from
+  std::string seed;  ///< the file that it was made from
   std::string content;
 };
 

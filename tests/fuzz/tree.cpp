@@ -38,7 +38,10 @@ void change_number(Entry& e, Random& random) {
   static const std::vector<double> factors{-1, 0, .1, .5, .99, 1.01, 2, 10, 1000, 1e-3, 1e9};
   const double changed = value * random.of(factors);
   const std::string unit = rest;
-  e.text = (changed == std::floor(changed) && std::abs(changed) < 1e15 ? std::to_string(static_cast<long long>(changed)) : number_text(changed)) + unit;
+  e.text = (changed == std::floor(changed) && std::abs(changed) < 1e15
+                ? std::to_string(static_cast<long long>(changed))
+                : number_text(changed)) +
+           unit;
 }
 
 void erase(Entry& map, std::size_t i) {
@@ -140,7 +143,8 @@ void Pool::add(const Entry& root) {
 }
 
 Entry with_faults(Entry root, const Pool& pool, Random& random) {
-  for (int faults = random.one_in(3) ? random.between(2, 4) : 1; faults > 0; --faults) add_fault(root, pool, random);
+  for (int faults = random.one_in(3) ? random.between(2, 4) : 1; faults > 0; --faults)
+    add_fault(root, pool, random);
   return root;
 }
 

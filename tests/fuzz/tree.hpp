@@ -12,8 +12,9 @@ struct Pool {
   void add(const Entry& root);
 };
 
-/// One to four faults in the meaning of a scene: values replaced by awkward ones, of another kind or of another key; keys dropped, given
-/// twice, renamed; branches exchanged, within the scene or with others; entries of lists repeated, dropped or reversed.
+/// One to four faults in the meaning of a scene: values replaced by awkward ones, of another kind or of
+/// another key; keys dropped, given twice, renamed; branches exchanged, within the scene or with others;
+/// entries of lists repeated, dropped or reversed.
 Entry with_faults(Entry root, const Pool& pool, Random& random);
 
 }  // namespace bulbus::fuzz

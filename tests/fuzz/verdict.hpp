@@ -9,8 +9,10 @@ namespace bulbus::fuzz {
 struct Verdict {
   enum class Kind { accepted, refused, failure };
   Kind kind = Kind::accepted;
-  std::string message;                   ///< of the refusal or failure
-  bool has_line = true, has_remedy = true;  ///< of a refusal: begins with file and line (binary: names the entry), has a second line
+  std::string message;  ///< of the refusal or failure
+  bool has_line = true,
+       has_remedy =
+           true;  ///< of a refusal: begins with file and line (binary: names the entry), has a second line
 };
 
 /// Anything but acceptance and InputError is a failure.

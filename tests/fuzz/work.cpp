@@ -24,7 +24,8 @@ constexpr int weights[kinds] = {12, 1, 3, 3, 1};
 // A target with the plant in it.
 class Planted final : public Target {
  public:
-  Planted(const Target& target, const std::string& plant, long long index) : target_(target), plant_(plant), index_(index) {}
+  Planted(const Target& target, const std::string& plant, long long index)
+      : target_(target), plant_(plant), index_(index) {}
   std::string name() const override { return target_.name(); }
   std::string extension() const override { return target_.extension(); }
   Mutant make(Random& random) const override { return target_.make(random); }
@@ -126,10 +127,14 @@ void work(const Options& options, Progress& progress) {
     count(v, progress.tally[progress.kind]);
     const bool failed = v.kind == Verdict::Kind::failure || !v.has_remedy;
     if (failed || (options.messages && v.kind == Verdict::Kind::refused))
-      std::cout << (failed ? "FAILED" : v.has_line ? "refused" : "NO LINE") << " mutant " << i << " (" << target.name() << " from " << mutant.seed << "): "
-                << v.message << std::endl;
+      std::cout << (failed       ? "FAILED"
+                    : v.has_line ? "refused"
+                                 : "NO LINE")
+                << " mutant " << i << " (" << target.name() << " from " << mutant.seed << "): " << v.message
+                << std::endl;
     if (failed && !options.keep.empty()) keep(options.keep, i, target, mutant);
-    if (v.kind == Verdict::Kind::accepted && progress.kind == 0 && !options.accepted.empty()) keep(options.accepted, i, target, mutant);
+    if (v.kind == Verdict::Kind::accepted && progress.kind == 0 && !options.accepted.empty())
+      keep(options.accepted, i, target, mutant);
   }
   progress.finished = true;
 }

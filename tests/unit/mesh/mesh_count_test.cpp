@@ -31,10 +31,13 @@ TEST(MeshCount, IsThatOfWhatIsGenerated) {
 
 TEST(MeshCount, GrowsEightfoldWhereItIsRefined) {
   const BlockShape shape{.nx = 2, .ny = 2, .nz = 2};
-  EXPECT_EQ(refined(count(shape), 2).hexes, static_cast<double>(refined(generate(shape), 2).finest().hexes.size()));
+  EXPECT_EQ(refined(count(shape), 2).hexes,
+            static_cast<double>(refined(generate(shape), 2).finest().hexes.size()));
 }
 
-TEST(MeshCount, IsBeyondIntegers) { EXPECT_EQ(count(BlockShape{.nx = 10000, .ny = 10000, .nz = 10000}).hexes, 1e12); }
+TEST(MeshCount, IsBeyondIntegers) {
+  EXPECT_EQ(count(BlockShape{.nx = 10000, .ny = 10000, .nz = 10000}).hexes, 1e12);
+}
 
 }  // namespace
 }  // namespace bulbus
