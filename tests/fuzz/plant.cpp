@@ -24,7 +24,7 @@ void strike(const std::string& plant, long long index) {
   if (plant == "crash") std::raise(SIGSEGV);
   if (plant == "stack") fill_stack(0);
   if (plant == "hang")
-    for (volatile int i = 0;; i = i + 1) {
+    for (volatile bool on = true; on;) {
     }
   if (plant == "memory") std::vector<char>(std::size_t{1} << 33).back() = 1;
   if (plant == "silent") throw Silent("planted");
