@@ -29,7 +29,7 @@ int check(const Scene& scene, const Comm& comm) {
   const auto parts = forecast_memory(prepared, scene);
   for (const auto& [part, bytes] : parts) log.info(fmt::format("  {:<28} {:>10.1f}", part, 1e-6 * bytes));
   log.info(fmt::format("  {:<28} {:>10.1f}", "together", 1e-6 * sum_of(parts)));
-  refuse_what_cannot_fit(parts, scene.solver.linear);
+  comm.together([&] { refuse_what_cannot_fit(parts, scene.solver.linear); });
   return 0;
 }
 

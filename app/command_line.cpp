@@ -1,15 +1,20 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "app/checkpoints.hpp"
 #include "app/commands.hpp"
 #include "app/help.hpp"
 #include "app/version.hpp"
 #include "core/base/error.hpp"
+#include "core/base/memory.hpp"
 #include "core/base/process.hpp"
 #include "core/io/output.hpp"
 
@@ -167,6 +172,17 @@ std::string what_to_do(const Parser& parser, const std::string& fault) {
                         : "goes on");
 }
 
+// What was written before stays. Other ranks may be waiting for this one: the caller ends them.
+int out_of_memory(const Parser& parser, const Comm& comm, std::ostream& faults) {
+  const std::string text = fmt::format(
+      "{}: out of memory at {:.0f} MB; {:.0f} MB is what this machine, its control groups and ulimit allow\n"
+      "  Take a coarser mesh, or a machine with more memory; 'bulbus check' tells what a run will need.",
+      parser.given.scene, 1e-6 * static_cast<double>(peak_resident_bytes()), 1e-6 * static_cast<double>(machine_bytes()));
+  if (comm.size() > 1) throw std::runtime_error(text);
+  faults << text << std::endl;
+  return *parser.check ? 2 : 1;
+}
+
 }  // namespace
 
 int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostream& out, std::ostream& err) {
@@ -186,6 +202,10 @@ int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostr
   } catch (const InputError& e) {
     faults << located(e, parser.given.scene, parser.given.set).what() << std::endl;
     return 2;
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(parser, comm, faults);
+  } catch (const std::length_error&) {
+    return out_of_memory(parser, comm, faults);
   }
 }
 

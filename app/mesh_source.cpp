@@ -45,6 +45,16 @@ Mesh make_base(const MeshSource& source) {
 
 }  // namespace
 
+std::optional<MeshCount> count_of(const MeshSource& source) {
+  source.validate();
+  if (source.eye) return count(*source.eye);
+  if (source.block) return count(*source.block);
+  if (source.shell) return count(*source.shell);
+  if (source.ball) return count(*source.ball);
+  if (source.cylinder) return count(*source.cylinder);
+  return {};
+}
+
 MeshHierarchy make_meshes(const MeshSource& source) {
   source.validate();
   return refined(make_base(source), source.refine);

@@ -5,6 +5,7 @@
 #include "core/base/parameters.hpp"
 #include "core/mesh/eye.hpp"
 #include "core/mesh/generate.hpp"
+#include "core/mesh/mesh_count.hpp"
 #include "core/mesh/refine.hpp"
 
 namespace bulbus {
@@ -35,6 +36,9 @@ struct MeshSource {
   /// Throws InputError unless exactly one source is given.
   void validate() const;
 };
+
+/// How large the base will be; nothing where it is read from a file. Throws InputError if the source contradicts itself.
+std::optional<MeshCount> count_of(const MeshSource& source);
 
 /// Reads or generates the base, whole on every rank. Throws InputError.
 MeshHierarchy make_meshes(const MeshSource& source);

@@ -1,6 +1,7 @@
 #include "app/prepare.hpp"
 
 #include "app/record_names.hpp"
+#include "app/size_limits.hpp"
 #include "contact/operation_probes.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/symmetry_planes.hpp"
@@ -15,12 +16,16 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
   MeshHierarchy meshes;
   try {
     comm.together([&] {
+      refuse_too_many_facets(scene, comm.size());
+      if (const auto base = count_of(scene.mesh)) refuse_too_large(*base, scene, comm.size());
       meshes = make_meshes(scene.mesh);
+      if (scene.mesh.file) refuse_too_large(count(meshes.base), scene, comm.size());
+      refuse_too_many_points(meshes.base, scene, comm.size());
       move_onto_planes(meshes.base, scene.model);
       refuse_inverted(meshes.base);
     });
   } catch (const InputError& fault) {
-    throw InputError(fault.what(), "mesh");
+    throw InputError(fault.what(), fault.key.empty() ? "mesh" : fault.key);
   }
   return meshes;
 }

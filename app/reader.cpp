@@ -12,6 +12,7 @@
 namespace bulbus::reader {
 namespace {
 
+constexpr double largest = 1e100, least = 1e-100;  // squares of numbers beyond are infinite or zero: directions would vanish
 constexpr double most_radians = 4 * std::numbers::pi;  // without a unit: two turns in one step are rather a slip
 
 std::string name_of(Entry::Kind kind) {
@@ -139,6 +140,8 @@ void read(const Entry& entry, const std::string& key, const About& about, double
     refuse(entry, key, fault.what(), "give " + wanted_number(about));
   }
   check_bounds(entry, key, about, value);
+  if (std::abs(value) > largest || (value != 0 && std::abs(value) < least))
+    refuse(entry, key, shown(entry) + " is beyond all measure", fmt::format("give 0, or a size between {} and {}", least, largest));
   if (about.quantity == Quantity::angle && std::abs(value) > most_radians && is_bare(entry.text))
     refuse(entry, key, shown(entry) + fmt::format(" would be {:.3g} turns: is it in degrees?", value / (2 * std::numbers::pi)),
            fmt::format("write the unit: '{0} deg' or '{0} rad'", entry.text));

@@ -41,7 +41,9 @@ void validate(const Entry& entry, const std::string& key, const T& object) {
   try {
     object.validate();
   } catch (const InputError& fault) {
-    throw input_error(entry.place.file, entry.place.line, (key.empty() ? "" : key + ": ") + fault.what(), "");
+    const std::string blamed = fault.key.empty() ? key : below(key, fault.key);
+    const Place place = fault.key.empty() ? entry.place : place_of(entry, fault.key);
+    throw input_error(place.file, place.line, (blamed.empty() ? "" : blamed + ": ") + fault.what(), "");
   }
 }
 

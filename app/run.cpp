@@ -128,7 +128,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
     const auto scope = meters.clock.measure("mesh and problem");
     prepared = prepare(scene, comm);
     memory = forecast_memory(prepared, scene);
-    refuse_what_cannot_fit(memory, scene.solver.linear);
+    comm.together([&] { refuse_what_cannot_fit(memory, scene.solver.linear); });
   }
   Problem& problem = *prepared.problem;
   std::optional<Checkpoint> from;

@@ -29,7 +29,6 @@ double abscissa(const Factor& factor, int level);
 struct StudyRun {
   std::string name;  ///< of its folder: run_001
   Levels levels;
-  Entry source;  ///< the scene as data, with all that the study sets
   Scene scene;
 };
 

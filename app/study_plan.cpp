@@ -47,18 +47,17 @@ void expect_figure(const std::string& name, const StudyRun& run, const StudyRun&
 }  // namespace
 
 InputError fault_of(const InputError& fault, const Study& study, const StudyRun& run) {
-  const InputError placed = located(fault, run.source);
+  const InputError placed = fault.key.empty() ? fault : located(fault, source_of(study, run.levels));
   return InputError(fmt::format("{}\n  in {}: {}", placed.what(), run.name, words_of(study, run.levels)));
 }
 
 std::vector<StudyRun> plan(const Study& study) {
   std::vector<StudyRun> runs;
   for (const Levels& levels : levels_of(study)) {
-    runs.push_back({fmt::format("run_{:03d}", runs.size() + 1), levels, {}, {}});
+    runs.push_back({fmt::format("run_{:03d}", runs.size() + 1), levels, {}});
     StudyRun& run = runs.back();
     of_run(study, run, [&] {
-      run.source = source_of(study, levels);
-      run.scene = scene_of(run.source, study.scene);
+      run.scene = scene_of(source_of(study, levels), study.scene);
     });
   }
   return runs;

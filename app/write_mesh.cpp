@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/size_limits.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus {
@@ -6,11 +7,16 @@ namespace bulbus {
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm) {
   std::string fault;
   try {
-    if (comm.rank() == 0) write_gmsh(make_meshes(scene.mesh).finest(), file, format);
+    if (comm.rank() == 0) {
+      if (const auto base = count_of(scene.mesh)) refuse_too_large_to_make(*base, scene);
+      const MeshHierarchy meshes = make_meshes(scene.mesh);
+      if (scene.mesh.file) refuse_too_large_to_make(count(meshes.base), scene);
+      write_gmsh(meshes.finest(), file, format);
+    }
   } catch (const InputError& e) {
     fault = e.what();
   }
-  if (comm.any(!fault.empty())) throw InputError(fault);
+  if (comm.any(!fault.empty())) throw InputError(fault, "mesh");
   return 0;
 }
 

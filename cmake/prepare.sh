@@ -26,9 +26,11 @@ install_packages() {
 }
 
 build() {
-  [ -f build/build.ninja ] || { echo "configuring ..."; quietly cmake --preset release; }
+  local preset=${BULBUS_PRESET:-release} folder=build
+  [ "$preset" = release ] || folder=build-$preset
+  [ -f $folder/build.ninja ] || { echo "configuring ..."; quietly cmake --preset "$preset"; }
   echo "building (a first build takes several minutes) ..."
-  quietly cmake --build --preset release -- -j"$(nproc)"
+  quietly cmake --build --preset "$preset" -- -j"$(nproc)"
 }
 
 quietly() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "contact/layer.hpp"
 #include "contact/rigid_shapes.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double stiffness_ratio = 30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
 constexpr double part_of_size = 0.03;   // default reach in diagonals of the model
+constexpr double out_of_sight = 1e5;     // diagonals of the model: gaps to places beyond lose half of their digits
 constexpr double farthest_gap = 0.25;   // the same of the gaps reported
 
 double diagonal(const LocalMesh& mesh) {
@@ -63,6 +65,14 @@ Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
   return o;
 }
 
+void refuse_out_of_sight(const RigidSurface& body, double farthest, const std::string& key) {
+  double most = 0;
+  for (double x : body.reference) most = std::max(most, std::abs(x));
+  if (!(most <= farthest))
+    throw scene_error(key, fmt::format("rigid body '{}' reaches {:.3g} mm from the origin, beyond {:g} diagonals of the mesh: contact there has no digits", body.name, most, out_of_sight),
+                      "Give its sizes and place in mm, or in another unit that is named.");
+}
+
 // A body that a step brings to touch is out of reach until then.
 void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& move, double distance) {
   auto poses = motion.poses();
@@ -87,16 +97,25 @@ std::shared_ptr<Operation> Operation::attach(Problem& problem, const Mesh& base)
 
 Operation::Operation(Problem& problem, const Mesh& base) : problem_(problem) {
   const Model& model = problem.model();
+  const double farthest = out_of_sight * diagonal(problem.mesh());
   problem.comm().together([&] {
     for (const auto& [name, spec] : model.rigid_bodies) {
       bodies_[name] = std::make_shared<RigidSurface>(make_rigid_surface(name, spec, "rigid_bodies." + name));
+      refuse_out_of_sight(*bodies_[name], farthest, "rigid_bodies." + name);
       motions_.emplace(name, bodies_[name]);
     }
-    for (std::size_t k = 0; k < model.steps.size(); ++k)
-      for (std::size_t i = 0; i < model.steps[k].move.size(); ++i)
-        if (const std::string& body = model.steps[k].move[i].body; !bodies_.contains(body))
-          throw scene_error(fmt::format("steps.{}.move.{}.body", k, i), "there is no rigid body '" + body + "'",
-                            known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+    for (std::size_t k = 0; k < model.steps.size(); ++k) {
+      std::set<std::string> moved;
+      for (std::size_t i = 0; i < model.steps[k].move.size(); ++i) {
+        const std::string& body = model.steps[k].move[i].body;
+        const std::string key = fmt::format("steps.{}.move.{}.body", k, i);
+        if (!bodies_.contains(body))
+          throw scene_error(key, "there is no rigid body '" + body + "'", known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+        if (!moved.insert(body).second)
+          throw scene_error(key, "the rigid body '" + body + "' is moved twice in one step: only one motion would count",
+                            "Put both into one motion (`translate`, `rotate` and `close` go together), or into two steps.");
+      }
+    }
     for (std::size_t k = 0; k < model.steps.size(); ++k)
       for (const auto& [name, force] : model.steps[k].sew)
         if (!model.sutures.contains(name))

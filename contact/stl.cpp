@@ -8,13 +8,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "core/base/error.hpp"
+#include "core/base/whole_file.hpp"
 #include "core/mesh/gmsh_scanner.hpp"
 
 namespace bulbus {
@@ -148,6 +147,14 @@ std::optional<std::uint32_t> binary_count(const std::string& bytes) {
   return count;
 }
 
+// What a file that is neither claims to have.
+std::string claim_of(const std::string& bytes) {
+  std::uint32_t count = 0;
+  if (bytes.size() < header + sizeof count) return "";
+  std::memcpy(&count, bytes.data() + header, sizeof count);
+  return fmt::format(", which {} triangles would have to be {}", count, header + sizeof count + facet * count);
+}
+
 StlSkin read_binary(const std::string& path, const std::string& bytes, std::uint32_t count) {
   Collector collector;
   for (std::uint32_t t = 0; t < count; ++t) {
@@ -170,17 +177,14 @@ bool begins_as_text(const std::string& bytes) {
 }  // namespace
 
 StlSkin read_stl(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file)
-    throw input_error(path, 0, "cannot read the STL file", "Check the path; it is relative to the scene file.");
+  const std::string bytes = whole_file(path, "STL file");
   const auto count = binary_count(bytes);
   if (!count && !begins_as_text(bytes))
     throw input_error(path, 0,
                       fmt::format("is neither a text STL file, which begins with 'solid', nor a binary one, whose size fits its number "
-                                  "of triangles (it has {} bytes)",
-                                  bytes.size()),
-                      "Save the STL file again.");
+                                  "of triangles (it has {} bytes{})",
+                                  bytes.size(), claim_of(bytes)),
+                      "Save the STL file again: it is cut short, or of another kind.");
   StlSkin skin = count ? read_binary(path, bytes, *count) : TextReader(path, bytes).read();
   if (skin.triangles.empty()) throw input_error(path, 0, "has no triangles", "Save the STL file again.");
   return skin;

@@ -1,11 +1,14 @@
 #include "core/base/memory.hpp"
 
+#include <mpi.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <new>
+
+#include "core/base/memory_limits.hpp"
 
 namespace bulbus {
 namespace {
@@ -21,13 +24,24 @@ std::size_t status_kib(const std::string& key) {
   return 0;
 }
 
+int processes() {
+  int running = 0, count = 1;
+  MPI_Initialized(&running);
+  if (running) MPI_Comm_size(MPI_COMM_WORLD, &count);
+  return count;
+}
+
 }  // namespace
 
 std::size_t resident_bytes() { return status_kib("VmRSS:") * 1024; }
 std::size_t peak_resident_bytes() { return status_kib("VmHWM:") * 1024; }
 
+std::size_t address_space_bytes() { return status_kib("VmSize:") * 1024; }
+
 std::size_t machine_bytes() {
-  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t physical = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t process = process_limit_bytes(), ranks = static_cast<std::size_t>(processes());
+  return std::min({physical, cgroup_bytes(), process > no_limit / ranks ? no_limit : ranks * process});
 }
 
 void* large_pages(std::size_t bytes) {

@@ -9,7 +9,10 @@ namespace bulbus {
 /// Resident bytes of this process now, and the most it ever had (Linux /proc; 0 elsewhere).
 std::size_t resident_bytes();
 std::size_t peak_resident_bytes();
-/// Bytes of memory of this machine, used or not.
+/// Bytes of address space of this process (Linux /proc; 0 elsewhere).
+std::size_t address_space_bytes();
+/// Bytes of memory that all ranks may take on this machine, used or not: what it has, what control groups allow, or the ranks' limits of
+/// the shell (ulimit) together, whichever is least.
 std::size_t machine_bytes();
 
 /// Memory for LargePages, to be freed with std::free. Throws std::bad_alloc.

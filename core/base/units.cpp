@@ -60,6 +60,8 @@ double parse_quantity(const std::string& text, Quantity q) {
   const std::string s = trimmed(text);
   char* end = nullptr;
   double value = std::strtod(s.c_str(), &end);
+  if (s.find_first_of("xX") < static_cast<std::size_t>(end - s.c_str()))
+    throw std::invalid_argument("'" + text + "' is a hexadecimal number: write it in decimal");
   if (end == s.c_str() || !std::isfinite(value)) throw std::invalid_argument("'" + text + "' is not a number");
   const std::string name = trimmed(end);
   if (name.empty()) return value;

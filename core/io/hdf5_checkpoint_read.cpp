@@ -26,6 +26,7 @@ class Table {
     if (H5Sget_simple_extent_ndims(space_) > 2) throw std::runtime_error(name);
     H5Sget_simple_extent_dims(space_, size, nullptr);
     rows_ = size[0], width_ = size[1];
+    refuse_claim(name);
   }
   hsize_t rows() const { return rows_; }
   hsize_t width() const { return width_; }
@@ -51,6 +52,14 @@ class Table {
   std::size_t bytes() const { return H5Tget_size(Handle(H5Dget_type(set_), H5Tclose, "type")); }
 
  private:
+  // Tables are stored as they are: damaged ones may claim more numbers than a file can hold.
+  void refuse_claim(const std::string& name) const {
+    hsize_t held = 0;
+    hdf5::check(H5Fget_filesize(Handle(H5Iget_file_id(set_), H5Fclose, name), &held), name);
+    const double rows = static_cast<double>(rows_), most = static_cast<double>(held);
+    if (rows > most || rows * static_cast<double>(width_) * static_cast<double>(bytes()) > most) throw std::runtime_error(name);
+  }
+
   Handle set_, space_;
   hsize_t rows_ = 0, width_ = 0;
 };

@@ -38,12 +38,11 @@ int region_of(const GmshFile& file, Mesh& mesh, int group) {
 
 void add_hexes(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
   std::map<int, int> regions;
-  for (const auto& [key, name] : file.names) {
-    const int tag = key.second;
-    const auto uses = [&](const GmshFile::Element& e) { return e.dimension == 3 && e.group == tag; };
-    if (key.first == 3 && std::any_of(file.elements.begin(), file.elements.end(), uses))
-      regions[tag] = region_of(file, mesh, tag);
-  }
+  std::set<int> used;
+  for (const auto& e : file.elements)
+    if (e.dimension == 3) used.insert(e.group);
+  for (const auto& [key, name] : file.names)
+    if (key.first == 3 && used.contains(key.second)) regions[key.second] = region_of(file, mesh, key.second);
   for (const auto& e : file.elements) {
     if (e.dimension != 3) continue;
     Hex h;

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 
 #include "core/base/error.hpp"
+#include "core/base/whole_file.hpp"
 
 namespace bulbus {
 namespace {
@@ -17,23 +16,7 @@ const char* const save_again = "save the mesh again as MSH 4.1 or 2.2";
 
 }
 
-std::string printable(std::string_view word) {
-  std::string text(word.substr(0, 40));
-  for (char& c : text)
-    if (c < ' ' || c > '~') c = '?';
-  return text;
-}
-
-GmshScanner::GmshScanner(const std::string& path) : path_(path) {
-  std::ifstream file(path, std::ios::binary);
-  std::error_code failure;
-  const auto size = std::filesystem::file_size(path, failure);
-  if (!file || failure)
-    throw input_error(path, 0, "cannot read the mesh file",
-                      "check the path; it is relative to the scene file");
-  text_.resize(size);
-  file.read(text_.data(), static_cast<std::streamsize>(size));
-}
+GmshScanner::GmshScanner(const std::string& path) : path_(path), text_(whole_file(path, "mesh file")) {}
 
 void GmshScanner::fail(const std::string& what, const std::string& remedy) const {
   throw input_error(path_, line_, what, remedy);

@@ -3,10 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace bulbus {
+#include "core/base/printable.hpp"
 
-/// At most 40 characters of a word of a file as a message shows them: bytes that are no printable ASCII become '?'.
-std::string printable(std::string_view word);
+namespace bulbus {
 
 /// Walks through the text or the bytes of a file and knows its line. Every failure is an InputError with that
 /// line.

@@ -48,7 +48,7 @@ void DofMap::remember(Keeper& keeper) {
 }
 
 // Gram-Schmidt: a direction that the others span already must ask for what they give.
-void DofMap::add(Node& node, const Hold& hold) const {
+void DofMap::add(Node& node, const Hold& hold, const std::string& name) const {
   Vec3<double> n = hold.direction;
   std::array<double, 3> along{};
   for (int k = 0; k < node.count; ++k) {
@@ -65,9 +65,9 @@ void DofMap::add(Node& node, const Hold& hold) const {
     for (double s : {0.5, 1.0})
       if (const double gap = rest(s); std::abs(gap) > 1e-9 * (1 + std::abs(hold.value(s))))
         throw input_error(fmt::format("over-constrained: node {} at ({:.4g}, {:.4g}, {:.4g}) is given two displacements in "
-                                      "one direction that differ by {:.3g} mm",
+                                      "one direction that differ by {:.3g} mm, one of them by '{}'",
                                       mesh_.input_node[node.node] + 1, mesh_.X[3 * node.node], mesh_.X[3 * node.node + 1],
-                                      mesh_.X[3 * node.node + 2], gap),
+                                      mesh_.X[3 * node.node + 2], gap, name.substr(name.find(' ') + 1)),
                           "Take the node out of one of the sets, or give both the same displacement.");
     return;
   }
@@ -86,7 +86,7 @@ void DofMap::build() {
         slot_[h.node] = static_cast<int>(nodes_.size());
         nodes_.push_back({h.node});
       }
-      add(nodes_[slot_[h.node]], h);
+      add(nodes_[slot_[h.node]], h, name);
     }
 }
 

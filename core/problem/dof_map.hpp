@@ -78,7 +78,7 @@ class DofMap {
     std::array<std::function<double(double)>, 3> value;          // of each normal
     Vec3<double> free_part(Vec3<double> v) const;
   };
-  void add(Node& node, const Hold& hold) const;
+  void add(Node& node, const Hold& hold, const std::string& name) const;
 
   const LocalMesh& mesh_;
   std::vector<RigidBody> bodies_;

@@ -53,6 +53,14 @@ std::vector<Quad> faces_towards(const LocalMesh& mesh, const std::string& surfac
   return faces;
 }
 
+void build_dofs(DofMap& dofs, int step) {
+  try {
+    dofs.build();
+  } catch (const InputError& fault) {
+    throw InputError(fault.what(), "steps." + std::to_string(step) + ".displace");
+  }
+}
+
 }  // namespace
 
 void Problem::begin_step(int step, const State& start) {
@@ -61,7 +69,7 @@ void Problem::begin_step(int step, const State& start) {
   comm().together([&] {
     release(spec, step);
     for (std::size_t i = 0; i < spec.displace.size(); ++i) add_displacement(spec.displace[i], step, static_cast<int>(i), start);
-    dofs_->build();
+    build_dofs(*dofs_, step);
     if (!follows_) require_free_elements();
     for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
   });

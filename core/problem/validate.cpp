@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.hpp"
 #include "core/problem/cancelled_figures.hpp"
@@ -75,7 +76,29 @@ void check_surface(const Mesh& mesh, const std::string& surface, const std::stri
   if (found->second.empty()) throw scene_error(key, "surface '" + surface + "' is empty", "Put at least one face into it.");
 }
 
+// What a displacement prescribes of its set.
+std::vector<std::string> prescribed(const DisplaceSpec& d) {
+  if (d.affine || d.rotate || d.translate) return {"x", "y", "z"};
+  std::vector<std::string> all;
+  for (const auto& [name, given] : {std::pair{"x", &d.x}, {"y", &d.y}, {"z", &d.z}, {"radial", &d.radial}, {"by", &d.by}})
+    if (*given) all.emplace_back(name);
+  return all;
+}
+
+// What one step says twice of the same set replaces what it said first.
+void refuse_twice(const StepSpec& step, const std::string& key) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < step.displace.size(); ++i)
+    for (const std::string& what : prescribed(step.displace[i])) {
+      const std::string& set = step.displace[i].set;
+      if (!seen.insert(what + " " + set).second)
+        throw scene_error(key + ".displace." + std::to_string(i), "displacement " + what + " of '" + set + "' is given twice in one step: only the last would count",
+                          "Keep one of the two, or give their sum.");
+    }
+}
+
 void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, const std::string& key) {
+  refuse_twice(step, key);
   for (std::size_t i = 0; i < step.displace.size(); ++i) {
     const DisplaceSpec& d = step.displace[i];
     const std::string at = key + ".displace." + std::to_string(i);

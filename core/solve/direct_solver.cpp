@@ -56,7 +56,7 @@ class DirectSolver final : public LinearSolver {
       return {.reason = fmt::format("{:.3g} entries of the liquids need about {:.0f} MB, more than the {:.0f} MB allowed", entries,
                                     dense_mb, limit_mb_),
               .too_large = true, .matrix_entries = entries, .estimated_mb = dense_mb};
-    if (!mumps_) mumps_ = std::make_unique<Mumps>(system.problem().comm(), MumpsOptions{.memory_limit_mb = limit_mb_});
+    if (!mumps_) mumps_ = std::make_unique<Mumps>(system.problem().comm(), MumpsOptions{.memory_limit_mb = system.problem().comm().min(limit_mb_)});
     return mumps_->factorise(assemble(system, true, part), global_size(system), symmetric_);
   }
   LinearReport so_far() const { return {.negative_pivots = symmetric_ ? factor_.negative_pivots : -1, .factor = factor_}; }

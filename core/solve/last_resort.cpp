@@ -62,7 +62,7 @@ LastResort::LastResort(const LinearSettings& settings, Meters& meters)
       meters_(meters) {}
 
 double LastResort::room_mb(const CoupledSystem& system) const {
-  return limit_mb_ - 1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
+  return system.problem().comm().min(limit_mb_) - 1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
 }
 
 bool LastResort::available(const CoupledSystem& system) {
@@ -70,7 +70,7 @@ bool LastResort::available(const CoupledSystem& system) {
   if (!fits_) {
     const auto& problem = system.problem();
     const double hexes = static_cast<double>(problem.mesh().all_hexes), unknowns = static_cast<double>(global_size(system));
-    fits_ = 1e-6 * (direct_matrix_bytes(hexes) + direct_factor_bytes(unknowns)) < room_mb(system);
+    fits_ = 1e-6 * (direct_matrix_bytes(hexes) + direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes), problem.comm().size())) < room_mb(system);
   }
   return *fits_;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <new>
 #include <utility>
 
 #include "core/base/interrupt.hpp"
@@ -45,6 +47,19 @@ NewtonSettings tolerances_at(double progress, bool careful, NewtonSettings setti
   return settings;
 }
 
+// Where memory runs out the increment fails, and the state before it is kept. With other ranks waiting for this one nothing can be kept.
+NewtonReport within_memory(const Comm& comm, const std::function<NewtonReport()>& newton) {
+  try {
+    return newton();
+  } catch (const std::bad_alloc&) {
+    if (comm.size() > 1) throw;
+    NewtonReport report;
+    report.outcome = Outcome::too_large;
+    report.reason = "out of memory: refine the mesh less, raise the limit of memory (ulimit, control group), or take a larger machine";
+    return report;
+  }
+}
+
 }  // namespace
 
 int increments_of(const StepSpec& step, const SteppingSettings& settings) {
@@ -82,8 +97,10 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       const double to = increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = state;
-      NewtonReport newton = bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, place.careful, settings.newton), meters,
-                                           [&](const NewtonIteration& i) { observer.newton_iteration(i); });
+      NewtonReport newton = within_memory(problem.comm(), [&] {
+        return bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, place.careful, settings.newton), meters,
+                              [&](const NewtonIteration& i) { observer.newton_iteration(i); });
+      });
       report.newton_iterations += static_cast<int>(newton.iterations.size());
       report.krylov_iterations += newton.krylov_iterations;
       if (newton.outcome == Outcome::interrupted) return leave();

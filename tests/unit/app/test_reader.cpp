@@ -172,7 +172,7 @@ TEST(ReaderErrors, KeyGivenTwice) {
 TEST(ReaderErrors, Syntax) {
   expect_error("title: a\nmesh: {block: {}\nregions: {}\n", "scene.yaml:", "not valid YAML");
   expect_error("title: a\n  mesh: b\n", "scene.yaml:2: not valid YAML", "indentation");
-  expect_error("title: a\n---\ntitle: b\n", "scene.yaml: holds more than one YAML document", "---");
+  expect_error("title: a\n---\ntitle: b\n", "scene.yaml:3: a second YAML document begins here", "---");
   expect_error("title: &a [*a]\n", "scene.yaml:1: nested too deeply", "alias");
   expect_error("[a, b]: c\n", "scene.yaml:1: a key must be a word", "");
 }
@@ -186,7 +186,7 @@ TEST(ReaderErrors, MeshSources) {
 
 TEST(ReaderErrors, TwoOfOneName) {
   expect_error(least_scene("probes:\n- {name: a, kind: volume}\n- {name: a, kind: mises}\n"),
-               "scene.yaml:1: two probes are named 'a'", "its own name");
+               "scene.yaml:", ": probes.1.name: two probes are named 'a'\n  give each its own name");
 }
 
 TEST(ReaderErrors, FileThatIsNotThere) {

@@ -385,5 +385,34 @@ TEST(Newton, EveryOutcomeHasWords) {
     EXPECT_FALSE(describe(o).empty());
 }
 
+/// Runs out of memory after some linear solves.
+struct Hungry : LinearSolver {
+  std::unique_ptr<LinearSolver> inner;
+  int left;
+  Hungry(std::unique_ptr<LinearSolver> solver, int solves) : inner(std::move(solver)), left(solves) {}
+  LinearReport prepare(CoupledSystem& system) override { return inner->prepare(system); }
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) override {
+    if (left-- <= 0) throw std::bad_alloc();
+    return inner->solve(system, std::move(b), x, tolerance);
+  }
+};
+
+TEST(March, WithoutMemoryEndsWithTheLastGoodState) {
+  Trial trial(inflated_shell(), Comm(MPI_COMM_SELF));
+  trial.settings.linear.gamma = 0;
+  CoupledSystem system(trial.problem, trial.settings.linear);
+  Trial whole(inflated_shell(), Comm(MPI_COMM_SELF));
+  whole.go();
+  ASSERT_GT(whole.increments.size(), 1u);
+  const int enough = static_cast<int>(whole.increments[0].newton.iterations.size()) + 1;
+  Hungry solver(make_direct_solver(trial.settings.linear, trial.meters), enough);
+  const MarchReport report = march(trial.problem, system, solver, trial.state, trial.settings, trial.meters, trial);
+  EXPECT_FALSE(report.converged);
+  EXPECT_NE(report.reason.find("out of memory"), std::string::npos) << report.reason;
+  ASSERT_EQ(trial.increments.size(), 1u);
+  EXPECT_EQ(report.increments, 1);
+  for (double x : trial.state.x) EXPECT_TRUE(std::isfinite(x));
+}
+
 }  // namespace
 }  // namespace bulbus

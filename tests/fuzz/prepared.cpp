@@ -1,0 +1,44 @@
+#include "tests/fuzz/prepared.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/memory_forecast.hpp"
+
+namespace bulbus::fuzz {
+namespace {
+
+void require_finite(std::span<const double> values, const std::string& what) {
+  if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); }))
+    throw Silent("not finite: " + what);
+}
+
+void require_finite(const Prepared& prepared) {
+  const Problem& problem = *prepared.problem;
+  require_finite(problem.mesh().X, "places of nodes");
+  for (const Liquid& l : problem.liquids())
+    require_finite(std::array{l.volume(problem.mesh().X)}, "volume of liquid " + l.name());
+  for (const auto& [name, body] : prepared.operation->bodies()) {
+    require_finite(body->places, "places of body " + name);
+    for (const auto& corners : body->normals)
+      for (const auto& n : corners) require_finite(n, "normals of body " + name);
+  }
+  for (const RegionQuality& q : prepared.quality)
+    require_finite(std::array{q.volume, q.least, q.mean}, "quality of region " + q.region);
+}
+
+}  // namespace
+
+Prepared prepare_checked(const Entry& root, const std::string& path) {
+  try {
+    const Scene scene = scene_of(root, path);
+    Prepared prepared = prepare(scene, Comm(MPI_COMM_SELF));
+    refuse_what_cannot_fit(forecast_memory(prepared, scene), scene.solver.linear);
+    require_finite(prepared);
+    return prepared;
+  } catch (const InputError& fault) {
+    throw located(fault, root);
+  }
+}
+
+}  // namespace bulbus::fuzz

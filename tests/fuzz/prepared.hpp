@@ -1,0 +1,16 @@
+#pragma once
+#include "app/entry.hpp"
+#include "app/prepare.hpp"
+
+namespace bulbus::fuzz {
+
+/// Thrown where a mutant is accepted though it should not be.
+struct Silent : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What `bulbus check` does with a scene, on one rank. Throws InputError with its place, or Silent where a
+/// number of the prepared problem is not finite.
+Prepared prepare_checked(const Entry& root, const std::string& path);
+
+}  // namespace bulbus::fuzz
