@@ -13,7 +13,7 @@ namespace {
 
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
 // Krylov vectors of a solve: only those that it needs are made
-constexpr int usual_basis = 20, basis_with_hierarchy = 18, basis_of_easy_solves = 12;
+constexpr int usual_basis = 20, basis_with_hierarchy = 18, basis_of_easy_solves = 8;
 
 // Does a run end before weak pressure patterns and tight solves matter?
 bool easy(const NewtonSettings& newton) { return std::min(newton.force, newton.volume) >= 1e-4; }

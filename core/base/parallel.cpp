@@ -41,9 +41,13 @@ void give_freed_memory_back() {
 #endif
 }
 
-// A process that mpirun has not started is no server of others: it needs none of the large files that Open
-// MPI shares with them, which fail where the disk is full.
-void share_nothing_alone() {
+// Settings of Open MPI, where the environment has none:
+// - Shared file pointers, which nothing here uses, live in semaphores named after the file. One that a killed process leaves behind lets every
+//   later process hang that opens a file of that name.
+// - A process that mpirun has not started is no server of others: it needs none of the large files that Open MPI shares with them, which
+//   fail where the disk is full.
+void set_up_open_mpi() {
+  setenv("OMPI_MCA_sharedfp", "^sm", 0);
   if (!std::getenv("PMIX_NAMESPACE")) setenv("PMIX_MCA_gds", "hash", 0);
 }
 
@@ -58,7 +62,7 @@ Session::Session(int& argc, char**& argv) {
   int running = 0;
   MPI_Initialized(&running);
   if (!running) {
-    share_nothing_alone();
+    set_up_open_mpi();
     MPI_Init(&argc, &argv);
   }
   give_freed_memory_back();

@@ -141,7 +141,7 @@ class Checkpoints final : public Target {
     write(file_, mutant.content);
     const Scene scene = scene_of(root_, file_);
     const Prepared prepared = prepare(scene, Comm(MPI_COMM_SELF));
-    Checkpoint checkpoint(file_, scene, *prepared.problem);
+    Checkpoint checkpoint(file_, scene, prepared);
     Forgetful records;
     const Resumed resumed = checkpoint.resume(*prepared.problem, records);
     for (double x : resumed.state.x)

@@ -1,4 +1,6 @@
 #pragma once
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -48,7 +50,7 @@ inline std::filesystem::path fresh_folder(const std::string& name) {
 
 inline Ran run_scene(const std::string& yaml, const std::vector<std::string>& set = {},
                      const std::string& command = "run") {
-  return call(command, fresh_folder("bulbus_run"), "scene.yaml", yaml, set);
+  return call(command, fresh_folder("bulbus_run_" + std::to_string(getpid())), "scene.yaml", yaml, set);
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -21,7 +21,9 @@ TEST(LargePages, HoldWhatAVectorHoldsAndBeginAtAPage) {
     EXPECT_EQ(v.front(), 1.5f);
     EXPECT_EQ(v[n - 1], 1.5f);
     EXPECT_EQ(v.back(), 2.5f);
-    if (n > 1000000) EXPECT_EQ(reinterpret_cast<std::uintptr_t>(v.data()) % (2 << 20), 0u);
+    if (n > 1000000) {
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(v.data()) % (2 << 20), 0u);
+    }
   }
 }
 
