@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
+#include <vector>
 
 #include "core/io/disk_file.hpp"
 #include "core/io/output.hpp"
@@ -91,6 +93,17 @@ void write_and_close(const std::string& path, const Comm& comm, long long bytes,
   any_left_open = false;
 }
 
+// MPI's locks of this temporary file, which processes that were killed as they wrote it have left behind.
+void remove_stale_locks(const std::filesystem::path& temporary) {
+  std::error_code ignored;
+  const std::string start = temporary.filename().string() + "-";
+  std::vector<std::filesystem::path> stale;
+  for (const auto& entry : std::filesystem::directory_iterator(temporary.parent_path(), ignored))
+    if (const std::string name = entry.path().filename().string(); name.starts_with(start) && name.ends_with(".lock"))
+      stale.push_back(entry.path());
+  for (const auto& lock : stale) std::filesystem::remove(lock, ignored);
+}
+
 }  // namespace
 
 void write_whole(const std::string& path, const Comm& comm, double bytes,
@@ -98,6 +111,7 @@ void write_whole(const std::string& path, const Comm& comm, double bytes,
   const Quiet quiet;
   const std::string temporary = path + ".tmp";
   const long long room = static_cast<long long>(bytes) + overhead;
+  if (comm.rank() == 0) remove_stale_locks(temporary);
   try {
     reserve(temporary, room, DiskFile::Start::empty, comm);
     write_and_close(temporary, comm, room, write);
