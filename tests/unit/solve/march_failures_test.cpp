@@ -1,0 +1,97 @@
+#include "core/solve/march.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/solve/trial.hpp"
+
+namespace bulbus {
+namespace {
+
+using namespace test;
+
+// Smaller increments do not help: it says why and stops at once.
+TEST(March, RefusesWhatDoesNotFitIntoMemory) {
+  for (const std::string formulation : {"bordered", "eliminated"}) {
+    Trial run(inflated_shell());
+    run.settings.linear.formulation = formulation;
+    run.settings.linear.memory_limit = 1e-3;
+    run.go();
+    EXPECT_FALSE(run.report.converged);
+    EXPECT_EQ(run.report.cuts, 1);
+    ASSERT_EQ(run.cuts.size(), 1u);
+    EXPECT_EQ(run.cuts[0].outcome, Outcome::too_large);
+    EXPECT_NE(run.report.reason.find("MB allowed"), std::string::npos) << run.report.reason;
+    EXPECT_EQ(run.report.reason.find("smallest increment"), std::string::npos) << run.report.reason;
+  }
+}
+
+TEST(March, CutsIncrementsThatNeedTooManyIterations) {
+  Trial run(stretched_block(2, "1.5"));
+  run.settings.newton.max_iterations = 4;
+  run.go();
+  ASSERT_TRUE(run.report.converged) << run.report.reason;
+  EXPECT_GT(run.report.cuts, 0);
+  EXPECT_EQ(run.report.cuts, static_cast<int>(run.cuts.size()));
+  EXPECT_NEAR(run.reaction("zmax", 2), 2.5 - 1 / 6.25, 1e-8);
+  for (const auto& cut : run.cuts) EXPECT_NE(cut.outcome, Outcome::converged);
+}
+
+TEST(March, ImpossibleStepFailsWithAReasonAndKeepsTheLastGoodState) {
+  Trial run(stretched_block(2, "-1.2"));
+  run.settings.stepping.smallest = .02;
+  run.go();
+  EXPECT_FALSE(run.report.converged);
+  EXPECT_GT(run.report.cuts, 0);
+  EXPECT_NE(run.report.reason.find("step 'stretch' stopped at 0."), std::string::npos) << run.report.reason;
+  EXPECT_NE(run.report.reason.find("smallest increment reached"), std::string::npos) << run.report.reason;
+  EXPECT_GT(run.comm.min(run.problem.solid().least_jacobian(run.state.x)), 0);
+  const double done = run.increments.back().progress;
+  EXPECT_NEAR(run.problem.progress(), done, 1e-14);
+  const Balance b = run.problem.balance(run.problem.residual(run.state));
+  EXPECT_LT(b.force, 1e-9);
+  EXPECT_LT(b.volume, 1e-9);
+}
+
+TEST(March, RefusesConstraintsThatLeaveARegionTheWrongVolume) {
+  Scene scene = stretched_block(2, "0.2");  // incompressible and held on all sides: volume cannot change
+  for (const char* side : {"xmax", "ymax"}) scene.model.fix.push_back({side, {std::string(1, side[0])}});
+  Trial run(scene);
+  try {
+    run.go();
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("0.2 mm3 are missing"), std::string::npos) << refusal.what();
+  }
+}
+
+/// Runs out of memory after some linear solves.
+struct Hungry : LinearSolver {
+  std::unique_ptr<LinearSolver> inner;
+  int left;
+  Hungry(std::unique_ptr<LinearSolver> solver, int solves) : inner(std::move(solver)), left(solves) {}
+  LinearReport prepare(CoupledSystem& system) override { return inner->prepare(system); }
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) override {
+    if (left-- <= 0) throw std::bad_alloc();
+    return inner->solve(system, std::move(b), x, tolerance);
+  }
+};
+
+TEST(March, WithoutMemoryEndsWithTheLastGoodState) {
+  Trial trial(inflated_shell(), Comm(MPI_COMM_SELF));
+  trial.settings.linear.gamma = 0;
+  CoupledSystem system(trial.problem, trial.settings.linear);
+  Trial whole(inflated_shell(), Comm(MPI_COMM_SELF));
+  whole.go();
+  ASSERT_GT(whole.increments.size(), 1u);
+  const int enough = static_cast<int>(whole.increments[0].newton.iterations.size()) + 1;
+  Hungry solver(make_direct_solver(trial.settings.linear, trial.meters), enough);
+  const MarchReport report = march(trial.problem, system, solver, trial.state, trial.settings, trial.meters, trial);
+  EXPECT_FALSE(report.converged);
+  EXPECT_NE(report.reason.find("out of memory"), std::string::npos) << report.reason;
+  ASSERT_EQ(trial.increments.size(), 1u);
+  EXPECT_EQ(report.increments, 1);
+  for (double x : trial.state.x) EXPECT_TRUE(std::isfinite(x));
+}
+
+}  // namespace
+}  // namespace bulbus
