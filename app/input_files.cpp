@@ -6,14 +6,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/mixed_bits.hpp"
+
 namespace bulbus {
 namespace {
-
-std::uint64_t mixed(std::uint64_t z) {  // splitmix64
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-  return z ^ (z >> 31);
-}
 
 std::uint64_t hash_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -26,9 +22,9 @@ std::uint64_t hash_of(const std::string& path) {
     for (std::streamsize at = 0; at < read; at += 8) {
       std::uint64_t word = 0;
       std::memcpy(&word, &block[at], static_cast<std::size_t>(std::min<std::streamsize>(8, read - at)));
-      hash = mixed(hash ^ word) * 1099511628211u;
+      hash = mixed_bits(hash ^ word) * 1099511628211u;
     }
-    hash = mixed(hash + static_cast<std::uint64_t>(read));
+    hash = mixed_bits(hash + static_cast<std::uint64_t>(read));
   }
   return hash;
 }

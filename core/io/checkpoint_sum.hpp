@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include "core/base/mixed_bits.hpp"
+
 namespace bulbus {
 
 /// Check sum over the datasets of a checkpoint: a sum over their numbers, so that ranks add up theirs in any order.
@@ -17,7 +19,7 @@ class CheckpointSum {
     std::uint64_t name = 1469598103934665603u;  // FNV-1a
     for (unsigned char c : dataset) name = (name ^ c) * 1099511628211u;
     for (std::size_t i = 0; i < values.size(); ++i)
-      sum_ += mixed(mixed(name + static_cast<std::uint64_t>(first) + i) ^ word(values[i])) & bits;
+      sum_ += mixed_bits(mixed_bits(name + static_cast<std::uint64_t>(first) + i) ^ word(values[i])) & bits;
   }
   long long value() const { return static_cast<long long>(sum_ & bits); }
 
@@ -25,12 +27,6 @@ class CheckpointSum {
   static std::uint64_t word(double v) { return std::bit_cast<std::uint64_t>(v); }
   static std::uint64_t word(long long v) { return static_cast<std::uint64_t>(v); }
   static std::uint64_t word(unsigned char v) { return v; }
-  static std::uint64_t mixed(std::uint64_t z) {  // splitmix64
-    z += 0x9E3779B97F4A7C15;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    return z ^ (z >> 31);
-  }
 
   std::uint64_t sum_ = 0;
 };

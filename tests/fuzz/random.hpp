@@ -4,13 +4,15 @@
 #include <random>
 #include <vector>
 
+#include "core/base/mixed_bits.hpp"
+
 namespace bulbus::fuzz {
 
 /// The numbers behind one mutant: the same seed and index give the same mutant on every machine.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t index)
-      : engine_(mixed(seed * 0x9E3779B97F4A7C15 + mixed(index))) {}
+      : engine_(mixed_bits(seed * 0x9E3779B97F4A7C15 + mixed_bits(index))) {}
 
   /// 0 to n − 1; n > 0.
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
@@ -24,12 +26,6 @@ class Random {
   }
 
  private:
-  static std::uint64_t mixed(std::uint64_t z) {  // splitmix64
-    z += 0x9E3779B97F4A7C15;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    return z ^ (z >> 31);
-  }
   std::mt19937_64 engine_;
 };
 
