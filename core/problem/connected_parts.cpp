@@ -2,31 +2,25 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
+
+#include "core/base/disjoint_sets.hpp"
 
 namespace bulbus {
 namespace {
 
-int root(std::vector<int>& parent, int n) {
-  while (parent[n] != n) n = parent[n] = parent[parent[n]];
-  return n;
-}
-
-void join(std::vector<int>& parent, int a, int b) { parent[root(parent, a)] = root(parent, b); }
-
 // Number of this rank's part of every node, from 0; −1 outside of the regions.
 std::vector<int> own_parts(const LocalMesh& mesh, const std::vector<SolidRegion>& regions, int& count) {
-  std::vector<int> parent(mesh.nodes()), part(mesh.nodes(), -1);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(mesh.nodes());
+  std::vector<int> part(mesh.nodes(), -1);
   for (const SolidRegion& r : regions)
     for (int h = r.first; h < r.first + r.count; ++h)
-      for (int n : mesh.hexes[h]) join(parent, n, mesh.hexes[h][0]);
+      for (int n : mesh.hexes[h]) sets.join(n, mesh.hexes[h][0]);
   std::map<int, int> number;
   for (const SolidRegion& r : regions)
     for (int h = r.first; h < r.first + r.count; ++h)
       for (int n : mesh.hexes[h])
-        if (part[n] < 0) part[n] = number.emplace(root(parent, n), static_cast<int>(number.size())).first->second;
+        if (part[n] < 0) part[n] = number.emplace(sets.root(n), static_cast<int>(number.size())).first->second;
   count = static_cast<int>(number.size());
   return part;
 }
@@ -50,15 +44,15 @@ ConnectedParts connected_parts(const LocalMesh& mesh, const std::vector<SolidReg
   std::vector<long long> flat;
   for (const auto& [a, b] : pairs) flat.insert(flat.end(), {a, b});
   const auto known = comm.gather(std::span<const long long>(flat));
-  std::vector<int> parent(all), number(all, -1);
-  std::iota(parent.begin(), parent.end(), 0);
-  for (std::size_t i = 0; i < known.size(); i += 2) join(parent, static_cast<int>(known[i]), static_cast<int>(known[i + 1]));
+  DisjointSets sets(static_cast<int>(all));
+  std::vector<int> number(all, -1);
+  for (std::size_t i = 0; i < known.size(); i += 2) sets.join(static_cast<int>(known[i]), static_cast<int>(known[i + 1]));
   for (int p = 0; p < static_cast<int>(all); ++p) {
-    int& of_root = number[root(parent, p)];
+    int& of_root = number[sets.root(p)];
     if (of_root < 0) of_root = parts.count++;
   }
   for (int& p : parts.of_node)
-    if (p >= 0) p = number[root(parent, static_cast<int>(first) + p)];
+    if (p >= 0) p = number[sets.root(static_cast<int>(first) + p)];
   // which regions a part has, told by the ranks that hold them
   std::vector<double> has(parts.count * regions.size());
   for (std::size_t r = 0; r < regions.size(); ++r)

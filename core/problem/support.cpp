@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/validate.hpp"
@@ -23,21 +23,15 @@ struct Parts {
   std::vector<double> size;
 };
 
-int root(std::vector<int>& parent, int n) {
-  while (parent[n] != n) n = parent[n] = parent[parent[n]];
-  return n;
-}
-
 Parts find_parts(const Mesh& mesh) {
-  std::vector<int> parent(mesh.points.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(static_cast<int>(mesh.points.size()));
   for (const Hex& h : mesh.hexes)
-    for (int n : h) parent[root(parent, n)] = root(parent, h[0]);
+    for (int n : h) sets.join(n, h[0]);
   Parts parts;
   parts.of_node.assign(mesh.points.size(), -1);
   std::map<int, int> number;
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
-    const int r = root(parent, mesh.hexes[h][0]);
+    const int r = sets.root(mesh.hexes[h][0]);
     const auto [entry, fresh] = number.emplace(r, static_cast<int>(number.size()));
     const std::string& region = mesh.region_names[mesh.region[h]];
     if (fresh) parts.name.push_back(region);
