@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/mesh/corners.hpp"
+#include "core/mesh/hex_edges.hpp"
 
 namespace bulbus {
 namespace {
@@ -15,8 +16,6 @@ struct Edge {
   int a, b;
   double strength;
 };
-
-constexpr int hex_edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
 double squared_length(std::span<const double> X, int a, int b) {
   double sum = 0;
@@ -67,11 +66,6 @@ bool share_hexahedron(const LocalMesh& mesh, const Corners& corners, int a, int 
   return std::ranges::any_of(corners.at(a), [&](const auto& c) { return std::ranges::find(mesh.hexes[c.hex()], b) != mesh.hexes[c.hex()].end(); });
 }
 
-int root(std::vector<int>& parent, int n) {
-  while (parent[n] != n) n = parent[n] = parent[parent[n]];
-  return n;
-}
-
 // The neighbours of every node in its line, or −1. Lines run straight, so that only neighbours on them are coupled.
 std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& mesh) {
   constexpr double strong = 2;
@@ -82,12 +76,11 @@ std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& m
   std::erase_if(edges, [](const Edge& e) { return e.strength < strong; });
   std::ranges::stable_sort(edges, [](const Edge& p, const Edge& q) { return p.strength > q.strength; });
   std::vector<std::array<int, 2>> next(owned, {-1, -1});
-  std::vector<int> parent(owned);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets joined(owned);
   const auto turns = [&](int end, int beyond) { return next[end][0] >= 0 && share_hexahedron(mesh, corners, next[end][0], beyond); };
   for (const Edge& e : edges) {
-    if (next[e.a][1] >= 0 || next[e.b][1] >= 0 || root(parent, e.a) == root(parent, e.b) || turns(e.a, e.b) || turns(e.b, e.a)) continue;
-    parent[root(parent, e.a)] = root(parent, e.b);
+    if (next[e.a][1] >= 0 || next[e.b][1] >= 0 || joined.root(e.a) == joined.root(e.b) || turns(e.a, e.b) || turns(e.b, e.a)) continue;
+    joined.join(e.a, e.b);
     next[e.a][next[e.a][0] >= 0] = e.b;
     next[e.b][next[e.b][0] >= 0] = e.a;
   }

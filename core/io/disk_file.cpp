@@ -28,7 +28,7 @@ void DiskFile::write(std::string_view text) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int error = errno;
-      if (before >= 0 && ftruncate(file_, before) != 0) fail(error);
+      [[maybe_unused]] const int cut = before >= 0 ? ftruncate(file_, before) : 0;
       fail(error);
     }
     text.remove_prefix(static_cast<std::size_t>(written));

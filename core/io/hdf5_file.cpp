@@ -99,7 +99,7 @@ void remove_stale_locks(const std::filesystem::path& temporary) {
   const std::string start = temporary.filename().string() + "-";
   std::vector<std::filesystem::path> stale;
   for (const auto& entry : std::filesystem::directory_iterator(temporary.parent_path(), ignored))
-    if (const std::string name = entry.path().filename().string(); name.starts_with(start) && name.ends_with(".lock"))
+    if (entry.path().extension() == ".lock" && entry.path().filename().string().starts_with(start))
       stale.push_back(entry.path());
   for (const auto& lock : stale) std::filesystem::remove(lock, ignored);
 }

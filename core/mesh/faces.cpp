@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "core/mesh/sorted.hpp"
+
 namespace bulbus {
 namespace {
 
 int lowest(const Quad& q) { return std::min(std::min(q[0], q[1]), std::min(q[2], q[3])); }
-
-Quad sorted(Quad q) {
-  std::sort(q.begin(), q.end());
-  return q;
-}
 
 int node_count(const std::vector<Hex>& hexes) {
   int n = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/mesh/embed.hpp"
+#include "core/mesh/hex_edges.hpp"
+#include "core/mesh/sorted.hpp"
 
 namespace bulbus {
 namespace {
@@ -11,13 +13,6 @@ using Edge = std::array<int, 2>;
 
 // Corners of the unit cube in the order of a Hex.
 constexpr int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-constexpr int hex_edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-
-template <class Key>
-Key sorted(Key key) {
-  std::sort(key.begin(), key.end());
-  return key;
-}
 
 template <class Key>
 void sort_unique(std::vector<Key>& keys) {

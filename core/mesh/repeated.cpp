@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
+#include "core/mesh/sorted.hpp"
+
 namespace bulbus {
-namespace {
-
-Hex sorted(Hex h) {
-  std::ranges::sort(h);
-  return h;
-}
-
-}  // namespace
 
 std::vector<std::pair<int, int>> repeated(const std::vector<Hex>& hexes) {
   int nodes = 0;

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/mesh/geometry.hpp"
+#include "core/mesh/hex_edges.hpp"
 
 namespace bulbus {
 namespace {
@@ -20,10 +21,8 @@ constexpr double least_cell = 1e-6;  // of the mesh's diagonal: 2²⁰ cells fit
 
 double shortest_edge(const Mesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
-  constexpr std::array<std::array<int, 2>, 12> edges{
-      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   for (const Hex& h : mesh.hexes)
-    for (const auto& [i, j] : edges) {
+    for (const auto& [i, j] : hex_edges) {
       const Point d = mesh.points[h[i]] - mesh.points[h[j]];
       least = std::min(least, dot(d, d));
     }

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "core/mesh/mesh.hpp"
+#include "core/mesh/sorted.hpp"
 
 namespace bulbus {
 
@@ -13,13 +14,12 @@ class SurfaceSides {
  public:
   SurfaceSides(const Mesh& mesh, const std::set<std::string>& surfaces);
   /// Indices of Mesh::region_names; the second is −1 on the boundary.
-  const std::array<int, 2>& of(const Quad& face) const { return regions_.at(key_of(face)); }
+  const std::array<int, 2>& of(const Quad& face) const { return regions_.at(sorted(face)); }
 
  private:
   struct Hash {
     std::size_t operator()(const Quad& q) const;
   };
-  static Quad key_of(Quad q);
   std::unordered_map<Quad, std::array<int, 2>, Hash> regions_;
 };
 

@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/mesh/geometry.hpp"
+#include "core/mesh/hex_edges.hpp"
 #include "core/problem/closed_surface.hpp"
 
 namespace bulbus {
@@ -16,9 +17,6 @@ namespace {
 
 constexpr double of_diagonal = 1e-5;  // default tolerance: coordinates written with five digits
 constexpr double of_edge = .02;       // nearer than this, a face is meant to be on the plane
-
-constexpr std::array<std::array<int, 2>, 12> hex_edges{
-    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
 // Nodes beside the plane, between the mesh's round-off and a distance.
 std::vector<bool> beside(const Mesh& mesh, int c, double distance) {

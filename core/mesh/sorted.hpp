@@ -1,0 +1,13 @@
+#pragma once
+#include <algorithm>
+
+namespace bulbus {
+
+/// The nodes of an edge, a face or a hexahedron in ascending order: the same for all that have the same nodes.
+template <class Nodes>
+Nodes sorted(Nodes nodes) {
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
+}  // namespace bulbus
