@@ -54,7 +54,23 @@ struct Seed {
   Entry root;
 };
 
-class Scenes final : public Target {
+// Faults in the bytes or in the tree of one of its seeds, with what the pool has of all of them.
+class YamlTarget : public Target {
+ public:
+  std::string extension() const override { return ".yaml"; }
+
+  Mutant make(Random& random) const override {
+    const Seed& seed = random.of(seeds_);
+    if (random.one_in(3)) return {seed.path, with_faults(to_yaml(seed.root), false, random)};
+    return {seed.path, to_yaml(with_faults(seed.root, pool_, random))};
+  }
+
+ protected:
+  std::vector<Seed> seeds_;
+  Pool pool_;
+};
+
+class Scenes final : public YamlTarget {
  public:
   Scenes(const std::string& data, const std::string& cases) {
     for (const std::string& folder : {data + "/scenes", cases})
@@ -67,24 +83,13 @@ class Scenes final : public Target {
       }
   }
   std::string name() const override { return "scene"; }
-  std::string extension() const override { return ".yaml"; }
-
-  Mutant make(Random& random) const override {
-    const Seed& seed = random.of(seeds_);
-    if (random.one_in(3)) return {seed.path, with_faults(to_yaml(seed.root), false, random)};
-    return {seed.path, to_yaml(with_faults(seed.root, pool_, random))};
-  }
 
   void judge(const Mutant& mutant) const override {
     prepare_checked(parse_yaml(mutant.content, mutant.seed), mutant.seed);
   }
-
- private:
-  std::vector<Seed> seeds_;
-  Pool pool_;
 };
 
-class Studies final : public Target {
+class Studies final : public YamlTarget {
  public:
   explicit Studies(const std::string& data) {
     for (const std::string& path : yaml_files(data + "/scenes")) {
@@ -94,23 +99,12 @@ class Studies final : public Target {
     }
   }
   std::string name() const override { return "study"; }
-  std::string extension() const override { return ".yaml"; }
-
-  Mutant make(Random& random) const override {
-    const Seed& seed = random.of(seeds_);
-    if (random.one_in(3)) return {seed.path, with_faults(to_yaml(seed.root), false, random)};
-    return {seed.path, to_yaml(with_faults(seed.root, pool_, random))};
-  }
 
   // Its plan; preparing the scenes is what the other target does.
   void judge(const Mutant& mutant) const override {
     const Study study = study_of(parse_yaml(mutant.content, mutant.seed), mutant.seed, {});
     figures_of(study, plan(study));
   }
-
- private:
-  std::vector<Seed> seeds_;
-  Pool pool_;
 };
 
 }  // namespace
