@@ -22,11 +22,9 @@ double overshoot(const Pair& p) {
   return std::max({-p.weights[0] / l1, -p.weights[1] / norm(t1), -p.weights[2] / norm(t2)});
 }
 
-FaceGap face_gap(const MasterSurface& master, const Vec3<double>& x, int triangle) {
-  const Triangle corners = master.corners(triangle);
-  const Pair flat = project(x, corners);
+FaceGap face_gap(const MasterSurface& master, const Pair& flat, int triangle) {
   if (master.normals.empty()) return {flat.gap, flat.normal};
-  const CurvedGap curved = curved_gap(flat, corners, master.normals[triangle]);
+  const CurvedGap curved = curved_gap(flat, master.corners(triangle), master.normals[triangle]);
   return {curved.gap, curved.gradient, curved.bend};
 }
 
@@ -170,11 +168,11 @@ bool ContactTerm::idle(int point) const {
 ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const {
   Touch t{point, slot, triangle, project(x, master.corners(triangle))};
   if (!master_.rigid()) return t;
-  FaceGap g = face_gap(master, x, triangle);
+  FaceGap g = face_gap(master, t.pair, triangle);
   if (const auto across = master_.across_edges(triangle); !across.empty()) {
     std::vector<FaceGap> faces{g};
     for (int other : across)
-      if (const FaceGap beside = face_gap(master, x, other); beside.gap > -edge_radius_) faces.push_back(beside);
+      if (const FaceGap beside = face_gap(master, project(x, master.corners(other)), other); beside.gap > -edge_radius_) faces.push_back(beside);
     g = rounded_gap(faces, edge_radius_);
   }
   t.pair.gap = g.gap;
