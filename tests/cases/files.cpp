@@ -150,7 +150,7 @@ TEST(Manifest, EndsAtItsFolder) {
 
 TEST(NameOfOutput, StaysInsideOfTheFolder) {
   for (const std::string name :
-       {"/tmp/bulbus_elsewhere", "../elsewhere", "a/../../elsewhere", "summary.json", "run.log/x"})
+       {"/bulbus_elsewhere", "../elsewhere", "a/../../elsewhere", "summary.json", "run.log/x"})
     for (const char* verb : {"check", "run"}) {
       const Ran r = run_case("interrupted", {"solver.linear.dump=" + name}, "s.yaml", verb);
       expect_refused(r, {"solver.linear.dump", name});

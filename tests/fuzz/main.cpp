@@ -1,7 +1,7 @@
 // Faulty scenes, studies, meshes, bodies and checkpoints, thousands in a minute: each has to be accepted or
 // refused with place and remedy.
 //
-//     fuzz --seed 7 --mutants 100000 --keep /tmp/found
+//     fuzz --seed 7 --mutants 100000 --keep found
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
