@@ -54,6 +54,8 @@ class ContactTerm final : public Term {
   void visit(const ContributionVisitor& visitor) const override;
 
   void begin_step(int step, const State& state) override;
+  /// Without the search for pairs, which is long and ends in nothing where the step is not solved.
+  void pass_step(int step, const State& start) override;
   bool provisional() const override { return soft_; }
   bool revise(const State& state) override;
   void set_progress(double s) override;

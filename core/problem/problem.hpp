@@ -105,6 +105,7 @@ class Problem {
   void linearize(const State& state, double gamma, StrainSource source);
 
  private:
+  void begin(int step, const State& start, void (Term::*begin_term)(int, const State&));
   void build();
   void build_bodies_and_solid();
   void build_liquids();

@@ -63,7 +63,9 @@ void build_dofs(DofMap& dofs, int step) {
 
 }  // namespace
 
-void Problem::begin_step(int step, const State& start) {
+void Problem::begin_step(int step, const State& start) { begin(step, start, &Term::begin_step); }
+
+void Problem::begin(int step, const State& start, void (Term::*begin_term)(int, const State&)) {
   const StepSpec& spec = model_.steps.at(step);
   step_ = step;
   comm().together([&] {
@@ -75,8 +77,8 @@ void Problem::begin_step(int step, const State& start) {
   });
   if (!follows_) find_enclosed(step, start);
   begin_liquids(spec, step, start);
-  for (const auto& term : terms()) term->begin_step(step, start);
-  if (coarser_) coarser_->begin_step(step, coarsened(start));
+  for (const auto& term : terms()) (term.get()->*begin_term)(step, start);
+  if (coarser_) coarser_->begin(step, coarsened(start), begin_term);
   s_ = 0;
 }
 

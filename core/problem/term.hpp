@@ -25,6 +25,8 @@ class Term {
 
   /// A step begins from a converged state. Collective.
   virtual void begin_step(int, const State&) {}
+  /// A step begins that is not solved: in a rehearsal, or on the way back to a later one. Collective.
+  virtual void pass_step(int step, const State& start) { begin_step(step, start); }
   /// Does the term, for now, stand in with something easier, so that a rough balance is enough before revise() is called?
   virtual bool provisional() const { return false; }
   /// Newton has converged for what the term holds fixed meanwhile (multipliers, damping): true if that has to change first, so

@@ -368,5 +368,18 @@ TEST(Contact, ResolvesAnOverlapOverTheFirstStep) {
   EXPECT_NEAR(pressure(), 50 * .15, 1e-12);
 }
 
+// Rehearsals are part of every check.
+TEST(Contact, LooksForPairsOnlyInStepsThatAreSolved) {
+  const TwoSheets two(-.01);
+  auto term = two.term(contact_spec(50, .1));
+  State state = two.sheets.state(), deep = state;
+  for (int n = 0; n < two.slaves(); ++n) deep.x[3 * n + 2] -= .2;
+  for (int step = 0; step < 3; ++step) term.pass_step(step, state);
+  EXPECT_EQ(term.searches(), 0);
+  term.begin_step(3, state);
+  EXPECT_EQ(term.searches(), 1);
+  EXPECT_EQ(term.figures(deep).pairs, two.slaves()) << "seen in front before";
+}
+
 }  // namespace
 }  // namespace bulbus
