@@ -76,7 +76,9 @@ void set_at(Entry& root, const std::string& path, const Place& place, Entry valu
 }
 
 void apply_override(Entry& root, const std::string& assignment) {
-  const Place place{"--set " + assignment, 0};
+  // every value that it gives keeps the place
+  constexpr std::size_t shown = 200;
+  const Place place{"--set " + (assignment.size() > shown ? assignment.substr(0, shown) + " ..." : assignment), 0};
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw input_error(place.file, 0, "not of the form path.to.key=value",
