@@ -1,5 +1,6 @@
 #include "app/prepare.hpp"
 
+#include "app/contact_limits.hpp"
 #include "app/record_names.hpp"
 #include "app/size_limits.hpp"
 #include "contact/operation_probes.hpp"

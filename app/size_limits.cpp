@@ -18,9 +18,6 @@ constexpr double indices = std::numeric_limits<int>::max();
 // Measured on blocks, shells and eyes: the program itself, what is resident of mesh and
 // problem when all is prepared, and what the making of a mesh needs at its peak.
 constexpr double of_program = 38 * megabyte, of_base_hex = 100, of_hex = 210, of_whole_hex = 450;
-// A triangle with its corners, neighbours and, while these are looked for, edges; a contact point with its
-// pair and pressure.
-constexpr double of_facet = 300, of_point = 700;
 
 // Hexahedra and nodes are numbered over all ranks; a rank keeps eight numbers of each of its hexahedra, and
 // all of the base.
@@ -51,45 +48,15 @@ RunSize run_size(const MeshCount& base, const Scene& scene, int ranks) {
   return size;
 }
 
-double corners_of(const RigidBodySpec& spec) {
-  if (spec.swept)
-    return spec.swept->spline ? spec.swept->points + double(spec.swept->section.size())
-                              : double(spec.swept->section.size());
-  if (spec.band) return 4.0 * (spec.band->edge_facets + 1);
-  return 4.0 * (spec.tire->edge_facets + 1) + spec.tire->face_facets;
-}
-
-double facets_of(const RigidBodySpec& spec) {
-  if (spec.sphere) return 8.0 * spec.sphere->facets * spec.sphere->facets;
-  if (spec.cylinder) return 4.0 * spec.cylinder->facets;
-  if (!spec.swept && !spec.band && !spec.tire) return 0;
-  const ArcSpec& arc = spec.swept ? spec.swept->arc : spec.band ? spec.band->arc : spec.tire->arc;
-  return 2.0 * arc.parts * corners_of(spec) * (double(arc.facets) + (arc.caps ? 1 : 0));
-}
+}  // namespace
 
 double memory_of(const LinearSettings& l) {
   return l.memory_limit > 0 ? l.memory_limit * megabyte : static_cast<double>(machine_bytes());
 }
 
-std::string whose(const LinearSettings& l) {
+std::string whose_memory(const LinearSettings& l) {
   return l.memory_limit > 0 ? "that solver.linear.memory_limit allows" : "that this machine has";
 }
-
-// `count` things of `each` bytes, on every rank.
-void refuse_count(double count, double each, int ranks, const std::string& key, const std::string& things,
-                  const std::string& remedy, const LinearSettings& l) {
-  const double bytes = ranks * count * each, limit = memory_of(l);
-  if (count > indices)
-    throw scene_error(
-        key, fmt::format("{:.3g} {} are more than can be numbered ({:.2g})", count, things, indices), remedy);
-  if (bytes > limit)
-    throw scene_error(key,
-                      fmt::format("{:.3g} {} would need {:.0f} MB of memory, more than the {:.0f} MB {}",
-                                  count, things, bytes / megabyte, limit / megabyte, whose(l)),
-                      remedy);
-}
-
-}  // namespace
 
 void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks) {
   const MeshCount finest = refined(base, scene.mesh.refine);
@@ -111,27 +78,6 @@ void refuse_too_large_to_make(const MeshCount& base, const Scene& scene) {
                             scene.solver.linear);
 }
 
-void refuse_too_many_facets(const Scene& scene, int ranks) {
-  for (const auto& [name, spec] : scene.model.rigid_bodies)
-    refuse_count(
-        facets_of(spec), of_facet, ranks, "rigid_bodies." + name, "facets of the rigid body '" + name + "'",
-        "Draw it with fewer parts and facets: a facet much smaller than the mesh's faces shows nothing.",
-        scene.solver.linear);
-}
-
-void refuse_too_many_points(const Mesh& base, const Scene& scene, int ranks) {
-  for (std::size_t i = 0; i < scene.model.contacts.size(); ++i) {
-    const ContactSpec& c = scene.model.contacts[i];
-    const auto slave = base.surfaces.find(c.slave);
-    if (slave == base.surfaces.end()) continue;
-    const double points = double(slave->second.size()) * std::pow(4.0, scene.mesh.refine) *
-                          std::pow(std::max(1, c.divisions), 2);
-    refuse_count(points, of_point / ranks, ranks, fmt::format("contacts.{}", i),
-                 "points of contact '" + c.name + "'",
-                 "Give smaller `divisions`: 2 to 4 on each face suffice.", scene.solver.linear);
-  }
-}
-
 void refuse_more_than_there_is(const std::vector<MemoryPart>& parts, const LinearSettings& l) {
   const double limit = memory_of(l), total = sum_of(parts);
   if (total <= limit) return;
@@ -140,7 +86,7 @@ void refuse_more_than_there_is(const std::vector<MemoryPart>& parts, const Linea
     list += fmt::format("{}{} {:.0f}", list.empty() ? "" : ", ", p.name, p.bytes / megabyte);
   throw scene_error("mesh",
                     fmt::format("it would need {:.0f} MB of memory, more than the {:.0f} MB {} ({})",
-                                total / megabyte, limit / megabyte, whose(l), list),
+                                total / megabyte, limit / megabyte, whose_memory(l), list),
                     "Refine once less (an eighth of the memory), take fewer cells, or spread the run over "
                     "more machines and say in solver.linear.memory_limit what they have.");
 }

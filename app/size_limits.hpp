@@ -15,9 +15,9 @@ void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks);
 /// The same where the mesh is made whole, by one process, and not solved on.
 void refuse_too_large_to_make(const MeshCount& base, const Scene& scene);
 
-/// The same for the facets of the drawn rigid bodies and, where the mesh is known, the points of contacts.
-void refuse_too_many_facets(const Scene& scene, int ranks);
-void refuse_too_many_points(const Mesh& base, const Scene& scene, int ranks);
+/// Bytes that a run may take, and in words who says so: "that this machine has".
+double memory_of(const LinearSettings& settings);
+std::string whose_memory(const LinearSettings& settings);
 
 /// Throws InputError if these parts are more than `solver.linear.memory_limit` allows, or this machine.
 void refuse_more_than_there_is(const std::vector<MemoryPart>& parts, const LinearSettings& settings);

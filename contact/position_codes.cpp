@@ -122,7 +122,7 @@ Candidates find_candidates(std::span<const double> points, std::span<const std::
   visit_pairs([&](int i, int) { ++found.start[i + 1]; });
   for (int i = 0; i < n; ++i) found.start[i + 1] += found.start[i];
   found.triangles.resize(found.start.back());
-  std::vector<int> next(found.start.begin(), found.start.end() - 1);
+  std::vector<std::size_t> next(found.start.begin(), found.start.end() - 1);
   visit_pairs([&](int i, int t) { found.triangles[next[i]++] = t; });
   return found;
 }

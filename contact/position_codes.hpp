@@ -8,7 +8,8 @@ namespace bulbus {
 /// Triangles near each of some points, ascending. Points that follow one another share a list, `group` of them; triangles of list i:
 /// `triangles[start[i]] ... triangles[start[i + 1] - 1]`.
 struct Candidates {
-  std::vector<int> start{0}, triangles;
+  std::vector<std::size_t> start{0};
+  std::vector<int> triangles;
   int group = 1;
   std::span<const int> of(int point) const {
     const int list = point / group;

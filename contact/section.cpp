@@ -1,6 +1,6 @@
 #include "contact/section.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Sparse>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,8 @@
 
 namespace bulbus {
 namespace {
+
+constexpr std::size_t most_corners = 20000;  // each edge is held against each
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
@@ -50,17 +52,19 @@ Section buckle(const Profile& p, double lift, double tilt, Inner inner) {
 // h₋/6 M₋ + (h₋ + h)/3 M + h/6 M₊ = (y₊ − y)/h − (y − y₋)/h₋
 Eigen::MatrixX2d spline_curvatures(const Section& y, const std::vector<double>& h) {
   const int n = static_cast<int>(y.size());
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixX2d b(n, 2);
   for (int i = 0; i < n; ++i) {
     const int before = (i + n - 1) % n, after = (i + 1) % n;
-    A(i, before) += h[before] / 6;
-    A(i, i) += (h[before] + h[i]) / 3;
-    A(i, after) += h[i] / 6;
+    entries.emplace_back(i, before, h[before] / 6);
+    entries.emplace_back(i, i, (h[before] + h[i]) / 3);
+    entries.emplace_back(i, after, h[i] / 6);
     for (int c = 0; c < 2; ++c)
       b(i, c) = (y[after][c] - y[i][c]) / h[i] - (y[i][c] - y[before][c]) / h[before];
   }
-  return A.partialPivLu().solve(b);
+  Eigen::SparseMatrix<double> A(n, n);  // symmetric, its diagonal dominates
+  A.setFromTriplets(entries.begin(), entries.end());
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(A).solve(b);
 }
 
 }  // namespace
@@ -76,6 +80,11 @@ void require_section(const Section& s, const std::string& key) {
   if (n < 3)
     throw scene_error(key, "a section of " + std::to_string(n) + " corners encloses nothing",
                       "Give at least three.");
+  if (n > most_corners)
+    throw scene_error(key,
+                      "a section of " + std::to_string(n) + " corners is finer than any contact feels: at most " +
+                          std::to_string(most_corners),
+                      "Leave corners out; `spline` joins a few of them smoothly.");
   double length = 0;
   for (std::size_t i = 0; i < n; ++i) length += distance(s[i], s[(i + 1) % n]);
   for (std::size_t i = 0; i < n; ++i) {

@@ -2,6 +2,9 @@
 // limits of memory.
 #include <sys/resource.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "core/base/memory.hpp"
 #include "tests/cases/run_case.hpp"
 
@@ -53,10 +56,35 @@ TEST(HugeCounts, OfOtherThanCellsAreRefusedToo) {
   const double before = peak();
   expect_refused_in_time(checked(with_body, {"rigid_bodies.lid={band: {parts: 3600, facets: 10000}}"}),
                          before, {"rigid_bodies.lid", "facets", "fewer parts"});
-  expect_refused_in_time(
-      checked(with_body, {"solver.linear.memory_limit=60", "mesh.block.nx=40", "mesh.block.ny=40",
-                          "contacts.0.divisions=100", "solver.linear.method=direct"}),
-      before, {"MB of memory"});
+  const auto contact = [](std::vector<std::string> set) {
+    for (const char* s : {"mesh.block.nx=12", "mesh.block.ny=12", "mesh.block.nz=1"}) set.emplace_back(s);
+    return checked(with_body, set);
+  };
+  expect_refused_in_time(contact({"contacts.0.divisions=100"}), before,
+                         {"contacts.0", "1.44e+06 points of contact 'lid' on 144 faces", "2 to 4 suffice"});
+  expect_refused_in_time(contact({"mesh.refine=2", "contacts.0.divisions=50"}), before,
+                         {"contacts.0", "5.76e+06 points", "on 2.3e+03 faces"});
+  expect_refused_in_time(contact({"contacts.0.divisions=60", "solver.linear.memory_limit=500"}), before,
+                         {"contacts.0", "5.18e+05 points", "881 MB of memory", "memory_limit allows"});
+  const std::string parts = "rigid_bodies.lid={band: {parts: 3600, facets: 1}}";
+  expect_refused_in_time(contact({"contacts.0.divisions=8", parts}), before,
+                         {"contacts.0", "3.32e+07 pairs of points", "parts of 'lid'", "fewer parts"});
+  expect_refused_in_time(checked(with_body, {"rigid_bodies.lid={sphere: {facets: 1000}}"}), before,
+                         {"rigid_bodies.lid", "8e+06 facets"});
+}
+
+TEST(HugeCounts, OfASectionsCornersAreRefused) {
+  std::string corners;
+  for (int i = 0; i < 20001; ++i)
+    corners += (i ? ", [" : "[") + std::to_string(2 * std::cos(i * std::numbers::pi / 10000.5)) + ", " +
+               std::to_string(9 + 2 * std::sin(i * std::numbers::pi / 10000.5)) + "]";
+  const std::string swept = "rigid_bodies.lid={swept: {spline: true, parts: 1, facets: 1, section: [" + corners + "]}}";
+  const double before = peak();
+  expect_refused_in_time(checked(with_body, {swept}), before + 200e6, {"section", "20001 corners", "at most 20000"});
+}
+
+TEST(HugeCounts, OfDivisionsAreNoneOnAFewFaces) {
+  EXPECT_EQ(checked(with_body, {"contacts.0.divisions=100"}).status, 0);
 }
 
 TEST(HugeCounts, OfAMeshFileAreRefusedWhereItIsRefined) {

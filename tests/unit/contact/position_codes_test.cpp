@@ -22,7 +22,7 @@ Candidates brute_force(std::span<const double> points, const Triangles& triangle
       }
       if (in) all.triangles.push_back(static_cast<int>(t));
     }
-    all.start.push_back(static_cast<int>(all.triangles.size()));
+    all.start.push_back(all.triangles.size());
   }
   return all;
 }
