@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "app/commands.hpp"
 #include "app/memory_forecast.hpp"
 #include "app/prepare.hpp"
@@ -24,12 +22,9 @@ int check(const Scene& scene, const Comm& comm) {
   print(log, lines_of(sizes));
   print(log, liquid_lines(problem));
   for (const std::string& warning : prepared.warnings) log.warn(warning);
-  log.info(fmt::format("memory to expect with the {} solver, over all ranks (MB):",
-                       scene.solver.linear.method));
-  const auto parts = forecast_memory(prepared, scene);
-  for (const auto& [part, bytes] : parts) log.info(fmt::format("  {:<28} {:>10.1f}", part, 1e-6 * bytes));
-  log.info(fmt::format("  {:<28} {:>10.1f}", "together", 1e-6 * sum_of(parts)));
-  comm.together([&] { refuse_what_cannot_fit(parts, scene.solver.linear); });
+  const MemoryForecast memory = forecast_memory(prepared, scene);
+  print(log, lines_of(memory, scene.solver.linear));
+  comm.together([&] { refuse_what_cannot_fit(memory, scene.solver.linear); });
   return 0;
 }
 

@@ -37,15 +37,33 @@ RunSize size_of(const Prepared& prepared) {
 
 }  // namespace
 
-std::vector<MemoryPart> forecast_memory(const Prepared& prepared, const Scene& scene) {
-  const Problem& problem = *prepared.problem;
-  std::vector<MemoryPart> parts{{"program, mesh and problem", resident(problem.comm())}};
-  for (MemoryPart& part : parts_of_solution(size_of(prepared), scene)) parts.push_back(std::move(part));
-  return parts;
+MemoryForecast forecast_memory(const Prepared& prepared, const Scene& scene) {
+  const RunSize size = size_of(prepared);
+  MemoryForecast forecast{{{"program, mesh and problem", resident(prepared.problem->comm())}},
+                          bytes_of_last_resort(size, scene)};
+  for (MemoryPart& part : parts_of_solution(size, scene)) forecast.parts.push_back(std::move(part));
+  return forecast;
 }
 
-void refuse_what_cannot_fit(const std::vector<MemoryPart>& parts, const LinearSettings& l) {
-  if (l.method != "direct") refuse_more_than_there_is(parts, l);
+std::vector<std::string> lines_of(const MemoryForecast& forecast, const LinearSettings& l) {
+  std::vector<std::string> lines{
+      fmt::format("memory to expect with the {} solver, over all ranks (MB):", l.method)};
+  const auto add = [&](const std::string& name, double bytes) {
+    lines.push_back(fmt::format("  {:<28} {:>10.1f}", name, 1e-6 * bytes));
+  };
+  for (const auto& [name, bytes] : forecast.parts) add(name, bytes);
+  add("together", forecast.together());
+  if (forecast.last_resort == 0) return lines;
+  const double all = forecast.together() + forecast.last_resort;
+  add("with MUMPS as last resort", all);
+  if (all > memory_of(l))
+    lines.push_back(fmt::format("  That is more than the {:.0f} MB {}: such a system cuts the increment instead.",
+                                1e-6 * memory_of(l), whose_memory(l)));
+  return lines;
+}
+
+void refuse_what_cannot_fit(const MemoryForecast& forecast, const LinearSettings& l) {
+  if (l.method != "direct") refuse_more_than_there_is(forecast.parts, l);
 }
 
 }  // namespace bulbus

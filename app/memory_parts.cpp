@@ -155,4 +155,12 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   return parts;
 }
 
+double bytes_of_last_resort(const RunSize& size, const Scene& scene) {
+  const LinearSettings& l = scene.solver.linear;
+  if (l.method == "direct" || l.fallback != "direct") return 0;
+  std::vector<MemoryPart> parts;
+  add_direct(size.levels.front(), size.ranks, parts);
+  return sum_of(parts);
+}
+
 }  // namespace bulbus

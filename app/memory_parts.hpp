@@ -30,4 +30,8 @@ struct RunSize {
 /// What states, operator, preconditioner and Krylov method or factors add to program, mesh and problem.
 std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scene);
 
+/// What MUMPS adds to them, bytes, while it solves a system that GMRES did not; 0 where
+/// `solver.linear.fallback` or `method` says that it never does.
+double bytes_of_last_resort(const RunSize& size, const Scene& scene);
+
 }  // namespace bulbus

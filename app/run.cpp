@@ -76,10 +76,17 @@ void measure_memory(const Problem& problem, const CoupledSystem& system, Meters&
   meters.memory.set("coupled system", system.bytes());
 }
 
-nlohmann::json json_of(const std::vector<MemoryPart>& forecast) {
-  nlohmann::json mb{{"together", 1e-6 * sum_of(forecast)}};
-  for (const auto& [part, bytes] : forecast) mb[part] = 1e-6 * bytes;
+nlohmann::json json_of(const MemoryForecast& forecast) {
+  nlohmann::json mb{{"together", 1e-6 * forecast.together()}, {"last resort", 1e-6 * forecast.last_resort}};
+  for (const auto& [part, bytes] : forecast.parts) mb[part] = 1e-6 * bytes;
   return mb;
+}
+
+std::string line_of(const MemoryForecast& forecast) {
+  std::string line = fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * forecast.together());
+  if (forecast.last_resort > 0)
+    line += fmt::format(", and {:.0f} more if MUMPS takes over a system", 1e-6 * forecast.last_resort);
+  return line;
 }
 
 void write_end(const Log& log, const Model& model, const Recorder& recorder, const MarchReport& march,
@@ -123,7 +130,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   const double start = Clock::now();
   Meters meters;
   Prepared prepared;
-  std::vector<MemoryPart> memory;
+  MemoryForecast memory;
   {
     const auto scope = meters.clock.measure("mesh and problem");
     prepared = prepare(scene, comm);
@@ -149,7 +156,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   const FileStart start_of_records = from ? FileStart::continued : FileStart::anew;
   const Log log(path_of(log_file), comm, screen, start_of_records);
   write_header(log, scene, scene_path, prepared);
-  log.info(fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * sum_of(memory)));
+  log.info(line_of(memory));
 
   const InterruptsHeeded heeded;
   Recorder recorder(prepared, scene, folder, log, meters, start_of_records);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct Memory {
-  double forecast = 0, peak = 0;  // MB
+  double forecast = 0, last_resort = 0, peak = 0;  // MB
 };
 
 // A small indentation of the half eye, in a process of its own.
@@ -28,7 +28,7 @@ Memory of_half_eye(const std::vector<std::string>& settings) {
   std::ifstream file(out / "summary.json");
   const json memory = json::parse(file)["memory_mb"];
   fs::remove_all(out);
-  return {memory["forecast"]["together"], memory["process_peak"]["all_ranks"]};
+  return {memory["forecast"]["together"], memory["forecast"]["last resort"], memory["process_peak"]["all_ranks"]};
 }
 
 TEST(Memory, OfAnEyeIsForecast) {
@@ -50,6 +50,17 @@ TEST(Memory, OfARefinedEyeIsForecast) {
 TEST(Memory, OfALooseBalanceIsForecast) {
   const Memory m = of_half_eye({"mesh.eye.n=10", "mesh.refine=1", "solver.newton.force=1e-3", "solver.newton.volume=1e-3", "solver.newton.liquid=1e-5"});
   EXPECT_NEAR(m.forecast, m.peak, .15 * m.peak);
+}
+
+// Five iterations are too few for GMRES.
+TEST(Memory, OfMumpsAsTheLastResortIsForecast) {
+  const Memory m = of_half_eye({"mesh.eye.n=14", "solver.linear.max_iterations=5"});
+  EXPECT_GT(m.last_resort, m.forecast);
+  EXPECT_NEAR(m.forecast + m.last_resort, m.peak, .15 * m.peak);
+}
+
+TEST(Memory, IsForecastWithoutALastResortWhereThereIsNone) {
+  EXPECT_EQ(of_half_eye({"mesh.eye.n=8", "solver.linear.fallback=none"}).last_resort, 0);
 }
 
 }  // namespace
