@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <limits>
 
 #include "core/base/error.hpp"
 #include "core/base/whole_file.hpp"
@@ -64,7 +65,8 @@ double GmshScanner::real() {
 
 int GmshScanner::whole(bool binary) {
   const long long value = number<int>(binary);
-  if (value != static_cast<int>(value)) fail(fmt::format("{} is too large for a tag", value), save_again);
+  constexpr int most = std::numeric_limits<int>::max();  // -most - 1 has no opposite
+  if (value < -most || value > most) fail(fmt::format("{} is too large for a tag", value), save_again);
   return static_cast<int>(value);
 }
 

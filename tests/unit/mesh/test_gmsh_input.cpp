@@ -89,6 +89,14 @@ TEST(GmshInput, RefusesElementsThatDoNotFit) {
   expect_refusal(nodes + elements("1 5 2 7 1 1 2 3 4 5 6 7 88\n"), {".msh:18: element 1 has node 88"});
 }
 
+// Reversed entities are groups with a minus, and the least int has no opposite.
+TEST(GmshInput, RefusesGroupsThatCannotBeTurned) {
+  for (const char* tag : {"-2147483648", "2147483648", "-9223372036854775808"})
+    expect_refusal(nodes + elements(std::string("1 5 2 ") + tag + " 1 1 2 3 4 5 6 7 8\n"),
+                   {".msh:18: " + std::string(tag) + " is too large for a tag"});
+  EXPECT_EQ(read(nodes + elements("1 5 2 -2147483647 1 1 2 3 4 5 6 7 8\n")).hexes.size(), 1u);
+}
+
 TEST(GmshInput, RefusesFilesThatAreNoMesh) {
   EXPECT_THROW(read_gmsh("/no/such/mesh.msh"), InputError);
   expect_refusal("", {"$MeshFormat is missing"});
