@@ -64,7 +64,7 @@ long long campaign(const Options& options, const std::vector<std::string>& argum
   if (progress == MAP_FAILED) throw std::runtime_error(name + ": cannot be mapped");
   close(file);
   progress->next = options.first;
-  const double start = Clock::now();
+  const double start = progress->start = Clock::now();
   while (!progress->finished) {
     const int status = wait_for_worker(arguments, name);
     if (progress->finished) break;

@@ -24,21 +24,17 @@ void say(int signal) {
 
 }  // namespace
 
-void guard_process(std::size_t limit_bytes) {
+void guard_process() {
   static char stack[1 << 16];
   const stack_t other{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
   sigaltstack(&other, nullptr);
   struct sigaction action {};
   action.sa_handler = say;
   action.sa_flags = SA_ONSTACK;
-#ifdef __SANITIZE_ADDRESS__
-  limit_bytes = 0;
   sigaction(SIGPROF, &action, nullptr);
-#else
-  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPROF}) sigaction(signal, &action, nullptr);
-#endif
-  if (limit_bytes == 0) return;
-  const rlimit limit{address_space_bytes() + limit_bytes, RLIM_INFINITY};
+  if (sanitized) return;
+  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
+  const rlimit limit{address_space_bytes() + bytes_of_one, RLIM_INFINITY};
   setrlimit(RLIMIT_AS, &limit);
 }
 

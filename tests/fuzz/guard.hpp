@@ -3,10 +3,20 @@
 
 namespace bulbus::fuzz {
 
-/// Lets the process say on the screen which signal ended it, also where the stack is full, and die of it.
-/// `limit_seconds`: processor time of one mutant; `limit_bytes`: address space beyond what is mapped now (0,
-/// or under the address sanitizer: none).
-void guard_process(std::size_t limit_bytes);
+/// Whether this is built with the address sanitizer: it reports crashes itself, reserves more address space
+/// than any limit, and slows everything down.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// What a mutant may take beyond what is mapped before.
+constexpr std::size_t bytes_of_one = std::size_t{3} << 30;
+
+/// Lets the process say on the screen which signal ended it, also where the stack is full, and die of it, and
+/// limits its address space. With the sanitizer, of time only.
+void guard_process();
 
 /// The processor time of the next mutant begins.
 void wind_up(int limit_seconds);
