@@ -24,7 +24,8 @@ def near(a, b):
 
 class Runs:
     def __init__(self, program, whole, folder):
-        self.program, self.whole, self.folder, self.number = str(pathlib.Path(program).resolve()), whole, folder, 0
+        self.program, self.whole = (str(pathlib.Path(p).resolve()) for p in (program, whole))
+        self.folder, self.number = folder, 0
         self.seconds = {}  # from the making of the folder to the end, on so many ranks
         self.prefix = []
         for ranks in (1, 2, 3):
