@@ -23,8 +23,7 @@ json contacts_summary(const Operation& operation, const std::vector<ContactStand
                                           {"active_nodes", now.touching},
                                           {"area", now.area},
                                           {"largest_pressure", now.pressure},
-                                          {"largest_penetration", now.penetration},
-                                          {"smoothed", now.smoothed}};
+                                          {"largest_penetration", now.penetration}};
     if (contact.spec.tolerance > 0)
       one["augmentation"] = {{"updates", now.augmentation.updates},
                              {"violation", now.augmentation.violation},

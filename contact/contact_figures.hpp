@@ -15,8 +15,7 @@ inline Vec3<double> moment_about(const Vec3<double>& point, const Wrench& w) { r
 /// Figures of one contact on one rank: sums and the largest penetration are those of its slave points.
 struct ContactFigures {
   int pairs = 0;                  ///< active ones
-  int smoothed = 0;               ///< that could not decide between open and closed in this increment
-  double area = 0;                ///< current tributary area of the active points, mm²
+  double area = 0;                ///< current area in contact: of faces up to where contact ends on them, of points on faces all that are active, mm²
   double penetration = 0;         ///< largest, mm
   std::vector<Wrench> on_master;  ///< per part of a rigid body; one in all for a master of the mesh
 };
@@ -49,8 +48,6 @@ struct ContactMemory {
   std::vector<int> triangle;     ///< where tracking starts, −1: none
   std::vector<double> pressure;  ///< multiplier p, MPa
   std::vector<double> overlap;   ///< mm inside at the start, made good while the first step proceeds; empty: none
-  std::vector<int> changes;      ///< of the pair within the increment: from some on it is held and its pressure smoothed
-  std::vector<int> held;         ///< the triangle that it is held on, −1: none
 };
 
 }  // namespace bulbus

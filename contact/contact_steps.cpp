@@ -8,20 +8,21 @@ namespace bulbus {
 namespace {
 
 constexpr int most_updates = 20;
-constexpr double most_overlap = 0.05;  // in allowed depths
 
 }  // namespace
 
 void ContactTerm::begin_increment() {
-  const std::size_t slots = current_.triangle.size();
-  for (auto* v : {&last_, &before_, &current_.held}) v->assign(slots, -1);
-  current_.changes.assign(slots, 0);
-  linearized_ = soft_ = false;
+  predicted_.assign(current_.triangle.size(), 0);
+  releases_.assign(current_.triangle.size(), 0);
+  rates_.clear();
+  active_.clear();
+  changes_ = 0;
   augmentation_ = {};
   found_.key.clear();
 }
 
-// Bodies that a step brings to touch get there without a way; what is inside as the first step begins is in contact.
+// Bodies that a step brings to touch get there without a way; what is inside as the first step begins is in
+// contact.
 void ContactTerm::begin_step(int, const State& state) {
   if (!start_.points.empty()) leave(state);
   commit(state);
@@ -32,7 +33,6 @@ void ContactTerm::pass_step(int, const State& start) { leave(start); }
 void ContactTerm::set_progress(double s) {
   fade_ = 1 - s;
   begin_increment();
-  soft_ = way() > most_overlap * limits_.depth;
 }
 
 void ContactTerm::freeze() {
@@ -43,20 +43,22 @@ void ContactTerm::freeze() {
 std::string ContactTerm::refusal(const State& state) const {
   const double motion = comm_.max(found(state).motion), most = farthest_search * limits_.reach;
   if (motion <= most) return {};
-  return fmt::format("contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than the search looks "
-                     "({:.3g} mm), so that a contact may have been missed. Give the step more increments",
-                     name_, motion, most);
+  return fmt::format(
+      "contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than "
+      "the search looks "
+      "({:.3g} mm), so that a contact may have been missed. Give the step more increments",
+      name_, motion, most);
 }
 
 void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
-  for (const Touch& t : find(state, limits_, Search::remembering).touches) current_.triangle[t.slot] = t.triangle;
+  for (const Touch& t : find(state, limits_, Search::remembering).touches)
+    current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
   found_.key.clear();
   leave(state);
 }
 
-// With the smoothing that the last increment has ended with: without it, that one's state is out of balance.
 void ContactTerm::roll_back() {
   begin_increment();
   current_ = committed_;
@@ -65,36 +67,37 @@ void ContactTerm::roll_back() {
 void ContactTerm::remember(Keeper& keeper) {
   const Keeper::Group group(keeper, "contact " + name_);
   keeper.scalars("augmentation", augmentation_.updates, augmentation_.violation, augmentation_.gave_up);
-  Keeper::Keys slots;
+  Keeper::Keys rows_of;
   std::vector<double> rows;
-  const std::vector<double> overlap(current_.overlap.empty() ? std::vector<double>(current_.changes.size()) : current_.overlap);
+  const std::size_t all = current_.triangle.size();
+  const std::vector<double> overlap(current_.overlap.empty() ? std::vector<double>(all) : current_.overlap);
   const auto points = points_.keys(slave_);
-  for (std::size_t k = 0; k < current_.changes.size(); ++k) {
-    const std::size_t point = k / master_.pieces(), piece = k % master_.pieces();
-    const bool worth = current_.triangle[k] >= 0 || current_.pressure[k] != 0 || overlap[k] != 0 || current_.held[k] >= 0 || current_.changes[k] > 0;
-    slots.add(points[point] * master_.pieces() + static_cast<long long>(piece), worth && points_[static_cast<int>(point)].mine);
-    rows.insert(rows.end(), {1. * current_.triangle[k], current_.pressure[k], overlap[k], 1. * current_.held[k], 1. * current_.changes[k]});
+  for (std::size_t k = 0; k < all; ++k) {
+    const std::size_t slot = k % slots(), face = k / slots(), point = slot / master_.pieces(),
+                      piece = slot % master_.pieces();
+    const bool worth = current_.triangle[k] >= 0 || current_.pressure[k] != 0 || overlap[k] != 0;
+    rows_of.add(
+        (points[point] * master_.pieces() + static_cast<long long>(piece)) * master_.faces_at_a_point() +
+            static_cast<long long>(face),
+        worth && points_[static_cast<int>(point)].mine);
+    rows.insert(rows.end(), {1. * current_.triangle[k], current_.pressure[k], overlap[k]});
   }
-  if (!keeper.reading()) return keeper.rows("pairs", slots, 5, rows);
-  for (std::size_t k = 0; k < current_.changes.size(); ++k) std::ranges::copy(std::array{-1., 0., 0., -1., 0.}, &rows[5 * k]);
-  keeper.rows("pairs", slots, 5, rows);
+  if (!keeper.reading()) return keeper.rows("pairs", rows_of, 3, rows);
+  for (std::size_t k = 0; k < all; ++k) std::ranges::copy(std::array{-1., 0., 0.}, &rows[3 * k]);
+  keeper.rows("pairs", rows_of, 3, rows);
   recall(rows);
 }
 
-// Triangle, multiplier, overlap, held triangle and changes of every slot, as at the end of an increment.
+// Triangle, multiplier and overlap of every slot, as at the end of an increment.
 void ContactTerm::recall(std::span<const double> rows) {
-  current_.overlap.assign(current_.changes.size(), 0);
-  for (std::size_t k = 0; k < current_.changes.size(); ++k) {
-    const double* row = &rows[5 * k];
-    current_.triangle[k] = static_cast<int>(row[0]);
-    current_.pressure[k] = row[1];
-    current_.overlap[k] = row[2];
-    current_.held[k] = static_cast<int>(row[3]);
-    current_.changes[k] = static_cast<int>(row[4]);
+  current_.overlap.assign(current_.triangle.size(), 0);
+  for (std::size_t k = 0; k < current_.triangle.size(); ++k) {
+    current_.triangle[k] = static_cast<int>(rows[3 * k]);
+    current_.pressure[k] = rows[3 * k + 1];
+    current_.overlap[k] = rows[3 * k + 2];
   }
   if (std::ranges::count(current_.overlap, 0.) == std::ssize(current_.overlap)) current_.overlap.clear();
   committed_ = current_;
-  soft_ = false;
   found_.key.clear();
   start_.resumed = true;
   if (!master_.rigid()) return;
@@ -124,30 +127,41 @@ double ContactTerm::violation(const Found& f) const {
   return worst;
 }
 
-// How far any point of a rigid master has moved since the last increment ended.
-double ContactTerm::way() const {
-  return master_.rigid() && !start_.places.empty() ? greatest_motion(master_.places({}), start_.places) : 0;
+// No pair may be in tension at the end of an increment.
+bool ContactTerm::released(const Found& f) {
+  bool any = false;
+  for (const Touch& t : f.touches)
+    if (pressure(t).value < 0) predicted_[t.slot] = 0, ++releases_[t.slot], any = true;
+  return comm_.any(any);
+}
+
+// A set of active pairs that the last linear solution was not found with may not be the final one.
+bool ContactTerm::set_changed(const Found& f) {
+  if (active_.empty() || changes_ == most_changes) return false;
+  std::vector<char> now(active_.size(), false);
+  for (const Touch& t : f.touches) now[t.slot] = pressure(t).slope > 0;
+  const bool changed = comm_.any(now != active_);
+  changes_ += changed;
+  return changed;
 }
 
 bool ContactTerm::revise(const State& state) {
-  if (soft_) {
-    soft_ = false;
-    return true;
-  }
-  if (tolerance_ == 0) return false;
   const Found& f = found(state);
+  if (set_changed(f) || released(f)) return true;
+  if (tolerance_ == 0) return false;
   augmentation_.violation = comm_.max(violation(f));
   if (augmentation_.violation <= tolerance_) return false;
   augmentation_.gave_up = augmentation_.updates == most_updates;
   if (augmentation_.gave_up) return false;
   ++augmentation_.updates;
   std::vector<double> p(current_.pressure.size());
-  for (const Touch& t : f.touches) p[t.slot] = std::max(0., current_.pressure[t.slot] - penalty() * gap(t));
+  for (const Touch& t : f.touches) p[t.slot] = std::max(0., current_.pressure[t.slot] - penalty_ * gap(t));
   current_.pressure = std::move(p);
   return true;
 }
 
-std::vector<double> ContactTerm::outermost(std::span<const double> x, const SlaveSurface::Shape& shape) const {
+std::vector<double> ContactTerm::outermost(std::span<const double> x,
+                                           const SlaveSurface::Shape& shape) const {
   std::vector<double> places = points_.places(x);
   for (int i = 0; i < points_.size(); ++i)
     for (int c = 0; c < 3; ++c) places[3 * i + c] += points_[i].bulge * shape.normals[i][c];

@@ -5,6 +5,7 @@
 #include "contact/clearances.hpp"
 #include "contact/contact_figures.hpp"
 #include "contact/master.hpp"
+#include "contact/normal_projection.hpp"
 #include "contact/position_codes.hpp"
 #include "contact/pressure_law.hpp"
 #include "contact/rounded_edge.hpp"
@@ -18,45 +19,59 @@ namespace bulbus {
 
 /// The two sides as this rank holds them.
 struct ContactSides {
-  std::span<const double> X;              ///< reference places of the local nodes
-  int owned;                              ///< the first ones are owned
-  std::span<const Quad> slave;            ///< local nodes, at least all faces that touch an owned node, normals out of the body
+  std::span<const double> X;  ///< reference places of the local nodes
+  int owned;                  ///< the first ones are owned
+  std::span<const Quad>
+      slave;  ///< local nodes, at least all faces that touch an owned node, normals out of the body
   Master master;
   std::span<const std::string> symmetry;  ///< planes "x", "y", "z" on which that coordinate is 0
 };
 
 /// Taken where the specification says 0.
 struct ContactDefaults {
-  double penalty;    ///< α_A, MPa/mm
-  double depth;      ///< mm
-  double reach = 0;  ///< how far the search looks, mm; larger than any motion of an increment. 0: twice the depth
+  double penalty;      ///< α_A, MPa/mm; 0: none
+  double depth;        ///< mm
+  double shear = 0;    ///< initial shear modulus of the softer side, MPa; 0: not known
+  double modulus = 0;  ///< E* of both sides, 1/E* = Σ (1 − ν²)/E, MPa; 0: not known
+  double reach =
+      0;  ///< how far the search looks, mm; larger than any motion of an increment. 0: twice the depth
 };
 
-/// Frictionless contact of one surface, at its nodes or at points of its faces, with a master (formulation, section 5). Per point and
-/// master piece, with the reference tributary area A0, the gap G and the trial pressure τ = p − α_A G:
+/// Frictionless contact of one surface, at its nodes or at points of its faces, with a master (formulation,
+/// section 5). Per point and master piece, with the reference tributary area A0, the gap G and the trial
+/// pressure τ = p − α_A G:
 ///     potential A0/(2 α_A) max(0, τ)²,  residual −A0 max(0, τ) D,  tangent A0 (α_A D Dᵀ − max(0, τ) H)
-/// The multiplier p is 0 unless the specification gives a tolerance. Nodes that both surfaces share make no pairs; a point's gradient D
-/// is shared out to the nodes that carry it.
+/// The multiplier p is 0 unless the specification gives a tolerance. Nodes that both surfaces share make no
+/// pairs; a point's gradient D is shared out to the nodes that carry it.
 ///
-/// Pairs are a function of the state, of the rigid body's places and of what commit() has left. Each point's H waits until its pair
-/// has been the same in two linearisations; a point that keeps changing gets its pair held and a smoothed pressure until the
-/// increment ends (set_progress begins one).
+/// D follows the normals of the master's nodes (CurvedGap, NormalProjection), so that forces go on from facet
+/// to facet; those between deformable bodies balance but have no potential. H is taken once the pressure is
+/// the predicted one.
 ///
-/// A rigid body that has moved into the tissue by more than the full penalty bears meets a tenth of it until a rough balance is
-/// found (provisional).
+/// Newton's method is a primal-dual active set method (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13,
+/// 2002; Hüeber and Wohlmuth, CMAME 194, 2005): a pair whose pressure the last linear solution predicts to be
+/// positive stays active where the curved way of the nodes has opened it (still_active). At convergence no
+/// pair is in tension, and the law above is the one that is balanced.
+///
+/// Pairs are a function of the state, of the rigid body's places, of what commit() has left and, within an
+/// increment, of predict().
 class ContactTerm final : public Term {
  public:
-  ContactTerm(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides, const Comm& comm);
+  ContactTerm(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides,
+              const Comm& comm);
 
   void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override;
   void linearize(const State& state) override;
   void add_action(std::span<const double> dx, std::span<double> force) const override;
   void visit(const ContributionVisitor& visitor) const override;
 
+  /// The force of a deformable master has no potential.
+  bool symmetric() const override { return master_.rigid(); }
   void begin_step(int step, const State& state) override;
   /// Without the search for pairs, which is long and ends in nothing where the step is not solved.
   void pass_step(int step, const State& start) override;
-  bool provisional() const override { return soft_; }
+  double solve_tolerance() const override { return solve_tolerance_; }
+  void predict(std::span<const double> dx) override;
   bool revise(const State& state) override;
   void set_progress(double s) override;
   void freeze() override;
@@ -67,6 +82,7 @@ class ContactTerm final : public Term {
 
   /// N·mm
   double potential(const State& state) const;
+  /// Collective.
   ContactFigures figures(const State& state) const;
   /// In the order of slave().nodes(); gaps no larger than `farthest` (mm; 0: the search's reach).
   std::vector<ContactNode> nodes(const State& state, double farthest = 0) const;
@@ -84,17 +100,28 @@ class ContactTerm final : public Term {
   void resolve(const State& start);
 
  private:
-  static constexpr double farthest_search = 16;  // in reaches; a point that moves farther may have missed a contact
+  static constexpr int most_changes = 1;   // of the active set at convergence, in an increment
+  static constexpr int most_releases = 3;  // of a pair; then it is active no longer than the law says
+  static constexpr double farthest_search =
+      16;  // in reaches; a point that moves farther may have missed a contact
   struct Touch {
     int point, slot, triangle;
     Pair pair;
-    Mat3<double> bend{};  // of a curved rigid body
+    Mat3<double> bend{};                      // of a curved rigid body
+    std::optional<NormalProjection> along{};  // onto a deformable master
   };
   struct Found {
-    std::vector<double> key;       // where the surfaces are
-    std::vector<Touch> touches;    // by slave point, then piece
+    std::vector<double> key;     // where the surfaces are
+    std::vector<Touch> touches;  // by slave point, then piece
     SlaveSurface::Shape shape;
-    double motion = 0;             // of a point relative to the master since the last increment ended, at most, mm
+    double motion = 0;  // of a point relative to the master since the last increment ended, at most, mm
+  };
+  // How the pressure of an active pair changes with its nodes: δp = −stiffness Σ D·δx
+  struct PressureRate {
+    int slot, nodes;
+    double pressure, stiffness;  // MPa, MPa/mm
+    std::array<int, 7> node;
+    std::array<Vec3<double>, 7> D;
   };
   // Where slave points and corners of the master were when the last increment ended; empty: not known.
   struct IncrementStart {
@@ -106,44 +133,53 @@ class ContactTerm final : public Term {
   const Found& found(const State& state) const;
   SlaveSurface::Shape shape(std::span<const double> x) const;
   std::vector<double> outermost(std::span<const double> x, const SlaveSurface::Shape& shape) const;
+  PressureRate rate(const State& state, const Touch& touch, const ContactPressure& pressure) const;
+  void add_tangent_along(const MasterSurface& master, const Touch& touch, const ContactPressure& pressure);
+  double area(const Touch& touch) const;
+  double area_of_points(const Found& found) const;
+  double area_of_faces(const State& state, const Found& found) const;
   void add_tangent(const State& state, const Touch& touch, double a, double b);
   enum class Search { whole, remembering, sparing };
   Found find(const State& state, const SearchLimits& limits, Search how) const;
+  void add_touches(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle,
+                   std::vector<Touch>& touches) const;
+  int slots() const { return points_.size() * master_.pieces(); }
   Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const;
   int foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
   bool look_back(std::span<const double> points, std::span<const double> places) const;
-  void follow(const MasterSurface& master, const Way& way, const Vec3<double>& N, int start, std::span<const int> candidates,
-              Selection& chosen) const;
+  void follow(const MasterSurface& master, const Way& way, const Vec3<double>& N, int start,
+              std::span<const int> candidates, Selection& chosen) const;
   bool idle(int point) const;
-  std::optional<Selection> held(const MasterSurface& master, const Vec3<double>& x, int slot) const;
   double gap(const Touch& touch) const;
   ContactPressure pressure(const Touch& touch) const;
   double penetration(const Found& found) const;
   double violation(const Found& found) const;
-  double penalty() const;
-  bool smoothed(int slot) const;
-  double way() const;
+  double needed_tolerance(double highest) const;
+  bool released(const Found& found);
+  bool set_changed(const Found& found);
   void begin_increment();
   void leave(const State& state);
   void recall(std::span<const double> rows);
-  void watch(const std::vector<int>& now);
 
   std::string name_;
   Comm comm_;
   Master master_;
   SlaveSurface slave_;
   SlavePoints points_;
+  int owned_;
   std::vector<double> area0_;
-  double penalty_, tolerance_, edge_radius_, fade_ = 1;
-  bool soft_ = false;
+  double penalty_, stiffness_ /* in defaults */, tolerance_, edge_radius_, shear_, modulus_,
+      fade_ = 1, solve_tolerance_ = 1;
   mutable IncrementStart start_;
   SearchLimits limits_;
   ContactMemory committed_, current_;
   Augmentation augmentation_;
 
-  // per slot; active triangles of the last two linearisations of this increment, −1: not active
-  std::vector<int> last_, before_;
-  bool linearized_ = false;
+  std::vector<PressureRate> rates_;  // of the active pairs of the last linearisation
+  std::vector<double> predicted_;    // pressure of every slot after the last Newton step, MPa; 0: not active
+  std::vector<char> active_;   // slots in the last linearisation of this increment; empty: there was none
+  int changes_ = 0;            // of the active set at convergence, in this increment
+  std::vector<int> releases_;  // of every slot from tension in this increment
   BlockTangent tangent_;
 
   mutable GlobalSearch search_;

@@ -6,6 +6,12 @@
 #include "contact/meridians.hpp"
 
 namespace bulbus {
+namespace {
+
+constexpr int most_steps = 12;
+
+}  // namespace
+
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places) {
   const auto at = [&](int p) { return Vec3<double>{places[3 * p], places[3 * p + 1], places[3 * p + 2]}; };
   std::vector<Vec3<double>> areas;
@@ -34,26 +40,68 @@ double rise(const Facets& facets, std::span<const double> places, std::span<cons
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const auto& t = facets.triangles[k];
-      most = std::max(most, std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(t[i]), at(t[j])))) / 2);
+      most =
+          std::max(most, std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(t[i]), at(t[j])))) / 2);
     }
   return most;
 }
 
-CurvedGap curved_gap(const Pair& p, const Triangle& x, const CornerNormals& n) {
-  CurvedGap g{p.gap, p.normal, {}};
-  if (std::ranges::min(p.weights) < -1) return g;
-  const auto& [t1, t2] = p.duals;
-  const std::array<Vec3<double>, 3> dL{Vec3<double>{-t1[0] - t2[0], -t1[1] - t2[1], -t1[2] - t2[2]}, t1, t2};
+// Newton's method for x = x1 + L2 e2 + L3 e3 + g (n1 + L2 d2 + L3 d3) with d_i = n_i − n1
+std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Triangle& v,
+                                             const CornerNormals& n) {
+  const Pair flat = project(x, v);
+  if (std::ranges::min(flat.weights) < -1) return {};
+  const Vec3<double> e2 = minus(v[1], v[0]), e3 = minus(v[2], v[0]), d2 = minus(n[1], n[0]),
+                     d3 = minus(n[2], n[0]);
+  double L2 = flat.weights[1], L3 = flat.weights[2], change = 1;
+  NormalFoot foot{.along = flat.gap};
+  for (int step = 0; step < most_steps && change > 1e-14; ++step) {
+    Vec3<double> a, b, rest;
+    for (int c = 0; c < 3; ++c) {
+      a[c] = e2[c] + foot.along * d2[c], b[c] = e3[c] + foot.along * d3[c];
+      foot.normal[c] = n[0][c] + L2 * d2[c] + L3 * d3[c];
+      rest[c] = x[c] - v[0][c] - L2 * e2[c] - L3 * e3[c] - foot.along * foot.normal[c];
+    }
+    foot.inverse = {cross(b, foot.normal), cross(foot.normal, a), cross(a, b)};
+    const double det = dot(a, foot.inverse[0]);
+    for (Vec3<double>& row : foot.inverse)
+      for (double& value : row) value /= det;
+    const double dL2 = dot(foot.inverse[0], rest), dL3 = dot(foot.inverse[1], rest);
+    L2 += dL2, L3 += dL3, foot.along += dot(foot.inverse[2], rest);
+    change = std::abs(dL2) + std::abs(dL3);
+  }
+  if (!(change < 1e-9)) return {};
+  foot.weights = {1 - L2 - L3, L2, L3};
+  for (int c = 0; c < 3; ++c) foot.normal[c] = n[0][c] + L2 * d2[c] + L3 * d3[c];
+  return foot;
+}
+
+// The normal's change is (d2 (J⁻¹)_1 + d3 (J⁻¹)_2) δx.
+CurvedGap curved_gap(const Vec3<double>& x, const Triangle& v, const CornerNormals& n) {
+  const auto foot = foot_along_normals(x, v, n);
+  if (!foot) {
+    const Pair flat = project(x, v);
+    return {flat.gap, flat.normal, {}, flat.weights};
+  }
+  const double length = norm(foot->normal);
+  CurvedGap curved{foot->along * length, foot->normal, {}, foot->weights};
+  for (double& value : curved.normal) value /= length;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    const double s = dot(minus(n[i], n[j]), minus(x[i], x[j])) / 2;
-    g.gap -= s * p.weights[i] * p.weights[j];
-    for (int r = 0; r < 3; ++r) {
-      g.gradient[r] -= s * (p.weights[i] * dL[j][r] + p.weights[j] * dL[i][r]);
-      for (int c = 0; c < 3; ++c) g.bend(r, c) -= s * (dL[i][r] * dL[j][c] + dL[j][r] * dL[i][c]);
-    }
+    curved.gap -= dot(minus(n[i], n[j]), minus(v[i], v[j])) / 2 * curved.weights[i] * curved.weights[j];
   }
-  return g;
+  const Vec3<double>& m = curved.normal;
+  const Vec3<double> d2 = minus(n[1], n[0]), d3 = minus(n[2], n[0]);
+  const double along2 = dot(m, d2), along3 = dot(m, d3);
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      const double turn =
+          ((d2[r] - along2 * m[r]) * foot->inverse[0][c] + (d3[r] - along3 * m[r]) * foot->inverse[1][c]) /
+          length;
+      curved.bend(r, c) += turn / 2;
+      curved.bend(c, r) += turn / 2;
+    }
+  return curved;
 }
 
 }  // namespace bulbus

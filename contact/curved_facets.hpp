@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,21 +14,35 @@ inline constexpr double smooth_edge = 0.86602540378443865;
 
 using CornerNormals = std::array<Vec3<double>, 3>;
 
-/// Normals at the three corners of every triangle: the mean over the triangles around the corner whose planes are within
-/// 30 degrees of its own, weighted by their areas, so that a flat face beside a rounded edge stays flat. Sharper edges stay
-/// edges.
+/// Normals at the three corners of every triangle: the mean over the triangles around the corner whose planes
+/// are within 30 degrees of its own, weighted by their areas, so that a flat face beside a rounded edge stays
+/// flat. Sharper edges stay edges.
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places);
 
-/// Distance to the curved surface that a triangle stands for, quadratic in the place of the foot:
-///     G = G_flat − Σ_{i<j} s_ij L_i L_j,  s_ij = ½ (n_i − n_j)·(x_i − x_j)
-/// Exact to second order on a circle; from one triangle to the next G and its gradient go on up to third order. Flat where the foot
-/// lies farther beyond an edge than the triangle is wide.
-struct CurvedGap {
-  double gap;             ///< G, mm; negative inside
-  Vec3<double> gradient;  ///< ∇G, a unit vector to second order
-  Mat3<double> bend;      ///< ∇∇G (1/mm): positive where the surface is convex
+/// The foot of x on a triangle along the normals interpolated between its corners, x = Σ L_i x_i + g n with n
+/// = Σ L_i n_i. Foot, g and n go on from one triangle to the next without a jump where the two share their
+/// normals.
+struct NormalFoot {
+  std::array<double, 3> weights;  ///< L
+  double along;                   ///< g, in lengths of n
+  Vec3<double> normal;            ///< n
+  std::array<Vec3<double>, 3> inverse;  ///< rows of J⁻¹, J = [∂x/∂L2, ∂x/∂L3, n]: they give δL2, δL3 and δg
 };
-CurvedGap curved_gap(const Pair& flat, const Triangle& corners, const CornerNormals& normals);
+/// By Newton's method from the flat foot; none where the flat foot lies farther beyond an edge than the
+/// triangle is wide, or it does not converge.
+std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Triangle& corners,
+                                             const CornerNormals& normals);
+
+/// Distance to the curved surface that a triangle stands for, along its interpolated normals:
+///     G = g |n| − Σ_{i<j} s_ij L_i L_j,  s_ij = ½ (n_i − n_j)·(x_i − x_j)
+/// Exact to second order on a circle. Flat where there is no such foot.
+struct CurvedGap {
+  double gap;           ///< G, mm; negative inside
+  Vec3<double> normal;  ///< n/|n|: ∇G to second order in the angle between the corners' normals
+  Mat3<double> bend;    ///< symmetric part of ∂normal/∂x (1/mm): positive where the surface is convex
+  std::array<double, 3> weights;  ///< L
+};
+CurvedGap curved_gap(const Vec3<double>& x, const Triangle& corners, const CornerNormals& normals);
 
 /// No gap is farther from that to the flat triangles than this, mm.
 double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals);

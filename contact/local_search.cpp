@@ -9,7 +9,6 @@ namespace bulbus {
 namespace {
 
 constexpr double on_edge = 1e-9;    // weights: what is round-off of an edge
-constexpr double past_rim = 0.01;   // weights
 constexpr double away = -1e-6;      // N·n above this: not facing
 constexpr int longest_walk = 20;
 
@@ -38,7 +37,7 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
     if (passes_by(x, N, master.spheres[t])) continue;
     const Triangle corners = master.corners(t);
     const Crossing c = cross_line(x, N, corners);
-    if (!c.facing || !c.inside(master.facets.neighbours[t]) || std::abs(c.distance) > limits.reach) continue;
+    if (!c.facing || !c.inside(master.facets.neighbours[t], master.rim) || std::abs(c.distance) > limits.reach) continue;
     if (best.triangle >= 0 && !nearer(std::abs(c.distance), std::abs(best.distance), limits)) continue;
     if (project(x, corners).gap > -limits.depth) best = {t, c.distance};
   }
@@ -102,9 +101,9 @@ Triangle corners_of(const Facets& facets, std::span<const double> places, int tr
   return c;
 }
 
-bool Crossing::inside(const std::array<int, 3>& neighbours) const {
+bool Crossing::inside(const std::array<int, 3>& neighbours, double rim) const {
   for (int i = 0; i < 3; ++i)
-    if (!(weights[i] >= (neighbours[i] < 0 ? -past_rim : -on_edge))) return false;
+    if (!(weights[i] >= (neighbours[i] < 0 ? -std::max(rim, on_edge) : -on_edge))) return false;
   return true;
 }
 
@@ -121,7 +120,7 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
   for (int t = start, step = 0; t >= 0 && step < longest_walk; ++step) {
     const Crossing c = cross_line(x, N, master.corners(t));
     if (!c.facing) return -1;
-    if (c.inside(master.facets.neighbours[t])) return t;
+    if (c.inside(master.facets.neighbours[t], master.rim)) return t;
     t = master.facets.neighbours[t][std::ranges::min_element(c.weights) - c.weights.begin()];
   }
   return -1;
@@ -129,13 +128,14 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
 
 int foot_of(const MasterSurface& master, const Vec3<double>& x, int start) {
   int t = start, before = -1;
-  Pair p = project(x, master.corners(t));
-  for (int step = 0; step < longest_walk && std::ranges::min(p.weights) < -on_edge; ++step) {
-    const int next = master.facets.neighbours[t][std::ranges::min_element(p.weights) - p.weights.begin()];
+  for (int step = 0; step < longest_walk; ++step) {
+    const Triangle corners = master.corners(t);
+    const auto weights = curved_gap(x, corners, master.normals[t]).weights;
+    if (std::ranges::min(weights) >= -on_edge) break;
+    const int next = master.facets.neighbours[t][std::ranges::min_element(weights) - weights.begin()];
     if (next < 0 || next == before) break;
-    const Pair there = project(x, master.corners(next));
-    if (dot(p.normal, there.normal) < smooth_edge) break;
-    before = t, t = next, p = there;
+    if (master.edges && dot(project(x, corners).normal, project(x, master.corners(next)).normal) < smooth_edge) break;
+    before = t, t = next;
   }
   return t;
 }

@@ -23,6 +23,8 @@ struct MasterSurface {
   const Facets& facets;
   std::span<const double> places;
   std::span<const CornerNormals> normals;
+  bool edges = true;  ///< triangles whose planes differ by more than 30 degrees do not share their normals
+  double rim = 0.01;  ///< how far a triangle reaches past an edge without a neighbour, in its heights
   std::vector<Sphere> spheres;  ///< around every triangle
 };
 
@@ -32,18 +34,17 @@ struct Crossing {
   bool facing = false;            ///< N·n < 0: the triangle looks at the slave; nothing else is given if not
   std::array<double, 3> weights;
   double distance;                ///< d; negative where the node is behind the plane
-  /// Edges belong to both sides. A rim, where `neighbours` of the triangle are −1, reaches a hundredth of its height past itself: for nodes
-  /// that meet it within what a solve leaves open.
-  bool inside(const std::array<int, 3>& neighbours = {}) const;
+  /// Edges belong to both sides. A rim, where `neighbours` of the triangle are −1, reaches past itself by the part `rim` of its height.
+  bool inside(const std::array<int, 3>& neighbours = {}, double rim = 0) const;
 };
 Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle& corners);
 
-/// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative weight. −1 at a rim (but for the
-/// hundredth of its triangle's height that it reaches past itself), at a triangle that looks away, or after 20 steps.
+/// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative weight. −1 at a rim (but for what
+/// it reaches past itself), at a triangle that looks away, or after 20 steps.
 int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start);
 
-/// Walks from `start` to the triangle in which x has its perpendicular foot, or as near to it as a walk across smooth edges (corner
-/// normals given, planes within 30 degrees) leads.
+/// Of a curved surface: walks from `start` to the triangle in which x has its foot along the interpolated normals (curved_gap), or as near to it
+/// as a walk across smooth edges (planes within 30 degrees) leads.
 int foot_of(const MasterSurface& master, const Vec3<double>& x, int start);
 
 struct SearchLimits {
@@ -61,7 +62,7 @@ struct Selection {
 ///    known to have been, so that `depth` does not count; otherwise the nearest one among the candidates.
 /// 2. Where the line meets none, or only one that the node is in front of, the node may still be inside: in a concave corner, or
 ///    where the line slips past a rim. The nearest point of the surface decides, behind an edge or a corner by the sum of the normals
-///    around it (angle-weighted). A rim stops nothing beyond a hundredth of its triangle's height.
+///    around it (angle-weighted). A rim stops nothing that it does not reach.
 /// `candidates`: ascending; all triangles within reach of x.
 Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start,
                  std::span<const int> candidates, const SearchLimits& limits);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contact/normal_projection.hpp"
+
 namespace bulbus {
 
 Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles.size()) {
@@ -10,11 +12,17 @@ Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
   for (auto& t : faces_.triangles)
     for (int& n : t) n = static_cast<int>(std::ranges::lower_bound(nodes_, n) - nodes_.begin());
+  mirror(std::vector<std::array<bool, 3>>(nodes_.size()));
+}
+
+void Master::mirror(std::vector<std::array<bool, 3>> components) {
+  if (!surface_) node_normals_.emplace(faces_, std::move(components));
 }
 
 Master::Master(std::shared_ptr<const RigidSurface> surface)
     : surface_(std::move(surface)),
-      edges_(surface_->facets, surface_->places),
+      edges_(surface_->facets, surface_->places, SharpEdges::Kind::convex),
+      hollows_(surface_->facets, surface_->places, SharpEdges::Kind::concave),
       pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),
       piece_(surface_->facets.triangles.size()) {
   for (std::size_t k = 0; k < surface_->parts.size(); ++k)
@@ -30,7 +38,11 @@ std::span<const double> Master::places(const State& state) const {
 
 MasterSurface Master::at(const State& state) const {
   if (surface_) return {facets(), places(state), surface_->normals};
-  return {facets(), places(state)};
+  const auto now = places(state);
+  normals_ = node_normals_->at_corners(now);
+  MasterSurface faces(facets(), now, normals_);
+  faces.edges = false, faces.rim = fading_rim;
+  return faces;
 }
 
 }  // namespace bulbus

@@ -145,17 +145,17 @@ void Operation::add_contact(const Mesh& base, const ContactSpec& spec, const std
     return layer_under(base, base.surfaces.at(surface), local.refinements, problem_.comm());
   };
   Layer layer = under(spec.slave);
-  double mu = shear_modulus(base, model, layer), thickness = layer.thickness;
+  double mu = shear_modulus(base, model, layer), thickness = layer.thickness, compliance = mu > 0 ? 1 / (4 * mu) : 0;
   if (body == bodies_.end()) {
     layer = under(spec.master);
-    if (const double other = shear_modulus(base, model, layer); other > 0) mu = mu > 0 ? std::min(mu, other) : other;
+    if (const double other = shear_modulus(base, model, layer); other > 0) mu = mu > 0 ? std::min(mu, other) : other, compliance += 1 / (4 * other);
     thickness = std::min(thickness, layer.thickness);
   }
   if (spec.penalty == 0 && mu == 0)
     throw scene_error(key + ".penalty", "contact '" + spec.name + "' is between rigid sides only: no stiffness to choose its penalty from",
                       "Give `penalty`, in MPa/mm.");
-  const double penalty = spec.penalty > 0 ? spec.penalty : stiffness_ratio * mu / thickness;
-  const ContactDefaults defaults{penalty, thickness / 2, part_of_size * diagonal(local)};
+  const double usual = stiffness_ratio * mu / thickness, penalty = spec.penalty > 0 ? spec.penalty : usual;
+  const ContactDefaults defaults{usual, thickness / 2, mu, compliance > 0 ? 1 / compliance : 0, part_of_size * diagonal(local)};
   const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
                            body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second), model.symmetry};
   const auto term = std::make_shared<ContactTerm>(spec, defaults, sides, problem_.comm());

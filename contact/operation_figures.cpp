@@ -25,7 +25,6 @@ ContactStanding standing(const Operation::Contact& contact, Snapshot& s) {
   double pressure = 0;
   for (const ContactNode& n : nodes_of(contact, s)) touching += n.active, pressure = std::max(pressure, n.pressure);
   all.touching = comm.sum(touching);
-  all.smoothed = comm.sum(own.smoothed);
   all.area = s.problem.multiplicity() * comm.sum(own.area);
   all.penetration = comm.max(own.penetration);
   all.pressure = comm.max(pressure);

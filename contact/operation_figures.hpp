@@ -13,7 +13,6 @@ probes::Resultant on_master(const Operation::Contact& contact, Snapshot& snapsho
 /// How a contact stands, on all ranks.
 struct ContactStanding {
   int touching = 0;        ///< active slave nodes of the model
-  int smoothed = 0;        ///< pairs that could not decide between open and closed in the last increment
   double area = 0;         ///< mm², symmetry images included
   double penetration = 0;  ///< largest, mm
   double pressure = 0;     ///< largest, MPa

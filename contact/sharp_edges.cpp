@@ -21,7 +21,8 @@ bool behind(const Plane& a, const Plane& b) { return dot(minus(a.middle, b.middl
 
 }  // namespace
 
-SharpEdges::SharpEdges(const Facets& facets, std::span<const double> places) {
+SharpEdges::SharpEdges(const Facets& facets, std::span<const double> places, Kind kind) {
+  const bool convex = kind == Kind::convex;
   const int n = static_cast<int>(facets.triangles.size());
   std::vector<Plane> planes;
   std::vector<std::vector<int>> around(places.size() / 3);
@@ -33,7 +34,8 @@ SharpEdges::SharpEdges(const Facets& facets, std::span<const double> places) {
   for (int t = 0; t < n; ++t) {
     for (int corner : facets.triangles[t])
       for (int other : around[corner])
-        if (dot(planes[t].normal, planes[other].normal) < smooth_edge && behind(planes[t], planes[other]) && behind(planes[other], planes[t]))
+        if (dot(planes[t].normal, planes[other].normal) < smooth_edge && behind(planes[t], planes[other]) == convex &&
+            behind(planes[other], planes[t]) == convex)
           others_.push_back(other);
     const auto first = others_.begin() + start_.back();
     std::sort(first, others_.end());

@@ -120,8 +120,14 @@ void Problem::end_step() {
   if (coarser_) coarser_->end_step();
 }
 
-bool Problem::provisional() const {
-  return std::ranges::any_of(terms(), [](const auto& term) { return term->provisional(); });
+double Problem::solve_tolerance() const {
+  double least = 1;
+  for (const auto& term : terms()) least = std::min(least, term->solve_tolerance());
+  return least;
+}
+
+void Problem::predict(std::span<const double> dx) const {
+  for (const auto& term : terms()) term->predict(dx);
 }
 
 bool Problem::revise(const State& state) {

@@ -91,8 +91,11 @@ class Problem {
   /// Goes back to the middle of a step, given its start and what `kept` gives; the problem must be new. `now` gets the pressures
   /// of that progress. Collective.
   void resume(int step, const State& start, double s, State& now, Keeper& kept);
+  /// The least of the terms', after linearize(). Collective.
+  double solve_tolerance() const;
+  /// Tells the terms by how much a Newton step moves the local nodes. Collective.
+  void predict(std::span<const double> dx) const;
   /// Asks every term whether Newton, which has converged, has to go on. Collective.
-  bool provisional() const;
   bool revise(const State& state);
   /// Why a state that Newton has converged to must not be accepted; empty: it may. Collective.
   std::string refusal(const State& state) const;

@@ -27,9 +27,13 @@ class Term {
   virtual void begin_step(int, const State&) {}
   /// A step begins that is not solved: in a rehearsal, or on the way back to a later one. Collective.
   virtual void pass_step(int step, const State& start) { begin_step(step, start); }
-  /// Does the term, for now, stand in with something easier, so that a rough balance is enough before revise() is called?
-  virtual bool provisional() const { return false; }
-  /// Newton has converged for what the term holds fixed meanwhile (multipliers, damping): true if that has to change first, so
+  /// Relative residual to which the next linear solve must come at least: stiff terms may need a better one than Newton's method asks for. After
+  /// linearize(). Collective.
+  virtual double solve_tolerance() const { return 1; }
+  /// Newton's method moves the local nodes by dx, which it found with the tangent of the last linearize(). What is active may depend on what that
+  /// predicts. Collective.
+  virtual void predict(std::span<const double> /*dx*/) {}
+  /// Newton has converged for what the term holds fixed meanwhile (multipliers, active set): true if that has to change first, so
   /// that Newton goes on. Collective.
   virtual bool revise(const State&) { return false; }
   /// Newton has converged: why the state must not be accepted all the same; empty: it may. Collective.

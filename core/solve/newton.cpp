@@ -14,7 +14,6 @@
 namespace bulbus {
 namespace {
 
-constexpr double rough = 1000;  // by this much the criteria may be missed as long as a term is provisional
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 constexpr double shortest_step = 1.0 / 64;
 constexpr double least_volume = 0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
@@ -163,7 +162,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     now.held = find_held();
     if (!finite(now.balance)) return fail(Outcome::not_finite);
     double missing = excess(now.balance, settings);
-    if (missing <= (problem.provisional() ? rough : 1) && now.held <= held_tolerance) {
+    if (missing <= 1 && now.held <= held_tolerance) {
       if (!problem.revise(state)) {
         if (observer) observer(now);
         if (std::string why = why_inadmissible(problem, state); !why.empty()) return fail(Outcome::inadmissible, std::move(why));
@@ -184,7 +183,10 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     }
     try {
       now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
-        if (now.tolerance == 0) now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
+        if (now.tolerance == 0) {
+          now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
+          now.tolerance = std::min(now.tolerance, problem.solve_tolerance());
+        }
         return now.tolerance;
       });
     } catch (const Interruption&) {
@@ -205,6 +207,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     find_held();
     for (std::size_t i = 0; i < held.size(); ++i) step.dx[i] += held[i];
     now.step = guarded(problem, step, state);
+    for (double& v : step.dx) v *= now.step;
+    problem.predict(step.dx);
     problem.enclosed().settle(state.lambda);
     report.iterations.push_back(now);
     if (observer) observer(now);

@@ -89,7 +89,6 @@ TEST(ContactRun, SaysHowContactsAndBodiesStand) {
   const double l = Pressed().l, F = 8 * Pressed().P();
   EXPECT_EQ(s["contacts"]["top"]["penalty"], 50);
   EXPECT_EQ(s["contacts"]["top"]["active_nodes"], 9);
-  EXPECT_EQ(s["contacts"]["top"]["smoothed"], 0);
   EXPECT_NEAR(s["contacts"]["top"]["largest_penetration"], F / 400, 1e-10);
   const auto plate = s["rigid_bodies"]["plate"];
   EXPECT_NEAR(plate["force"][2], F, 1e-8);

@@ -55,8 +55,9 @@ struct Sliding : testing::Test {
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t b = 0; b < n; ++b) K(3 * nodes[a / 3] + a % 3, 3 * nodes[b / 3] + b % 3) += M[n * a + b];
       });
-      const Eigen::VectorXd dx = K.ldlt().solve(Eigen::Map<const Eigen::VectorXd>(r.data(), r.size()));
-      for (std::size_t j = 0; j < state.x.size(); ++j) state.x[j] -= dx[j];
+      const Eigen::VectorXd dx = -K.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(r.data(), r.size()));
+      for (std::size_t j = 0; j < state.x.size(); ++j) state.x[j] += dx[j];
+      term.predict({dx.data(), static_cast<std::size_t>(dx.size())});
     }
     return history;
   }
