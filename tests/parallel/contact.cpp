@@ -1,6 +1,6 @@
 // Contacts press the same nodes with the same force however many ranks hold them.
 #include "core/base/error.hpp"
-#include "tests/verify/contact_trial.hpp"
+#include "tests/verify/two_blocks.hpp"
 
 namespace bulbus {
 namespace {
@@ -52,6 +52,22 @@ TEST(Contact, IsTheSameOnAnyNumberOfRanks) {
     measured("two blocks and a ball, {} ranks, {}, against direct alone: {} and {} active pairs, worst probe {:.0e}; {} increments ({}), {} Newton iterations ({}), {} Krylov",
              together.comm.size(), direct ? "direct" : "iterative", together.pairs("blocks"), together.pairs("ball"), worst, together.report.increments,
              alone.report.increments, together.report.newton_iterations, alone.report.newton_iterations, together.report.krylov_iterations);
+  }
+}
+
+// Each node lies on an edge or a corner of the other side: GMRES leaves a little of the residual, and no pair may make more of it.
+TEST(Contact, OfMatchingNodesIsIterativelyAsDirectly) {
+  for (double penalty : {100., 1e6}) {
+    ContactTrial alone(two_blocks(3, 3, penalty), Comm(MPI_COMM_SELF));
+    alone.direct();
+    ASSERT_TRUE(alone.report.converged) << alone.report.reason;
+    ContactTrial together(two_blocks(3, 3, penalty));
+    together.settings.linear.fallback = "none";
+    together.iterative();
+    ASSERT_TRUE(together.report.converged) << together.report.reason;
+    EXPECT_LT(relative(together.force("joint")[2], alone.force("joint")[2]), 1e-6) << penalty;
+    EXPECT_LE(together.report.newton_iterations, 8 * together.report.increments) << penalty;
+    EXPECT_EQ(together.report.cuts, 0) << penalty;
   }
 }
 
