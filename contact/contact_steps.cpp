@@ -15,7 +15,7 @@ void ContactTerm::begin_increment() {
   predicted_.assign(current_.triangle.size(), 0);
   releases_.assign(current_.triangle.size(), 0);
   rates_.clear();
-  active_.clear();
+  linearized_ = false;
   changes_ = 0;
   augmentation_ = {};
   found_.key.clear();
@@ -137,7 +137,7 @@ bool ContactTerm::released(const Found& f) {
 
 // A set of active pairs that the last linear solution was not found with may not be the final one.
 bool ContactTerm::set_changed(const Found& f) {
-  if (active_.empty() || changes_ == most_changes) return false;
+  if (!linearized_ || changes_ == most_changes) return false;
   std::vector<char> now(active_.size(), false);
   for (const Touch& t : f.touches) now[t.slot] = pressure(t).slope > 0;
   const bool changed = comm_.any(now != active_);

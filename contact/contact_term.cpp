@@ -112,6 +112,7 @@ void ContactTerm::linearize(const State& state) {
   tangent_.clear();
   rates_.clear();
   active_.assign(predicted_.size(), false);
+  linearized_ = true;
   const MasterSurface master = master_.at(state);
   double highest = 0;
   for (const Touch& t : found(state).touches) {

@@ -177,7 +177,8 @@ class ContactTerm final : public Term {
 
   std::vector<PressureRate> rates_;  // of the active pairs of the last linearisation
   std::vector<double> predicted_;    // pressure of every slot after the last Newton step, MPa; 0: not active
-  std::vector<char> active_;   // slots in the last linearisation of this increment; empty: there was none
+  bool linearized_ = false;   // in this increment
+  std::vector<char> active_;  // slots in the last linearisation
   int changes_ = 0;            // of the active set at convergence, in this increment
   std::vector<int> releases_;  // of every slot from tension in this increment
   BlockTangent tangent_;
