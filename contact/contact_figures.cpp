@@ -7,12 +7,6 @@
 #include "contact/meridians.hpp"
 
 namespace bulbus {
-namespace {
-
-Vec3<double> point(std::span<const double> x, int n) { return {x[3 * n], x[3 * n + 1], x[3 * n + 2]}; }
-
-}  // namespace
-
 ContactFigures ContactTerm::figures(const State& state) const {
   const Found& f = found(state);
   ContactFigures sum{.penetration = penetration(f), .on_master = std::vector<Wrench>(master_.pieces())};
@@ -72,7 +66,7 @@ double ContactTerm::area_of_faces(const State& state, const Found& f) const {
     std::array<NodeInContact, 4> corners;
     std::array<Vec3<double>, 4> x;
     std::array<double, 4> lengths;
-    for (int c = 0; c < 4; ++c) corners[c] = corner(k, c), x[c] = point(state.x, faces[k][c]);
+    for (int c = 0; c < 4; ++c) corners[c] = corner(k, c), x[c] = at(state.x, faces[k][c]);
     for (int c = 0; c < 4; ++c) lengths[c] = norm(minus(x[(c + 1) % 4], x[c]));
     sum +=
         part_in_contact(corners, lengths, modulus_) * norm(cross(minus(x[2], x[0]), minus(x[3], x[1]))) / 2;

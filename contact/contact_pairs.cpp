@@ -8,16 +8,9 @@
 namespace bulbus {
 namespace {
 
-Vec3<double> point(std::span<const double> x, int n) { return {x[3 * n], x[3 * n + 1], x[3 * n + 2]}; }
-
-FaceGap face_gap(const MasterSurface& master, const Vec3<double>& x, int triangle) {
-  const Triangle corners = master.corners(triangle);
-  if (master.normals.empty()) {
-    const Pair flat = project(x, corners);
-    return {flat.gap, flat.normal};
-  }
-  const CurvedGap curved = curved_gap(x, corners, master.normals[triangle]);
-  return {curved.gap, curved.normal, curved.bend};
+FaceGap face_gap(const MasterSurface& master, const Vec3<double>& x, const Pair& flat, int triangle) {
+  if (master.normals.empty()) return {flat.gap, flat.normal};
+  return curved_gap(x, flat, master.corners(triangle), master.normals[triangle]);
 }
 
 // How far the foot of a point lies beside a triangle.
@@ -75,7 +68,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
   const double margin = limits.depth + rise_;  // a point deeper than the depth may come back to the surface
   for (int i = 0; i < points_.size(); ++i) {
     if (how == Search::sparing && idle(i)) continue;
-    const Vec3<double> x = point(points, i);
+    const Vec3<double> x = at(points, i);
     double nearest = limits.reach;
     for (auto rest = near.of(i); !rest.empty();) {
       const int piece = master_.piece_of(rest.front()), slot = i * master_.pieces() + piece;
@@ -85,7 +78,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
       const int start = how != Search::whole ? committed_.triangle[slot] : -1;
       Selection chosen = select(master, x, f.shape.normals[i], start, candidates, limits);
       if (history)
-        follow(master, {point(start_.points, i), x}, f.shape.normals[i], start, candidates, chosen);
+        follow(master, {at(start_.points, i), x}, f.shape.normals[i], start, candidates, chosen);
       nearest = std::min(nearest, chosen.distance);
       if (chosen.triangle < 0) continue;
       const std::size_t before = f.touches.size();
@@ -177,16 +170,15 @@ ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<do
                                       int triangle) const {
   Touch t{point, slot, triangle, project(x, master.corners(triangle))};
   if (!master_.rigid()) {
-    t.along = project_along_normals(x, master.corners(triangle), master.normals[triangle],
-                                    master.facets.neighbours[triangle]);
+    t.along = project_along_normals(x, t.pair, master.corners(triangle), master.normals[triangle], master.facets.neighbours[triangle]);
     if (t.along) t.pair = t.along->pair;
     return t;
   }
-  FaceGap g = face_gap(master, x, triangle);
+  FaceGap g = face_gap(master, x, t.pair, triangle);
   if (const auto across = master_.across_edges(triangle); !across.empty()) {
     std::vector<FaceGap> faces{g};
     for (int other : across)
-      if (const FaceGap beside = face_gap(master, x, other); beside.gap > -edge_radius_)
+      if (const FaceGap beside = face_gap(master, x, project(x, master.corners(other)), other); beside.gap > -edge_radius_)
         faces.push_back(beside);
     g = rounded_gap(faces, edge_radius_);
   }

@@ -15,8 +15,7 @@ void ContactTerm::begin_increment() {
   predicted_.assign(current_.triangle.size(), 0);
   releases_.assign(current_.triangle.size(), 0);
   rates_.clear();
-  linearized_ = false;
-  changes_ = 0;
+  linearized_ = retried_ = false;
   augmentation_ = {};
   found_.key.clear();
 }
@@ -44,9 +43,8 @@ std::string ContactTerm::refusal(const State& state) const {
   const double motion = comm_.max(found(state).motion), most = farthest_search * limits_.reach;
   if (motion <= most) return {};
   return fmt::format(
-      "contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than "
-      "the search looks "
-      "({:.3g} mm), so that a contact may have been missed. Give the step more increments",
+      "contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than the "
+      "search looks ({:.3g} mm), so that a contact may have been missed. Give the step more increments",
       name_, motion, most);
 }
 
@@ -135,14 +133,13 @@ bool ContactTerm::released(const Found& f) {
   return comm_.any(any);
 }
 
-// A set of active pairs that the last linear solution was not found with may not be the final one.
+// A set of active pairs that the last linear solution was not found with may not be the final one. Tried once.
 bool ContactTerm::set_changed(const Found& f) {
-  if (!linearized_ || changes_ == most_changes) return false;
-  std::vector<char> now(active_.size(), false);
-  for (const Touch& t : f.touches) now[t.slot] = pressure(t).slope > 0;
-  const bool changed = comm_.any(now != active_);
-  changes_ += changed;
-  return changed;
+  if (!linearized_ || retried_) return false;
+  std::vector<int> now;
+  for (const Touch& t : f.touches)
+    if (pressure(t).slope > 0) now.push_back(t.slot);
+  return retried_ = comm_.any(!std::ranges::equal(now, rates_, {}, {}, &PressureRate::slot));
 }
 
 bool ContactTerm::revise(const State& state) {

@@ -8,18 +8,15 @@
 namespace bulbus {
 namespace {
 
-constexpr double telling =
-    0.01;  // of the shear modulus: an error of pressure that lets no contact open or close
-constexpr double usual_solve = 1e-3;  // of a linear solve with the default penalty; its scaled norm weighs
-                                      // gaps by the root of the penalty
-constexpr double settling =
-    2;  // a pressure that differs from the predicted one by no more than this factor has geometric terms
-constexpr double weak =
-    0.01;  // of the shear modulus: pressures whose geometric stiffness is of no account beside the material's
-constexpr double rounding =
-    0.2;  // radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in
-
-Vec3<double> point(std::span<const double> x, int n) { return {x[3 * n], x[3 * n + 1], x[3 * n + 2]}; }
+// Tolerance of a linear solve with the default penalty: its scaled norm weighs gaps by the root of the penalty.
+constexpr double usual_solve = 1e-3;
+// In shear moduli: an error of pressure that lets no contact open or close; pressures whose geometric stiffness is
+// of no account beside the material's.
+constexpr double telling = 0.01, weak = 0.01;
+// A pressure that differs from the predicted one by no more than this factor has geometric terms.
+constexpr double settling = 2;
+// Radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in.
+constexpr double rounding = 0.2;
 
 }  // namespace
 
@@ -70,23 +67,22 @@ ContactPressure ContactTerm::pressure(const Touch& t) const {
                                                : contact_pressure(tau);
 }
 
-ContactTerm::PressureRate ContactTerm::rate(const State& state, const Touch& t,
-                                            const ContactPressure& p) const {
+ContactTerm::PairGradient ContactTerm::gradient(const State& state, const Touch& t) const {
   const SlavePoints::Point& point = points_[t.point];
-  PressureRate r{t.slot, 0, p.value, penalty_ * p.slope, {}, {}};
-  const auto add = [&](int node, const Vec3<double>& d) { r.node[r.nodes] = node, r.D[r.nodes++] = d; };
+  PairGradient g;
+  const auto add = [&](int node, const Vec3<double>& d) { g.nodes[g.size] = node, g.D[g.size++] = d; };
   const auto shares = points_.shares(t.point, state.x, t.pair.normal);
   for (int k = 0; k < point.carriers; ++k) add(point.nodes[k], shares[k]);
   if (!master_.rigid())
     for (int i = 0; i < 3; ++i) add(master_.node(t.triangle, i), -t.pair.weights[i] * t.pair.normal);
-  return r;
+  return g;
 }
 
 void ContactTerm::predict(std::span<const double> dx) {
   std::ranges::fill(predicted_, 0.);
   for (const PressureRate& r : rates_) {
     double gap = 0;
-    for (int k = 0; k < r.nodes; ++k) gap += dot(r.D[k], point(dx, r.node[k]));
+    for (int k = 0; k < r.gradient.size; ++k) gap += dot(r.gradient.D[k], at(dx, r.gradient.nodes[k]));
     if (releases_[r.slot] < most_releases) predicted_[r.slot] = r.pressure - r.stiffness * gap;
   }
 }
@@ -94,33 +90,27 @@ void ContactTerm::predict(std::span<const double> dx) {
 void ContactTerm::add_residual(const State& state, std::span<double> force,
                                std::span<double> magnitude) const {
   for (const Touch& t : found(state).touches) {
-    const SlavePoints::Point& point = points_[t.point];
     const double f = area(t) * pressure(t).value;
-    if (f == 0 || !point.mine) continue;
-    const auto add = [&](int node, const Vec3<double>& share) {
-      for (int c = 0; c < 3; ++c) force[3 * node + c] -= f * share[c];
-      if (!magnitude.empty()) magnitude[node] += std::abs(f) * norm(share);
-    };
-    const auto shares = points_.shares(t.point, state.x, t.pair.normal);
-    for (int k = 0; k < point.carriers; ++k) add(point.nodes[k], shares[k]);
-    if (!master_.rigid())
-      for (int i = 0; i < 3; ++i) add(master_.node(t.triangle, i), -t.pair.weights[i] * t.pair.normal);
+    if (f == 0 || !points_[t.point].mine) continue;
+    const PairGradient g = gradient(state, t);
+    for (int k = 0; k < g.size; ++k) {
+      for (int c = 0; c < 3; ++c) force[3 * g.nodes[k] + c] -= f * g.D[k][c];
+      if (!magnitude.empty()) magnitude[g.nodes[k]] += std::abs(f) * norm(g.D[k]);
+    }
   }
 }
 
 void ContactTerm::linearize(const State& state) {
   tangent_.clear();
   rates_.clear();
-  active_.assign(predicted_.size(), false);
   linearized_ = true;
   const MasterSurface master = master_.at(state);
   double highest = 0;
   for (const Touch& t : found(state).touches) {
     const ContactPressure p = pressure(t);
     if (p.slope == 0) continue;
-    active_[t.slot] = true;
     highest = std::max(highest, p.value);
-    rates_.push_back(rate(state, t, p));
+    rates_.push_back({t.slot, p.value, penalty_ * p.slope, gradient(state, t)});
     if (!points_[t.point].mine) continue;
     const double before = predicted_[t.slot];
     const bool settled = before > 0 && std::max(p.value, before) <= settling * std::min(p.value, before);
@@ -128,10 +118,9 @@ void ContactTerm::linearize(const State& state) {
       add_tangent_along(master, t, p);
       continue;
     }
-    // a hollow body's bend stiffens, and without it points that slide along diverge; where the body bulges it
-    // waits
+    // a hollow body's bend stiffens, and without it points that slide along diverge; a bulging one's waits
     const bool bends = master_.rigid() && (before > 0 || trace(t.bend) < 0);
-    add_tangent(state, t, area(t) * penalty_ * p.slope, bends ? -area(t) * p.value : 0);
+    add_tangent(t, rates_.back().gradient, area(t) * penalty_ * p.slope, bends ? -area(t) * p.value : 0);
   }
   solve_tolerance_ = needed_tolerance(comm_.max(highest));
 }
@@ -144,33 +133,17 @@ double ContactTerm::needed_tolerance(double highest) const {
   return tolerance;
 }
 
-// a D Dᵀ + b Wᵀ H W: the point's row and column are shared out to its carriers.
-void ContactTerm::add_tangent(const State& state, const Touch& t, double a, double b) {
-  const SlavePoints::Point& point = points_[t.point];
-  const auto shares = points_.shares(t.point, state.x, t.pair.normal);
-  std::array<int, 7> nodes, row;
-  std::array<double, 7> weights;
-  std::array<double, 21> D;
-  int n = 0;
-  const auto add = [&](int node, int its_row, double weight, const Vec3<double>& d) {
-    nodes[n] = node, row[n] = its_row, weights[n] = weight;
-    std::ranges::copy(d, &D[3 * n++]);
-  };
-  for (int k = 0; k < point.carriers; ++k) add(point.nodes[k], 0, point.weights[k], shares[k]);
-  if (!master_.rigid())
-    for (int i = 0; i < 3; ++i)
-      add(master_.node(t.triangle, i), 1 + i, 1, -t.pair.weights[i] * t.pair.normal);
-  const auto K = tangent_.block({nodes.data(), static_cast<std::size_t>(n)});
-  for (int i = 0; i < 3 * n; ++i)
-    for (int j = 0; j < 3 * n; ++j) K[3 * n * i + j] += a * D[i] * D[j];
-  if (b == 0) return;
-  const auto bend = [&](std::span<const double> H, int width) {
-    for (int i = 0; i < 3 * n; ++i)
-      for (int j = 0; j < 3 * n; ++j)
-        K[3 * n * i + j] += b * weights[i / 3] * weights[j / 3] *
-                            H[width * (3 * row[i / 3] + i % 3) + 3 * row[j / 3] + j % 3];
-  };
-  bend({&t.bend.m[0][0], 9}, 3);
+// a D Dᵀ + b Wᵀ H W: the bend H of a rigid body at the point is shared out to its carriers, which are all nodes then.
+void ContactTerm::add_tangent(const Touch& t, const PairGradient& g, double a, double b) {
+  const auto K = tangent_.block({g.nodes.data(), static_cast<std::size_t>(g.size)});
+  const auto& weights = points_[t.point].weights;
+  const int n = 3 * g.size;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      double& entry = K[n * i + j];
+      entry += a * g.D[i / 3][i % 3] * g.D[j / 3][j % 3];
+      if (b != 0) entry += b * weights[i / 3] * weights[j / 3] * t.bend(i % 3, j % 3);
+    }
 }
 
 void ContactTerm::add_tangent_along(const MasterSurface& master, const Touch& t, const ContactPressure& p) {

@@ -21,8 +21,7 @@ namespace bulbus {
 struct ContactSides {
   std::span<const double> X;  ///< reference places of the local nodes
   int owned;                  ///< the first ones are owned
-  std::span<const Quad>
-      slave;  ///< local nodes, at least all faces that touch an owned node, normals out of the body
+  std::span<const Quad> slave;  ///< local nodes, at least all faces that touch an owned node; normals outwards
   Master master;
   std::span<const std::string> symmetry;  ///< planes "x", "y", "z" on which that coordinate is 0
 };
@@ -33,8 +32,7 @@ struct ContactDefaults {
   double depth;        ///< mm
   double shear = 0;    ///< initial shear modulus of the softer side, MPa; 0: not known
   double modulus = 0;  ///< E* of both sides, 1/E* = Σ (1 − ν²)/E, MPa; 0: not known
-  double reach =
-      0;  ///< how far the search looks, mm; larger than any motion of an increment. 0: twice the depth
+  double reach = 0;    ///< of the search, mm: larger than any motion of an increment. 0: twice the depth
 };
 
 /// Frictionless contact of one surface, at its nodes or at points of its faces, with a master (formulation,
@@ -100,10 +98,8 @@ class ContactTerm final : public Term {
   void resolve(const State& start);
 
  private:
-  static constexpr int most_changes = 1;   // of the active set at convergence, in an increment
-  static constexpr int most_releases = 3;  // of a pair; then it is active no longer than the law says
-  static constexpr double farthest_search =
-      16;  // in reaches; a point that moves farther may have missed a contact
+  static constexpr int most_releases = 3;         // of a pair; then it is active no longer than the law says
+  static constexpr double farthest_search = 16;  // in reaches; a point that moves farther may miss a contact
   struct Touch {
     int point, slot, triangle;
     Pair pair;
@@ -112,16 +108,21 @@ class ContactTerm final : public Term {
   };
   struct Found {
     std::vector<double> key;     // where the surfaces are
-    std::vector<Touch> touches;  // by slave point, then piece
+    std::vector<Touch> touches;  // by slave point, then piece, then face
     SlaveSurface::Shape shape;
     double motion = 0;  // of a point relative to the master since the last increment ended, at most, mm
   };
+  // D = ∂G/∂x of the nodes of a pair: what carries its slave point, then the corners of a deformable master
+  struct PairGradient {
+    int size = 0;
+    std::array<int, 7> nodes;
+    std::array<Vec3<double>, 7> D;
+  };
   // How the pressure of an active pair changes with its nodes: δp = −stiffness Σ D·δx
   struct PressureRate {
-    int slot, nodes;
+    int slot;
     double pressure, stiffness;  // MPa, MPa/mm
-    std::array<int, 7> node;
-    std::array<Vec3<double>, 7> D;
+    PairGradient gradient;
   };
   // Where slave points and corners of the master were when the last increment ended; empty: not known.
   struct IncrementStart {
@@ -133,12 +134,12 @@ class ContactTerm final : public Term {
   const Found& found(const State& state) const;
   SlaveSurface::Shape shape(std::span<const double> x) const;
   std::vector<double> outermost(std::span<const double> x, const SlaveSurface::Shape& shape) const;
-  PressureRate rate(const State& state, const Touch& touch, const ContactPressure& pressure) const;
+  PairGradient gradient(const State& state, const Touch& touch) const;
   void add_tangent_along(const MasterSurface& master, const Touch& touch, const ContactPressure& pressure);
   double area(const Touch& touch) const;
   double area_of_points(const Found& found) const;
   double area_of_faces(const State& state, const Found& found) const;
-  void add_tangent(const State& state, const Touch& touch, double a, double b);
+  void add_tangent(const Touch& touch, const PairGradient& gradient, double a, double b);
   enum class Search { whole, remembering, sparing };
   Found find(const State& state, const SearchLimits& limits, Search how) const;
   void add_touches(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle,
@@ -168,8 +169,8 @@ class ContactTerm final : public Term {
   SlavePoints points_;
   int owned_;
   std::vector<double> area0_;
-  double penalty_, stiffness_ /* in defaults */, tolerance_, edge_radius_, shear_, modulus_,
-      fade_ = 1, solve_tolerance_ = 1;
+  double penalty_, stiffness_ /* in defaults */, tolerance_, edge_radius_, shear_, modulus_;
+  double fade_ = 1, solve_tolerance_ = 1;
   mutable IncrementStart start_;
   SearchLimits limits_;
   ContactMemory committed_, current_;
@@ -177,10 +178,8 @@ class ContactTerm final : public Term {
 
   std::vector<PressureRate> rates_;  // of the active pairs of the last linearisation
   std::vector<double> predicted_;    // pressure of every slot after the last Newton step, MPa; 0: not active
-  bool linearized_ = false;   // in this increment
-  std::vector<char> active_;  // slots in the last linearisation
-  int changes_ = 0;            // of the active set at convergence, in this increment
-  std::vector<int> releases_;  // of every slot from tension in this increment
+  bool linearized_ = false, retried_ = false;  // in this increment; at convergence, with another active set
+  std::vector<int> releases_;                  // of every slot from tension in this increment
   BlockTangent tangent_;
 
   mutable GlobalSearch search_;

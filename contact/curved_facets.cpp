@@ -13,12 +13,11 @@ constexpr int most_steps = 12;
 }  // namespace
 
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places) {
-  const auto at = [&](int p) { return Vec3<double>{places[3 * p], places[3 * p + 1], places[3 * p + 2]}; };
   std::vector<Vec3<double>> areas;
   std::vector<std::vector<int>> around(places.size() / 3);
   for (const auto& t : facets.triangles) {
     for (int corner : t) around[corner].push_back(static_cast<int>(areas.size()));
-    areas.push_back(cross(minus(at(t[1]), at(t[0])), minus(at(t[2]), at(t[0]))));
+    areas.push_back(cross(minus(at(places, t[1]), at(places, t[0])), minus(at(places, t[2]), at(places, t[0]))));
   }
   std::vector<CornerNormals> normals(areas.size());
   for (std::size_t k = 0; k < areas.size(); ++k)
@@ -34,22 +33,20 @@ std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const 
 
 // |Σ s_ij L_i L_j| ≤ max |s_ij| · ⅓ on the triangle; feet up to a triangle's size beside it count thrice
 double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals) {
-  const auto at = [&](int p) { return Vec3<double>{places[3 * p], places[3 * p + 1], places[3 * p + 2]}; };
   double most = 0;
   for (std::size_t k = 0; k < normals.size(); ++k)
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const auto& t = facets.triangles[k];
       most =
-          std::max(most, std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(t[i]), at(t[j])))) / 2);
+          std::max(most, std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(places, t[i]), at(places, t[j])))) / 2);
     }
   return most;
 }
 
 // Newton's method for x = x1 + L2 e2 + L3 e3 + g (n1 + L2 d2 + L3 d3) with d_i = n_i − n1
-std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Triangle& v,
+std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Pair& flat, const Triangle& v,
                                              const CornerNormals& n) {
-  const Pair flat = project(x, v);
   if (std::ranges::min(flat.weights) < -1) return {};
   const Vec3<double> e2 = minus(v[1], v[0]), e3 = minus(v[2], v[0]), d2 = minus(n[1], n[0]),
                      d3 = minus(n[2], n[0]);
@@ -77,18 +74,16 @@ std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Triang
 }
 
 // The normal's change is (d2 (J⁻¹)_1 + d3 (J⁻¹)_2) δx.
-CurvedGap curved_gap(const Vec3<double>& x, const Triangle& v, const CornerNormals& n) {
-  const auto foot = foot_along_normals(x, v, n);
-  if (!foot) {
-    const Pair flat = project(x, v);
-    return {flat.gap, flat.normal, {}, flat.weights};
-  }
+FaceGap curved_gap(const Vec3<double>& x, const Pair& flat, const Triangle& v, const CornerNormals& n) {
+  const auto foot = foot_along_normals(x, flat, v, n);
+  if (!foot) return {flat.gap, flat.normal};
   const double length = norm(foot->normal);
-  CurvedGap curved{foot->along * length, foot->normal, {}, foot->weights};
+  const auto& L = foot->weights;
+  FaceGap curved{foot->along * length, foot->normal};
   for (double& value : curved.normal) value /= length;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    curved.gap -= dot(minus(n[i], n[j]), minus(v[i], v[j])) / 2 * curved.weights[i] * curved.weights[j];
+    curved.gap -= dot(minus(n[i], n[j]), minus(v[i], v[j])) / 2 * L[i] * L[j];
   }
   const Vec3<double>& m = curved.normal;
   const Vec3<double> d2 = minus(n[1], n[0]), d3 = minus(n[2], n[0]);

@@ -128,14 +128,16 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
 
 int foot_of(const MasterSurface& master, const Vec3<double>& x, int start) {
   int t = start, before = -1;
+  Pair flat = project(x, master.corners(t));
   for (int step = 0; step < longest_walk; ++step) {
-    const Triangle corners = master.corners(t);
-    const auto weights = curved_gap(x, corners, master.normals[t]).weights;
+    const auto foot = foot_along_normals(x, flat, master.corners(t), master.normals[t]);
+    const auto& weights = foot ? foot->weights : flat.weights;
     if (std::ranges::min(weights) >= -on_edge) break;
     const int next = master.facets.neighbours[t][std::ranges::min_element(weights) - weights.begin()];
     if (next < 0 || next == before) break;
-    if (master.edges && dot(project(x, corners).normal, project(x, master.corners(next)).normal) < smooth_edge) break;
-    before = t, t = next;
+    const Pair there = project(x, master.corners(next));
+    if (master.edges && dot(flat.normal, there.normal) < smooth_edge) break;
+    before = t, t = next, flat = there;
   }
   return t;
 }

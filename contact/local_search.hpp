@@ -43,7 +43,7 @@ Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle
 /// it reaches past itself), at a triangle that looks away, or after 20 steps.
 int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start);
 
-/// Of a curved surface: walks from `start` to the triangle in which x has its foot along the interpolated normals (curved_gap), or as near to it
+/// Of a curved surface: walks from `start` to the triangle in which x has its foot along the interpolated normals (foot_along_normals), or as near to it
 /// as a walk across smooth edges (planes within 30 degrees) leads.
 int foot_of(const MasterSurface& master, const Vec3<double>& x, int start);
 

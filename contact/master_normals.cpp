@@ -6,7 +6,22 @@ namespace bulbus {
 namespace {
 
 Vec3<double> diagonal(std::span<const double> x, int from, int to) {
-  return {x[3 * to] - x[3 * from], x[3 * to + 1] - x[3 * from + 1], x[3 * to + 2] - x[3 * from + 2]};
+  return minus(at(x, to), at(x, from));
+}
+
+// δN = (1 − N Nᵀ) M (s × δx) / |m| of the unit normal N = m/|m| with δm = M (s × δx); M drops the components that are
+// `mirrored`.
+Mat3<double> turn_of_unit(const Vec3<double>& s, const Vec3<double>& m, const std::array<bool, 3>& mirrored) {
+  Mat3<double> turn{};
+  const double length = norm(m);
+  if (length == 0) return turn;
+  const Mat3<double> cross_s{{{{0, -s[2], s[1]}, {s[2], 0, -s[0]}, {-s[1], s[0], 0}}}};
+  for (int r = 0; r < 3; ++r)
+    for (int k = 0; k < 3; ++k) {
+      const double Q = mirrored[k] ? 0 : ((r == k) - m[r] / length * m[k] / length) / length;
+      for (int c = 0; c < 3; ++c) turn(r, c) += Q * cross_s(k, c);
+    }
+  return turn;
 }
 
 }  // namespace
@@ -58,7 +73,7 @@ std::vector<NormalShare> MasterNormals::turning(int node, std::span<const double
   }
   const Vec3<double> m = sum(node, x);
   std::vector<NormalShare> shares;
-  for (const auto& [other, s] : sums) shares.push_back(normal_share(other, s, m, mirrored_[node]));
+  for (const auto& [other, s] : sums) shares.push_back({other, turn_of_unit(s, m, mirrored_[node])});
   return shares;
 }
 

@@ -1,8 +1,13 @@
 #pragma once
 #include "contact/curved_facets.hpp"
-#include "contact/slave_surface.hpp"
 
 namespace bulbus {
+
+/// What the displacement of a node adds to a unit normal: δN = turn · δx (1/mm).
+struct NormalShare {
+  int node;
+  Mat3<double> turn;
+};
 
 /// Unit normals at the nodes of a master surface of quadrilaterals, where it is now: the mean over the faces
 /// around a node, weighted by area,

@@ -21,10 +21,10 @@ double share(const ContactColumn& column, const std::array<double, 3>& L) {
 
 }  // namespace
 
-std::optional<NormalProjection> project_along_normals(const Vec3<double>& x, const Triangle& corners,
-                                                      const CornerNormals& normals,
+std::optional<NormalProjection> project_along_normals(const Vec3<double>& x, const Pair& flat,
+                                                      const Triangle& corners, const CornerNormals& normals,
                                                       const std::array<int, 3>& neighbours) {
-  const auto foot = foot_along_normals(x, corners, normals);
+  const auto foot = foot_along_normals(x, flat, corners, normals);
   if (!foot) return {};
   NormalProjection p{*foot, {}, 1, {}};
   const double length = norm(foot->normal);

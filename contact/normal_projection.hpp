@@ -3,7 +3,6 @@
 #include <span>
 
 #include "contact/curved_facets.hpp"
-#include "contact/slave_surface.hpp"
 
 namespace bulbus {
 
@@ -22,8 +21,8 @@ struct NormalProjection {
   Vec3<double> fading;  ///< ∂φ/∂L
 };
 /// `neighbours` of the triangle: −1 at a rim. None where there is no foot along the normals.
-std::optional<NormalProjection> project_along_normals(const Vec3<double>& x, const Triangle& corners,
-                                                      const CornerNormals& normals,
+std::optional<NormalProjection> project_along_normals(const Vec3<double>& x, const Pair& flat,
+                                                      const Triangle& corners, const CornerNormals& normals,
                                                       const std::array<int, 3>& neighbours);
 
 /// A displaced node of a contact: how its displacement moves the slave point and the three corners, and turns

@@ -19,4 +19,11 @@ struct Pair {
 /// The triangle must have an area.
 Pair project(const Vec3<double>& x, const Triangle& corners);
 
+/// Distance of a point to one face of a body.
+struct FaceGap {
+  double gap;           ///< mm; negative behind the face
+  Vec3<double> normal;  ///< ∇gap, unit, out of the body
+  Mat3<double> bend{};  ///< ∇∇gap, 1/mm
+};
+
 }  // namespace bulbus

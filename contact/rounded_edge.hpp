@@ -1,16 +1,9 @@
 #pragma once
 #include <span>
 
-#include "core/base/tensor.hpp"
+#include "contact/pair.hpp"
 
 namespace bulbus {
-
-/// Distance of a point to one of the faces that meet in an edge or a corner.
-struct FaceGap {
-  double gap;           ///< mm; negative behind the face
-  Vec3<double> normal;  ///< ∇gap, unit, out of the body
-  Mat3<double> bend{};  ///< ∇∇gap, 1/mm
-};
 
 /// Distance to the body that the faces bound together, its edges and corners rounded with `radius` ϱ, mm: that to the body which is
 /// smaller by ϱ on all sides, less ϱ,

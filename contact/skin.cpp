@@ -65,9 +65,8 @@ const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& surface, 
 }
 
 double enclosed_volume(std::span<const double> points, std::span<const std::array<int, 3>> triangles) {
-  const auto at = [&](int p) { return Vec3<double>{points[3 * p], points[3 * p + 1], points[3 * p + 2]}; };
   double six = 0;
-  for (const auto& t : triangles) six += dot(at(t[0]), cross(at(t[1]), at(t[2])));
+  for (const auto& t : triangles) six += dot(at(points, t[0]), cross(at(points, t[1]), at(points, t[2])));
   return six / 6;
 }
 

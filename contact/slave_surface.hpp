@@ -8,14 +8,6 @@
 
 namespace bulbus {
 
-/// What the displacement of a node adds to a unit normal: δN = turn · δx (1/mm).
-struct NormalShare {
-  int node;
-  Mat3<double> turn;
-};
-/// δN = (1 − N Nᵀ) M (s × δx) / |m| of the unit normal N = m/|m| with δm = M (s × δx); M drops the components that are `mirrored`.
-NormalShare normal_share(int node, const Vec3<double>& s, const Vec3<double>& m, const std::array<bool, 3>& mirrored = {});
-
 /// Which components of a normal vanish at each of `nodes`: on the planes ("x", "y", "z") of `symmetry`, where that coordinate is 0.
 std::vector<std::array<bool, 3>> mirrored(std::span<const double> X, std::span<const int> nodes, std::span<const std::string> symmetry);
 

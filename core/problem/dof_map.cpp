@@ -7,11 +7,6 @@
 #include "core/base/error.hpp"
 
 namespace bulbus {
-namespace {
-
-Vec3<double> at(std::span<const double> v, int node) { return {v[3 * node], v[3 * node + 1], v[3 * node + 2]}; }
-
-}  // namespace
 
 DofMap::DofMap(const LocalMesh& mesh, std::vector<RigidBody> bodies)
     : mesh_(mesh), bodies_(std::move(bodies)), body_of_(mesh.nodes(), -1), slot_(mesh.nodes(), -1) {

@@ -9,8 +9,6 @@
 namespace bulbus::probes {
 namespace {
 
-Vec3<double> at(std::span<const double> v, int n) { return {v[3 * n], v[3 * n + 1], v[3 * n + 2]}; }
-
 Resultant resultant(Snapshot& s, std::span<const int> nodes, const std::string& of) {
   const auto& force = s.residual().force;  // collective: also on a rank without these nodes
   Resultant own;

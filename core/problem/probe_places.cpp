@@ -8,10 +8,6 @@
 namespace bulbus::probes {
 namespace {
 
-Vec3<double> at(std::span<const double> v, int node) {
-  return {v[3 * node], v[3 * node + 1], v[3 * node + 2]};
-}
-
 template <class Number>
 ProbeSet::Figure over_nodes(const Problem& problem, const ProbeSpec& spec, Number number) {
   return [nodes = owned_nodes(problem, spec.set), kind = spec.statistic, number](Snapshot& s) {

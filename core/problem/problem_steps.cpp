@@ -12,8 +12,6 @@
 namespace bulbus {
 namespace {
 
-Vec3<double> at(std::span<const double> v, int n) { return {v[3 * n], v[3 * n + 1], v[3 * n + 2]}; }
-
 Vec3<double> unit(Vec3<double> v) {
   const double length = norm(v);
   for (double& c : v) c /= length;

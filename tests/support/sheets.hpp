@@ -29,8 +29,6 @@ struct Sheets {
   State state() const { return {X, {}, {}, {}}; }
 };
 
-inline Vec3<double> at(std::span<const double> x, int n) { return {x[3 * n], x[3 * n + 1], x[3 * n + 2]}; }
-
 /// A prism over a convex polygon in x and z (counter-clockwise seen along −y), between y = ±½ length. Closed.
 inline std::shared_ptr<RigidSurface> prism(const std::vector<std::array<double, 2>>& outline, double length) {
   auto s = std::make_shared<RigidSurface>();

@@ -5,9 +5,8 @@
 #include <cstdio>
 
 #include "core/problem/probe_figures.hpp"
-#include "core/solve/march.hpp"
 #include "precond/make_preconditioner.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/march_trial.hpp"
 
 namespace bulbus {
 
@@ -16,29 +15,18 @@ inline NewtonSettings tight(double force = 1e-11, double liquid = 1e-12) {
   return {.force = force, .volume = 1e-11, .liquid = liquid, .eta_max = 1e-4};
 }
 
-/// A march through a scene and all that it left behind.
-struct Trial : MarchObserver {
-  Comm comm;
-  Problem problem;
-  SolverSettings settings;
-  Meters meters;
-  State state;
-  MarchReport report;
-  std::vector<Increment> increments;
+/// A march with either solver, to round-off.
+struct Trial : MarchTrial {
   /// Called after every increment.
   std::function<void(const Increment&, const State&)> watch;
 
-  explicit Trial(const Scene& scene, const Comm& c = {})
-      : comm(c), problem(scene.mesh, scene.model, c), state(problem.initial_state()) {
-    settings.newton = tight();
-  }
+  explicit Trial(const Scene& scene, const Comm& c = {}) : MarchTrial(scene, c, tight()) {}
   void increment_done(const Increment& i, const State& s) override {
-    increments.push_back(i);
+    MarchTrial::increment_done(i, s);
     if (watch) watch(i, s);
   }
   Trial& with(std::unique_ptr<LinearSolver> solver) {
-    CoupledSystem system(problem, settings.linear);
-    report = march(problem, system, *solver, state, settings, meters, *this);
+    march_with(std::move(solver));
     return *this;
   }
   Trial& direct() {
@@ -50,10 +38,6 @@ struct Trial : MarchObserver {
     return with(make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
   }
 
-  /// Local nodes (ghosts included) of a set of nodes of the mesh.
-  std::vector<int> nodes(const Mesh& mesh, const std::string& set) const {
-    return problem.mesh().local(nodes_of(mesh, set));
-  }
   double displacement(int local_node, int axis) const {
     return state.x[3 * local_node + axis] - problem.mesh().X[3 * local_node + axis];
   }

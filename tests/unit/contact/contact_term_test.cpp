@@ -3,47 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/element/block_csr.hpp"
-#include "tests/support/sheets.hpp"
+#include "tests/unit/contact/two_sheets.hpp"
 
 namespace bulbus {
 namespace {
-
-/// A slave sheet looking down on a master sheet looking up; their nodes do not match. Both are bent; the slave is `sunk` into it.
-struct TwoSheets {
-  Sheets sheets;
-  std::vector<Quad> slave, master;
-  double area = .8 * .8;
-
-  explicit TwoSheets(double sunk, double bend = .05) {
-    const auto height = [=](double x, double y) { return bend * (std::sin(3 * x) + x * y); };
-    slave = sheets.add(5, 4, [=](double u, double v) { return Vec3<double>{.1 + .8 * v, .1 + .8 * u, height(.1 + .8 * v, .1 + .8 * u) - sunk}; });
-    master = sheets.add(7, 6, [=](double u, double v) { return Vec3<double>{u, v, height(u, v)}; });
-  }
-  int slaves() const { return 30; }
-  ContactTerm term(const ContactSpec& spec, int owned = -1) const {
-    return ContactTerm(spec, {.penalty = 0, .depth = 0, .reach = .3},
-                       {sheets.X, owned < 0 ? sheets.nodes() : owned, slave, Master(split(master)), {}}, Comm());
-  }
-};
-
-std::vector<double> force(const ContactTerm& term, const State& state) {
-  std::vector<double> f(state.x.size());
-  term.add_residual(state, f, {});
-  return f;
-}
-
-std::vector<double> action(const ContactTerm& term, std::span<const double> d) {
-  std::vector<double> f(d.size());
-  term.add_action(d, f);
-  return f;
-}
-
-/// As after a Newton step that found the pressures of this state.
-void settle(ContactTerm& term, const State& state) {
-  term.linearize(state);
-  term.predict(std::vector<double>(state.x.size()));
-  term.linearize(state);
-}
 
 /// On a state that stays clear of edges where the selection changes.
 struct ContactTermTest : testing::Test {
@@ -263,145 +226,10 @@ TEST(Contact, PushesNodesInASymmetryPlaneAlongIt) {
   EXPECT_GT(across({}), .5);
 }
 
-TEST(Contact, OpensAgain) {
-  const TwoSheets two(.01);
-  auto term = two.term(contact_spec(50, .1));
-  State state = two.sheets.state();
-  EXPECT_GT(largest(force(term, state)), 0);
-  term.commit(state);
-  for (int n = 0; n < two.slaves(); ++n) state.x[3 * n + 2] += .05;
-  EXPECT_EQ(largest(force(term, state)), 0);
-  EXPECT_EQ(term.figures(state).pairs, 0);
-  term.linearize(state);
-  EXPECT_EQ(largest(action(term, state.x)), 0);
-  for (const ContactNode& n : term.nodes(state)) {
-    EXPECT_NEAR(n.gap, .04, .003);
-    EXPECT_FALSE(n.active);
-    EXPECT_EQ(n.pressure, 0);
-  }
-  for (int n = 0; n < two.slaves(); ++n) state.x[3 * n + 2] += 5;
-  for (const ContactNode& n : term.nodes(state)) EXPECT_EQ(n.gap, .3) << "the reach";
-}
-
-TEST(Contact, KeepsNodesThatAnIncrementDrivesDeeperThanAllowed) {
-  const TwoSheets two(-.01);
-  auto term = two.term(contact_spec(50, .1));
-  State state = two.sheets.state(), deep = state;
-  for (int n = 0; n < two.slaves(); ++n) deep.x[3 * n + 2] -= .2;
-  EXPECT_EQ(term.figures(deep).pairs, 0) << "taken for another side";
-  term.begin_step(0, state);
-  EXPECT_EQ(term.figures(deep).pairs, two.slaves()) << "seen in front before";
-}
-
-// What was far a moment ago is not looked at; that must never show. A term that has seen nothing but the last converged state judges.
-TEST(Contact, SparesPointsThatCannotTouchOnly) {
-  const TwoSheets two(-.2);
-  auto spec = contact_spec(50, .1);
-  auto term = two.term(spec);
-  const State start = two.sheets.state();
-  State state = start;
-  term.begin_step(0, state);
-  int touched = 0;
-  for (int move = 0; move < 200; ++move) {
-    state = start;
-    const double down = .4 * std::abs(noise(1, move)), tilt = .3 * noise(2, move);
-    for (int n = 0; n < two.slaves(); ++n) state.x[3 * n + 2] -= down + tilt * (state.x[3 * n] - .5);
-    auto fresh = two.term(spec);
-    fresh.begin_step(0, start);
-    ASSERT_EQ(force(term, state), force(fresh, state)) << move;
-    touched += term.figures(state).pairs > 0;
-  }
-  EXPECT_GT(touched, 30);
-  EXPECT_LT(touched, 170);
-}
-
-TEST(Contact, IsQuietAboutStatesThatAreNotFinite) {
-  const TwoSheets two(.01);
-  auto term = two.term(contact_spec(50, .1));
-  State state = two.sheets.state();
-  state.x[4] = NAN;
-  EXPECT_EQ(largest(force(term, state)), 0);
-}
-
 TEST(Contact, MakesNoPairsOfNodesThatBothSurfacesShare) {
   TwoSheets two(.01);
   two.slave.push_back({29, 28, two.master[0][0], two.master[0][1]});
   EXPECT_EQ(two.term(contact_spec(50, .1)).slave().nodes().size(), 30u);
-}
-
-/// A pair pressed .001 deep, and the state where the curved way of its node has opened it by .0005.
-struct ActiveSet : testing::Test {
-  TwoSheets two{.001, 0};
-  ContactTerm term = two.term(contact_spec(50, .1));
-  State closed = two.sheets.state(), open = closed;
-  std::vector<double> dx = std::vector<double>(closed.x.size());
-  static constexpr int node = 7, z = 3 * node + 2;
-  ActiveSet() { open.x[z] += .0015; }
-};
-
-TEST_F(ActiveSet, APairOfPredictedPressurePullsBackUntilTheIncrementEnds) {
-  EXPECT_EQ(force(term, open)[z], 0) << "the law";
-  term.linearize(closed);
-  term.predict(dx);
-  const auto pulled = force(term, open);
-  EXPECT_GT(pulled[z], 0);
-  EXPECT_NEAR(pulled[z] / force(term, closed)[z], -.5, .01);
-  term.linearize(open);
-  dx[z] = 1;
-  EXPECT_GT(action(term, dx)[z], 0) << "it keeps its stiffness";
-  ASSERT_TRUE(term.revise(open)) << "no tension at the end of an increment";
-  EXPECT_EQ(force(term, open)[z], 0);
-  term.linearize(open);
-  EXPECT_FALSE(term.revise(open));
-}
-
-TEST_F(ActiveSet, APairThatIsReleasedAgainAndAgainFollowsTheLawForTheRestOfTheIncrement) {
-  for (int k = 0; k < 3; ++k) {
-    term.linearize(closed);
-    term.predict(dx);
-    ASSERT_TRUE(term.revise(open));
-  }
-  term.linearize(closed);
-  term.predict(dx);
-  EXPECT_EQ(force(term, open)[z], 0);
-  term.set_progress(.5);
-  term.linearize(closed);
-  term.predict(dx);
-  EXPECT_GT(force(term, open)[z], 0);
-}
-
-TEST_F(ActiveSet, OneThatTheLastSolutionWasNotFoundWithIsTriedOnce) {
-  EXPECT_FALSE(term.revise(open)) << "nothing was solved";
-  term.linearize(closed);
-  EXPECT_TRUE(term.revise(open));
-  EXPECT_FALSE(term.revise(open));
-  term.set_progress(.5);
-  term.linearize(closed);
-  EXPECT_FALSE(term.revise(closed));
-}
-
-TEST_F(ActiveSet, APairOfPredictedTensionOpens) {
-  dx[z] = .0012;
-  term.linearize(closed);
-  term.predict(dx);
-  EXPECT_EQ(force(term, open)[z], 0);
-}
-
-TEST_F(ActiveSet, TheMasterCountsInThePrediction) {
-  for (int n = two.slaves(); n < two.sheets.nodes(); ++n) dx[3 * n + 2] = -.0012;
-  term.linearize(closed);
-  term.predict(dx);
-  EXPECT_EQ(force(term, open)[z], 0);
-}
-
-TEST_F(ActiveSet, NothingIsPredictedAcrossIncrements) {
-  for (const auto& next : {std::function([&] { term.roll_back(); }), std::function([&] { term.set_progress(.5); })}) {
-    term.linearize(closed);
-    term.predict(dx);
-    ASSERT_GT(force(term, open)[z], 0);
-    next();
-    EXPECT_EQ(force(term, open)[z], 0);
-  }
 }
 
 // A master that is a ridge of two faces: the side force of a node that crosses it goes through zero.
@@ -422,41 +250,6 @@ TEST(Contact, ForceGoesOnAcrossARidge) {
     before = now;
   }
   EXPECT_LT(before, 0);
-}
-
-TEST(Contact, ReportsAnOverlapAtTheStart) {
-  const TwoSheets two(.15);
-  const auto term = two.term(contact_spec(50, .1));
-  State state = two.sheets.state();
-  state.x[3 * 11 + 2] -= .02;
-  const Overlap o = term.overlaps(state, 1e-3);
-  EXPECT_EQ(o.points, two.slaves());
-  EXPECT_EQ(o.place, at(state.x, 11));
-  EXPECT_NEAR(o.depth, .17, .01);
-  EXPECT_EQ(two.term(contact_spec(50, .1)).overlaps(TwoSheets(-.01).sheets.state(), 1e-3).points, 0);
-}
-
-TEST(Contact, ResolvesAnOverlapOverTheFirstStep) {
-  const TwoSheets two(.15, 0);
-  auto term = two.term(contact_spec(50, .1));
-  const State state = two.sheets.state();
-  term.resolve(state);
-  term.begin_step(0, state);
-  const auto pressure = [&] { return term.nodes(state)[12].pressure; };
-  EXPECT_EQ(pressure(), 0);
-  EXPECT_EQ(term.figures(state).penetration, 0);
-  term.set_progress(.5);
-  EXPECT_NEAR(pressure(), 50 * .075, 1e-12);
-  term.commit(state);
-  term.set_progress(1);
-  EXPECT_NEAR(pressure(), 50 * .15, 1e-12);
-  term.commit(state);
-  EXPECT_FALSE(term.memory().overlap.empty());
-  term.freeze();
-  EXPECT_TRUE(term.memory().overlap.empty());
-  term.begin_step(1, state);
-  term.set_progress(.1);
-  EXPECT_NEAR(pressure(), 50 * .15, 1e-12);
 }
 
 // Rehearsals are part of every check.

@@ -21,9 +21,9 @@ RigidSurface ball(double radius) {
   return make_rigid_surface("ball", spec, "rigid_bodies.ball");
 }
 
-CurvedGap gap_at(const RigidSurface& body, int t, const Vec3<double>& x) {
+FaceGap gap_at(const RigidSurface& body, int t, const Vec3<double>& x) {
   const Triangle c = corners_of(body, t);
-  return curved_gap(x, c, body.normals[t]);
+  return curved_gap(x, project(x, c), c, body.normals[t]);
 }
 
 // A place above triangle t: its weights, then the height.
@@ -42,7 +42,7 @@ TEST(CurvedGap, OfABallIsTheDistanceToIt) {
   for (int t = 0; t < triangles; ++t)
     for (const Vec3<double>& L : {Vec3<double>{.6, .3, .1}, {.2, .2, .6}, {1. / 3, 1. / 3, 1. / 3}}) {
       const Vec3<double> x = above(b, t, L, -.002);
-      const CurvedGap g = gap_at(b, t, x);
+      const FaceGap g = gap_at(b, t, x);
       worst = std::max(worst, std::abs(g.gap - (norm(x) - 2)));
       flat = std::max(flat, std::abs(project(x, corners_of(b, t)).gap - (norm(x) - 2)));
       EXPECT_NEAR(norm(g.normal), 1, 1e-14);
@@ -58,12 +58,12 @@ TEST(CurvedGap, HasItsGradientAndBend) {
   const RigidSurface b = ball(2);
   for (int t : {0, 7, 100}) {
     const Vec3<double> x = above(b, t, {.5, .2, .3}, -.03);
-    const CurvedGap g = gap_at(b, t, x);
+    const FaceGap g = gap_at(b, t, x);
     Mat3<double> turn;
     for (int c = 0; c < 3; ++c) {
       Vec3<double> up = x, down = x;
       up[c] += 1e-5, down[c] -= 1e-5;
-      const CurvedGap more = gap_at(b, t, up), less = gap_at(b, t, down);
+      const FaceGap more = gap_at(b, t, up), less = gap_at(b, t, down);
       EXPECT_NEAR((more.gap - less.gap) / 2e-5, g.normal[c], 1e-2);
       for (int r = 0; r < 3; ++r) turn(r, c) = (more.normal[r] - less.normal[r]) / 2e-5;
     }
@@ -77,7 +77,7 @@ TEST(CurvedGap, GoesOnFromTriangleToTriangle) {
   for (int t = 0; t < static_cast<int>(b.facets.triangles.size()); ++t) {
     const int next = b.facets.neighbours[t][0];
     const Vec3<double> x = above(b, t, {0, .4, .6}, -.01);
-    const CurvedGap here = gap_at(b, t, x), there = gap_at(b, next, x);
+    const FaceGap here = gap_at(b, t, x), there = gap_at(b, next, x);
     EXPECT_NEAR(here.gap, there.gap, 2e-5);
     EXPECT_GT(dot(here.normal, there.normal), 1 - 1e-5);
   }

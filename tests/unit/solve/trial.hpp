@@ -2,38 +2,25 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/solve/march.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/march_trial.hpp"
 
 namespace bulbus::test {
 
-/// A march with the direct solver that remembers what it saw.
-struct Trial : MarchObserver {
-  Comm comm;
+/// A march with the direct solver that remembers what was cut.
+struct Trial : MarchTrial {
   Mesh mesh;
-  Problem problem;
-  SolverSettings settings;
-  Meters meters;
-  State state;
-  MarchReport report;
-  std::vector<Increment> increments;
   std::vector<NewtonReport> cuts;
 
-  explicit Trial(const Scene& scene, const Comm& c = {}) : comm(c), mesh(scene.mesh), problem(scene.mesh, scene.model, c), state(problem.initial_state()) {
-    settings.newton = {.force = 1e-10, .volume = 1e-10, .liquid = 1e-10};
-  }
-  void increment_done(const Increment& i, const State&) override { increments.push_back(i); }
+  explicit Trial(const Scene& scene, const Comm& c = {})
+      : MarchTrial(scene, c, {.force = 1e-10, .volume = 1e-10, .liquid = 1e-10}), mesh(scene.mesh) {}
   void increment_cut(const NewtonReport& r, double, double) override { cuts.push_back(r); }
   Trial& go(double gamma = 0) {
     settings.linear.gamma = gamma;
     settings.linear.op = "recompute";
-    CoupledSystem system(problem, settings.linear);
-    const auto solver = make_direct_solver(settings.linear, meters);
-    report = march(problem, system, *solver, state, settings, meters, *this);
+    march_with(make_direct_solver(settings.linear, meters));
     return *this;
   }
-  /// Local nodes of a set of the mesh, in use by the model or not.
-  std::vector<int> nodes(const std::string& set) const { return problem.mesh().local(nodes_of(mesh, set)); }
+  std::vector<int> nodes(const std::string& set) const { return MarchTrial::nodes(mesh, set); }
   /// Force on a set of held nodes along an axis.
   double reaction(const std::string& set, int axis) const {
     const Residual r = problem.residual(state);

@@ -1,0 +1,85 @@
+// Which pairs count between the iterations of Newton's method, and at the end of an increment.
+#include <gtest/gtest.h>
+
+#include "tests/unit/contact/two_sheets.hpp"
+
+namespace bulbus {
+namespace {
+
+/// A pair pressed .001 deep, and the state where the curved way of its node has opened it by .0005.
+struct ActiveSet : testing::Test {
+  TwoSheets two{.001, 0};
+  ContactTerm term = two.term(contact_spec(50, .1));
+  State closed = two.sheets.state(), open = closed;
+  std::vector<double> dx = std::vector<double>(closed.x.size());
+  static constexpr int node = 7, z = 3 * node + 2;
+  ActiveSet() { open.x[z] += .0015; }
+};
+
+TEST_F(ActiveSet, APairOfPredictedPressurePullsBackUntilTheIncrementEnds) {
+  EXPECT_EQ(force(term, open)[z], 0) << "the law";
+  term.linearize(closed);
+  term.predict(dx);
+  const auto pulled = force(term, open);
+  EXPECT_GT(pulled[z], 0);
+  EXPECT_NEAR(pulled[z] / force(term, closed)[z], -.5, .01);
+  term.linearize(open);
+  dx[z] = 1;
+  EXPECT_GT(action(term, dx)[z], 0) << "it keeps its stiffness";
+  ASSERT_TRUE(term.revise(open)) << "no tension at the end of an increment";
+  EXPECT_EQ(force(term, open)[z], 0);
+  term.linearize(open);
+  EXPECT_FALSE(term.revise(open));
+}
+
+TEST_F(ActiveSet, APairThatIsReleasedAgainAndAgainFollowsTheLawForTheRestOfTheIncrement) {
+  for (int k = 0; k < 3; ++k) {
+    term.linearize(closed);
+    term.predict(dx);
+    ASSERT_TRUE(term.revise(open));
+  }
+  term.linearize(closed);
+  term.predict(dx);
+  EXPECT_EQ(force(term, open)[z], 0);
+  term.set_progress(.5);
+  term.linearize(closed);
+  term.predict(dx);
+  EXPECT_GT(force(term, open)[z], 0);
+}
+
+TEST_F(ActiveSet, OneThatTheLastSolutionWasNotFoundWithIsTriedOnce) {
+  EXPECT_FALSE(term.revise(open)) << "nothing was solved";
+  term.linearize(closed);
+  EXPECT_TRUE(term.revise(open));
+  EXPECT_FALSE(term.revise(open));
+  term.set_progress(.5);
+  term.linearize(closed);
+  EXPECT_FALSE(term.revise(closed));
+}
+
+TEST_F(ActiveSet, APairOfPredictedTensionOpens) {
+  dx[z] = .0012;
+  term.linearize(closed);
+  term.predict(dx);
+  EXPECT_EQ(force(term, open)[z], 0);
+}
+
+TEST_F(ActiveSet, TheMasterCountsInThePrediction) {
+  for (int n = two.slaves(); n < two.sheets.nodes(); ++n) dx[3 * n + 2] = -.0012;
+  term.linearize(closed);
+  term.predict(dx);
+  EXPECT_EQ(force(term, open)[z], 0);
+}
+
+TEST_F(ActiveSet, NothingIsPredictedAcrossIncrements) {
+  for (const auto& next : {std::function([&] { term.roll_back(); }), std::function([&] { term.set_progress(.5); })}) {
+    term.linearize(closed);
+    term.predict(dx);
+    ASSERT_GT(force(term, open)[z], 0);
+    next();
+    EXPECT_EQ(force(term, open)[z], 0);
+  }
+}
+
+}  // namespace
+}  // namespace bulbus
