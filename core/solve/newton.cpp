@@ -16,6 +16,7 @@ namespace {
 
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 constexpr double shortest_step = 1.0 / 64;
+constexpr int most_shortened = 8;  // steps that would have inverted an element, each cut short: the increment is too long for the mesh
 constexpr double least_volume = 0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 
 double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
@@ -29,6 +30,13 @@ bool finite(const Balance& b) { return std::isfinite(b.force) && std::isfinite(b
 // By how much the worst of the three criteria is missed (≤ 1: all hold).
 double excess(const Balance& b, const NewtonSettings& s) {
   return std::max({b.force / s.force, b.volume / s.volume, b.liquid / s.liquid});
+}
+
+// What an active set is judged by: looser criteria let sets alternate that are both wrong.
+NewtonSettings tightened(NewtonSettings s) {
+  const NewtonSettings tight;
+  s.force = std::min(s.force, tight.force), s.volume = std::min(s.volume, tight.volume), s.liquid = std::min(s.liquid, tight.liquid);
+  return s;
 }
 
 // Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing, nor than plain GMRES reaches unless the cap is:
@@ -155,13 +163,14 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     if (report.negative_pivots < 0 && linearised) report.negative_pivots = solver.negative_pivots(system);
     report.negative_curvature = report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
   };
-  int last = settings.max_iterations;
+  int last = settings.max_iterations, shortened = 0;
+  NewtonSettings criteria = settings;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
     now.balance = balance();
     now.held = find_held();
     if (!finite(now.balance)) return fail(Outcome::not_finite);
-    double missing = excess(now.balance, settings);
+    double missing = excess(now.balance, criteria);
     if (missing <= 1 && now.held <= held_tolerance) {
       if (!problem.revise(state)) {
         if (observer) observer(now);
@@ -171,8 +180,9 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
         return report;
       }
       last = number + settings.max_iterations;
+      criteria = tightened(criteria);
       now.balance = balance();
-      missing = excess(now.balance, settings);
+      missing = excess(now.balance, criteria);
     }
     if (number == last) return fail(Outcome::too_many_iterations);
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
@@ -212,7 +222,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     problem.enclosed().settle(state.lambda);
     report.iterations.push_back(now);
     if (observer) observer(now);
-    if (now.step == 0) return fail(Outcome::inverted_element);
+    shortened += now.step < 1;
+    if (now.step == 0 || shortened == most_shortened) return fail(Outcome::inverted_element);
   }
 }
 
