@@ -166,22 +166,47 @@ void ContactTerm::add_touches(const MasterSurface& master, const Vec3<double>& x
     touches.push_back(touch(master, x, point, slot + static_cast<int>(k) * slots(), faces[k].triangle));
 }
 
+// The faces that meet in a convex edge or corner, one for each side of it: of triangles that go on smoothly into one another the one nearest
+// to the point's foot, so that a point is measured alike from every triangle of the edge.
+std::vector<FaceGap> ContactTerm::faces_at_edge(const MasterSurface& master, const Vec3<double>& x, int triangle) const {
+  struct Face {
+    int side;
+    double beside;
+    Vec3<double> normal;
+    FaceGap gap;
+  };
+  std::vector<Face> all;
+  const auto add = [&](int t) {
+    const Triangle corners = master.corners(t);
+    const Pair flat = project(x, corners);
+    const int side = static_cast<int>(all.size());
+    all.push_back({side, distance_beside(flat, corners), flat.normal, face_gap(master, x, flat, t)});
+    for (int k = 0; k < side; ++k)
+      if (dot(all[k].normal, flat.normal) > smooth_edge && all[k].side != side)
+        for (const int from = all[k].side; Face & f : all)
+          if (f.side == from) f.side = side;
+  };
+  add(triangle);
+  for (int other : master_.across_edges(triangle)) add(other);
+  std::ranges::stable_sort(all, {}, [](const Face& f) { return std::pair(f.side, f.beside); });
+  std::vector<FaceGap> sides;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if ((k == 0 || all[k].side != all[k - 1].side) && all[k].gap.gap > -edge_radius_) sides.push_back(all[k].gap);
+  if (sides.empty()) sides.push_back(std::ranges::max_element(all, {}, [](const Face& f) { return f.gap.gap; })->gap);
+  return sides;
+}
+
 ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot,
                                       int triangle) const {
   Touch t{point, slot, triangle, project(x, master.corners(triangle))};
   if (!master_.rigid()) {
-    t.along = project_along_normals(x, t.pair, master.corners(triangle), master.normals[triangle], master.facets.neighbours[triangle]);
+    t.along = project_along_normals(x, t.pair, master.corners(triangle), master.normals[triangle],
+                                    master.facets.neighbours[triangle]);
     if (t.along) t.pair = t.along->pair;
     return t;
   }
   FaceGap g = face_gap(master, x, t.pair, triangle);
-  if (const auto across = master_.across_edges(triangle); !across.empty()) {
-    std::vector<FaceGap> faces{g};
-    for (int other : across)
-      if (const FaceGap beside = face_gap(master, x, project(x, master.corners(other)), other); beside.gap > -edge_radius_)
-        faces.push_back(beside);
-    g = rounded_gap(faces, edge_radius_);
-  }
+  if (const auto across = master_.across_edges(triangle); !across.empty()) g = rounded_gap(faces_at_edge(master, x, triangle), edge_radius_);
   t.pair.gap = g.gap;
   t.pair.normal = g.normal;
   t.bend = g.bend;

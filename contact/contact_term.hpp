@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 
 #include "contact/block_tangent.hpp"
@@ -94,6 +95,10 @@ class ContactTerm final : public Term {
   std::vector<double> outermost(const State& state) const { return outermost(state.x, shape(state.x)); }
   /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;
+  /// Points that are inside by more than is allowed (mm), as a function of a point and its area (mm²).
+  Overlap inside(const State& state, const std::function<double(const SlavePoints::Point&, double)>& allowed) const;
+  /// Active points whose surface looks the way the master does, as if they had slipped around it.
+  Overlap behind(const State& state) const;
   /// Lets the gap count from where each node is at the start; that fades linearly over the step that follows.
   void resolve(const State& start);
 
@@ -145,6 +150,7 @@ class ContactTerm final : public Term {
   void add_touches(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle,
                    std::vector<Touch>& touches) const;
   int slots() const { return points_.size() * master_.pieces(); }
+  std::vector<FaceGap> faces_at_edge(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
   Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const;
   int foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
   bool look_back(std::span<const double> points, std::span<const double> places) const;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "contact/meridians.hpp"
+#include "contact/rigid_shapes.hpp"
 #include "tests/support/sheets.hpp"
 
 namespace bulbus {
@@ -40,6 +42,39 @@ TEST(RigidContact, LosesNoNodeThatSlidesOverABoxEdge) {
     const State state = strip.sheets.state();
     EXPECT_EQ(term.figures(state).pairs, strip.sheets.nodes()) << shift;
     EXPECT_NEAR(term.figures(state).penetration, inside, 1e-12) << shift;
+  }
+}
+
+// A gap is a distance: it changes by no more than the point moves, whichever triangle the point is measured from.
+TEST(RigidContact, GapsGoOnOverTheRimOfACurvedBodysEnd) {
+  RigidBodySpec spec;
+  spec.band = BandShape{.width = 2, .thickness = .75, .edge_radius = .2, .radius = 12, .arc = {.from = 0, .to = 30, .facets = 12}};
+  const auto band = std::make_shared<const RigidSurface>(make_rigid_surface("band", spec, "rigid_bodies.band"));
+  const double end = 1e-5, step = 2e-4;
+  // a small face that looks towards the edge of the inner face and the end, its place by depths in both and by z
+  const auto face_at = [&](double radial, double azimuthal, double z) {
+    Sheets s;
+    const double a = azimuthal / 12;
+    const Vec3<double> x{(12 + radial) * std::sin(a), (12 + radial) * std::cos(a), z};
+    s.add(2, 2, [&](double u, double v) { return x + Vec3<double>{end * v, -end * v, end * u}; });
+    return s;
+  };
+  const auto faces = Sheets{}.add(2, 2, [](double, double) { return Vec3<double>{}; });
+  for (double z : {0., .3, .79, .81}) {
+    const Sheets first = face_at(.03, .015, z);
+    auto term = term_of(first, faces, band);
+    double before = 0;
+    for (int k = 0; k <= 100; ++k) {
+      const double way = k * step;
+      const State state = face_at(.03 - way / 4, .015 + way, z + way / 3).state();
+      const double gap = term.nodes(state)[0].gap;
+      if (k > 0) {
+        EXPECT_LT(std::abs(gap - before), 1.2 * step) << z << " " << k;
+      }
+      EXPECT_LT(gap, 0) << z << " " << k;
+      before = gap;
+      term.commit(state);
+    }
   }
 }
 
