@@ -13,12 +13,14 @@ std::vector<Field> contact_fields(const Operation& operation, Snapshot& s) {
                             {"contact_pressure", 1, std::vector<double>(nodes)},
                             {"contact_status", 1, std::vector<double>(nodes)}};
   auto &gap = fields[0].values, &pressure = fields[1].values, &status = fields[2].values;
-  for (const Operation::Contact& contact : operation.contacts())
-    for (const ContactNode& n : nodes_of(contact, s)) {
+  const auto add = [&](const std::vector<ContactNode>& of_a_side) {
+    for (const ContactNode& n : of_a_side) {
       gap[n.node] = std::min(gap[n.node], n.gap);
       pressure[n.node] += n.pressure;
       if (n.active) status[n.node] = 1;
     }
+  };
+  for (const Operation::Contact& contact : operation.contacts()) add(nodes_of(contact, s)), add(master_nodes_of(contact, s));
   for (Field& f : fields) s.problem.mesh().halo.update(f.values, 1);
   return fields;
 }

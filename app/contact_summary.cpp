@@ -1,5 +1,7 @@
 #include "app/contact_summary.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 namespace bulbus {
@@ -30,6 +32,20 @@ json contacts_summary(const Operation& operation, const std::vector<ContactStand
                              {"gave_up", now.augmentation.gave_up}};
   }
   return all;
+}
+
+std::vector<std::string> deep_contacts(const Operation& operation, const std::vector<ContactStanding>& standings) {
+  constexpr double deep = 0.1;
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < standings.size(); ++k) {
+    const auto& contact = operation.contacts()[k];
+    if (standings[k].penetration > deep * contact.thickness)
+      sentences.push_back(fmt::format(
+          "contact '{}' lets its slave in by {:.3g} mm, {:.0f} % of the thinner layer: its force depends on the penalty. Give a `penalty` larger than {:.3g} MPa/mm{}",
+          contact.spec.name, standings[k].penetration, 100 * standings[k].penetration / contact.thickness, contact.penalty,
+          contact.spec.two_way ? "" : ", or a `tolerance`"));
+  }
+  return sentences;
 }
 
 json bodies_summary(const Problem& problem, const Operation& operation, const std::vector<ContactStanding>& standings) {

@@ -13,4 +13,8 @@ nlohmann::json contacts_summary(const Operation& operation, const std::vector<Co
 nlohmann::json bodies_summary(const Problem& problem, const Operation& operation,
                               const std::vector<ContactStanding>& standings);
 
+/// A sentence for every contact that lets its slave in by more than a tenth of the thinner layer: what such a contact says depends on the
+/// penalty.
+std::vector<std::string> deep_contacts(const Operation& operation, const std::vector<ContactStanding>& standings);
+
 }  // namespace bulbus

@@ -16,7 +16,8 @@ double resident(const Comm& comm) {
 
 double contact_points(const Operation& operation) {
   double points = 0;
-  for (const auto& c : operation.contacts()) points += static_cast<double>(c.term->points().size());
+  for (const auto& c : operation.contacts())
+    points += static_cast<double>(c.term->points().size() + (c.exchanged ? c.exchanged->points().size() : 0) + (c.middles ? c.middles->points() : 0));
   return points;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/contact_summary.hpp"
 #include "app/dumping_solver.hpp"
 #include "app/folder.hpp"
 #include "app/memory_forecast.hpp"
@@ -171,6 +172,10 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder, place);
 
   recorder.finish(state);
+  for (const std::string& deep : deep_contacts(*prepared.operation, recorder.contacts())) {
+    prepared.warnings.push_back(deep);
+    log.warn(deep);
+  }
   measure_memory(problem, system, meters);
   const double seconds = Clock::now() - start;
   auto summary = summary_of(scene.title, prepared, recorder, report, meters, seconds);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "contact/contact_area.hpp"
@@ -7,6 +8,22 @@
 #include "contact/meridians.hpp"
 
 namespace bulbus {
+Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
+  const std::array<double, 4> deepest{mine.depth, mine.place[0], mine.place[1], mine.place[2]};
+  const auto all = comm.gather(std::span<const double>(deepest));
+  Overlap o{.points = comm.sum(mine.points)};
+  for (std::size_t r = 0; r < all.size(); r += 4)
+    if (all[r] > o.depth) o.depth = all[r], o.place = {all[r + 1], all[r + 2], all[r + 3]};
+  return o;
+}
+
+namespace {
+
+// N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may stand at right angles.
+constexpr double same_side = 0.05, same_side_of_node = 0.5;
+
+}  // namespace
+
 ContactFigures ContactTerm::figures(const State& state) const {
   const Found& f = found(state);
   ContactFigures sum{.penetration = penetration(f), .on_master = std::vector<Wrench>(master_.pieces())};
@@ -23,6 +40,25 @@ ContactFigures ContactTerm::figures(const State& state) const {
   }
   sum.area = points_.on_faces() ? area_of_points(f) : area_of_faces(state, f);
   return sum;
+}
+
+Overlap ContactTerm::inside(const State& state, const std::function<double(const SlavePoints::Point&, double)>& allowed) const {
+  Overlap o;
+  const Found& f = found(state);
+  const std::vector<double> places = points_.places(state.x);
+  for (const Touch& t : f.touches)
+    if (points_[t.point].mine && -gap(t) > allowed(points_[t.point], f.shape.areas[t.point])) o.add(-gap(t), at(places, t.point));
+  return o;
+}
+
+Overlap ContactTerm::behind(const State& state) const {
+  Overlap o;
+  const Found& f = found(state);
+  const std::vector<double> places = points_.places(state.x);
+  const double most = points_.on_faces() ? same_side : same_side_of_node;
+  for (const Touch& t : f.touches)
+    if (points_[t.point].mine && pressure(t).value > 0 && dot(t.pair.normal, f.shape.normals[t.point]) > most) o.add(-gap(t), at(places, t.point));
+  return o;
 }
 
 double ContactTerm::area_of_points(const Found& f) const {

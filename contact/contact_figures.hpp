@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "core/base/parallel.hpp"
 #include "core/base/tensor.hpp"
 
 namespace bulbus {
@@ -29,12 +30,18 @@ struct ContactNode {
   bool active = false;
 };
 
-/// Slave points that are inside the master at the start, on one rank.
+/// Slave points that are inside the master, on one rank.
 struct Overlap {
   int points = 0;
   Vec3<double> place{0, 0, 0};  ///< of the deepest
   double depth = 0;           ///< mm
+  void add(double other, const Vec3<double>& where) {
+    if (++points == 1 || other > depth) depth = other, place = where;
+  }
 };
+
+/// The count of all ranks, and the deepest of them. Collective.
+Overlap of_all_ranks(const Overlap& mine, const Comm& comm);
 
 /// How the augmented-Lagrangian loop of the current increment went, the same on every rank.
 struct Augmentation {

@@ -55,16 +55,6 @@ std::vector<std::string> keys(const Map& map) {
   return names;
 }
 
-// The count of all nodes, and the deepest of them.
-Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
-  const std::array<double, 4> deepest{mine.depth, mine.place[0], mine.place[1], mine.place[2]};
-  const auto all = comm.gather(std::span<const double>(deepest));
-  Overlap o{.points = comm.sum(mine.points)};
-  for (std::size_t r = 0; r < all.size(); r += 4)
-    if (all[r] > o.depth) o.depth = all[r], o.place = {all[r + 1], all[r + 2], all[r + 3]};
-  return o;
-}
-
 void refuse_out_of_sight(const RigidSurface& body, double farthest, const std::string& key) {
   double most = 0;
   for (double x : body.reference) most = std::max(most, std::abs(x));
@@ -90,7 +80,11 @@ void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& mo
 std::shared_ptr<Operation> Operation::attach(Problem& problem, const Mesh& base) {
   std::shared_ptr<Operation> operation(new Operation(problem, base));
   if (!operation->bodies_.empty() || !operation->contacts_.empty()) problem.add(operation);
-  for (const Contact& c : operation->contacts_) problem.add(c.term);
+  for (const Contact& c : operation->contacts_) {
+    problem.add(c.term);
+    if (c.exchanged) problem.add(c.exchanged);
+    if (c.middles) problem.add(c.middles);
+  }
   for (const auto& [name, suture] : operation->sutures_) problem.add(suture);
   return operation;
 }
@@ -156,14 +150,31 @@ void Operation::add_contact(const Mesh& base, const ContactSpec& spec, const std
                       "Give `penalty`, in MPa/mm.");
   const double usual = stiffness_ratio * mu / thickness, penalty = spec.penalty > 0 ? spec.penalty : usual;
   const ContactDefaults defaults{usual, thickness / 2, mu, compliance > 0 ? 1 / compliance : 0, part_of_size * diagonal(local)};
-  const ContactSides sides{local.X, local.owned, local.shared.at(spec.slave),
-                           body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second), model.symmetry};
-  const auto term = std::make_shared<ContactTerm>(spec, defaults, sides, problem_.comm());
+  Contact c{spec, make_term(spec, defaults, key), {}, {}, body == bodies_.end() ? nullptr : body->second, penalty, thickness, farthest_gap * diagonal(local)};
+  if (spec.two_way) {
+    ContactSpec back = spec;
+    std::swap(back.slave, back.master);
+    back.name += " (exchanged)";
+    c.exchanged = make_term(back, defaults, key);
+  } else if (spec.divisions == 0) {
+    c.middles = std::make_shared<MidfaceCheck>(spec, defaults, sides_of(spec), problem_.comm(), local.halo, c.term);
+  }
+  contacts_.push_back(std::move(c));
+}
+
+ContactSides Operation::sides_of(const ContactSpec& spec) const {
+  const LocalMesh& local = problem_.mesh();
+  const auto body = bodies_.find(spec.master);
+  return {local.X, local.owned, local.shared.at(spec.slave),
+          body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second), problem_.model().symmetry};
+}
+
+std::shared_ptr<ContactTerm> Operation::make_term(const ContactSpec& spec, const ContactDefaults& defaults, const std::string& key) const {
+  const auto term = std::make_shared<ContactTerm>(spec, defaults, sides_of(spec), problem_.comm());
   if (problem_.comm().sum(static_cast<int>(term->slave().nodes().size())) == 0)
     throw scene_error(key + ".slave", "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave + "' are nodes of '" + spec.master + "' too",
                       "Give the two sides nodes of their own.");
-  contacts_.push_back({spec, term, body == bodies_.end() ? nullptr : body->second, penalty, thickness,
-                       farthest_gap * diagonal(local)});
+  return term;
 }
 
 void Operation::add_suture(const std::string& name, const SutureSpec& spec) {
@@ -220,9 +231,12 @@ void Operation::start_contacts(const State& start) {
     const Contact& c = contacts_[i];
     if (c.spec.start == "resolve") {
       c.term->resolve(start);
+      if (c.exchanged) c.exchanged->resolve(start);
+      if (c.middles) c.middles->resolve(start);
       continue;
     }
-    const Overlap o = of_all_ranks(c.term->overlaps(start, 1e-4 * c.thickness), problem_.comm());
+    Overlap o = of_all_ranks(c.term->overlaps(start, 1e-4 * c.thickness), problem_.comm());
+    if (o.points == 0 && c.exchanged) o = of_all_ranks(c.exchanged->overlaps(start, 1e-4 * c.thickness), problem_.comm());
     if (o.points > 0)
       throw scene_error(fmt::format("contacts.{}", i),
                         fmt::format("contact '{}' starts with {} of its points inside '{}', the deepest by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g})",

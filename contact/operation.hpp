@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/contact_term.hpp"
+#include "contact/midface_check.hpp"
 #include "contact/rigid_motion.hpp"
 #include "contact/suture_term.hpp"
 #include "core/problem/problem.hpp"
@@ -18,6 +19,8 @@ class Operation final : public Term {
   struct Contact {
     ContactSpec spec;
     std::shared_ptr<ContactTerm> term;
+    std::shared_ptr<ContactTerm> exchanged;    ///< the other way, of a contact that goes both ways: the master's nodes and the slave's faces
+    std::shared_ptr<MidfaceCheck> middles;     ///< of a contact of nodes that goes one way
     std::shared_ptr<const RigidSurface> body;  ///< of a rigid master
     double penalty, thickness;                 ///< MPa/mm; thinner layer of the two, mm
     double farthest;                           ///< gaps are reported up to here, a quarter of the model's diagonal, mm
@@ -50,6 +53,8 @@ class Operation final : public Term {
  private:
   Operation(Problem& problem, const Mesh& base);
   void add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key);
+  ContactSides sides_of(const ContactSpec& spec) const;
+  std::shared_ptr<ContactTerm> make_term(const ContactSpec& spec, const ContactDefaults& defaults, const std::string& key) const;
   void add_suture(const std::string& name, const SutureSpec& spec);
   void start_contacts(const State& start);
   std::vector<double> slaves_of(const std::string& body, const State& state) const;

@@ -4,8 +4,38 @@
 
 namespace bulbus {
 
-const std::vector<ContactNode>& nodes_of(const Operation::Contact& contact, Snapshot& s) {
-  return s.derived(contact.term.get(), [&] { return contact.term->nodes(s.state, contact.farthest); });
+namespace {
+
+// Adds what the nodes of `term`'s slave feel as masters of `other`: forces, and the pressures that are these on the current areas.
+void add_exchanged(const ContactTerm& term, const ContactTerm& other, const Snapshot& s, std::vector<ContactNode>& nodes) {
+  std::vector<double> minus_force(s.state.x.size());
+  other.add_residual(s.state, minus_force, {});
+  s.problem.mesh().halo.fold(minus_force);
+  const SlaveSurface::Shape shape = term.slave().shape(s.state.x);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vec3<double> force = -1. * at(minus_force, nodes[i].node);
+    for (int c = 0; c < 3; ++c) nodes[i].force[c] += force[c];
+    nodes[i].pressure -= dot(force, shape.normals[i]) / shape.areas[i];
+    nodes[i].active |= norm(force) > 0;
+  }
+}
+
+std::vector<ContactNode> nodes_of(const ContactTerm& term, const ContactTerm* other, double farthest, const Snapshot& s) {
+  auto nodes = term.nodes(s.state, farthest);
+  if (other) add_exchanged(term, *other, s, nodes);
+  return nodes;
+}
+
+}  // namespace
+
+const std::vector<ContactNode>& nodes_of(const Operation::Contact& c, Snapshot& s) {
+  return s.derived(c.term.get(), [&] { return nodes_of(*c.term, c.exchanged.get(), c.farthest, s); });
+}
+
+const std::vector<ContactNode>& master_nodes_of(const Operation::Contact& c, Snapshot& s) {
+  static const std::vector<ContactNode> none;
+  if (!c.exchanged) return none;
+  return s.derived(c.exchanged.get(), [&] { return nodes_of(*c.exchanged, c.term.get(), c.farthest, s); });
 }
 
 probes::Resultant on_master(const Operation::Contact& contact, Snapshot& s) {
@@ -27,6 +57,7 @@ ContactStanding standing(const Operation::Contact& contact, Snapshot& s) {
   all.touching = comm.sum(touching);
   all.area = s.problem.multiplicity() * comm.sum(own.area);
   all.penetration = comm.max(own.penetration);
+  if (contact.exchanged) all.penetration = std::max(all.penetration, comm.max(contact.exchanged->figures(s.state).penetration));
   all.pressure = comm.max(pressure);
   std::vector<double> sums;
   for (const Wrench& w : own.on_master) {

@@ -4,8 +4,10 @@
 
 namespace bulbus {
 
-/// The slave nodes that this rank owns, gaps up to Contact::farthest; found once per snapshot.
+/// The slave nodes that this rank owns, gaps up to Contact::farthest, forces of both ways; found once per snapshot. Collective.
 const std::vector<ContactNode>& nodes_of(const Operation::Contact& contact, Snapshot& snapshot);
+/// The same of the master's nodes, where the contact goes both ways; else none. Collective.
+const std::vector<ContactNode>& master_nodes_of(const Operation::Contact& contact, Snapshot& snapshot);
 
 /// What the slave nodes of this rank do to the master.
 probes::Resultant on_master(const Operation::Contact& contact, Snapshot& snapshot);

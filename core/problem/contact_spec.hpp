@@ -11,6 +11,7 @@ struct ContactSpec {
   std::string name, slave, master, start = "refuse";
   double penalty = 0, depth = 0, tolerance = 0;
   int divisions = 0;
+  bool two_way = false;
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"name in records and probes"}.needed());
@@ -22,6 +23,9 @@ struct ContactSpec {
     v("tolerance", tolerance,
       About{"largest penetration; the augmented-Lagrangian loop drives it below this; 0: penalty alone", Quantity::length}.at_least(0));
     v("divisions", divisions, About{"what is kept out: 0: the nodes of the slave; n: n x n points on each of its faces, which feel edges of a rigid body finer than the mesh"}.between(0, 100));
+    v("two_way", two_way,
+      About{"the master's nodes are kept out of the slave's faces too, between surfaces of the mesh whose master has corners or "
+            "faces finer than the slave's"});
     v("start", start, About{"surfaces that overlap at the start: `refuse` them or `resolve` the overlap gradually over the first step"}
                           .one_of({"refuse", "resolve"}));
   }

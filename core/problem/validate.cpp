@@ -163,6 +163,12 @@ std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model) {
     if (c.slave == c.master)
       throw scene_error(key + ".master", "contact '" + c.name + "' names surface '" + c.slave + "' twice",
                         "Give the two sides as two surfaces: nodes that touch their own surface are not looked for.");
+    if (c.two_way && model.rigid_bodies.contains(c.master))
+      throw scene_error(key + ".two_way", "contact '" + c.name + "' goes both ways, and its master '" + c.master + "' is a rigid body, which has no nodes",
+                        "Leave `two_way` out; `divisions: 4` lets the slave's faces feel edges finer than the mesh.");
+    if (c.two_way && c.tolerance > 0)
+      throw scene_error(key + ".two_way", "contact '" + c.name + "' goes both ways and has a `tolerance`: two multipliers for one pressure have no limit",
+                        "Leave `tolerance` out and give a larger `penalty`, or leave `two_way` out.");
     if (model.rigid_bodies.contains(c.master)) {
       if (mesh.surfaces.contains(c.master))
         throw scene_error(key + ".master", "'" + c.master + "' is both a surface of the mesh and a rigid body", "Rename the rigid body.");

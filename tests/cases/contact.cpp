@@ -107,5 +107,53 @@ TEST(Band, ClosesOnTheEyeWithAnyPreset) {
     }
 }
 
+std::string reason(const Ran& run) { return run.summary()["reason"]; }
+
+// A punch that presses between the nodes of the slab: 0.2 mm deep without a force is not an answer.
+TEST(Punch, BetweenTheNodesOfTheSlaveIsRefusedUnlessItIsFelt) {
+  const Ran one_way = run_case("punch");
+  EXPECT_EQ(one_way.status, 1);
+  for (const char* part : {"enters between the nodes", "two_way: true"}) EXPECT_NE(reason(one_way).find(part), std::string::npos) << reason(one_way);
+  std::vector<double> push;
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{"contacts.0.two_way=true"}, {"contacts.0.two_way=true", "solver.linear.method=direct"},
+        {"contacts.0.slave=punch_bottom", "contacts.0.master=slab_top"}}) {
+    const Ran run = run_case("punch", set);
+    ASSERT_EQ(run.status, 0) << run.err;
+    push.push_back(probe(run, "push"));
+    EXPECT_LT(push.back(), -50);
+    EXPECT_NEAR(probe(run, "hold") / -push.back(), 1, 1e-5);
+    EXPECT_NEAR(std::abs(probe(run, "touch")) / -push.back(), 1, 1e-5) << "the figures count both ways";
+    EXPECT_EQ(run.summary()["totals"]["cuts"], 0);
+  }
+  for (double p : push) EXPECT_NEAR(p / push[0], 1, 1e-6) << "only the punch's nodes touch";
+}
+
+TEST(Punch, TwoWayIsForSurfacesOfTheMesh) {
+  expect_refused(run_case("narrow_rod", {"contacts.0.two_way=true"}), {"contacts.0.two_way", "divisions"});
+  expect_refused(run_case("punch", {"contacts.0.two_way=true", "contacts.0.tolerance=1e-4"}), {"contacts.0.two_way", "penalty"});
+}
+
+// A rod of 0.4 mm between nodes 1 mm apart: a face cannot bend around it.
+TEST(NarrowRod, IsRefusedWhereTheFacesCannotFollowIt) {
+  const Ran nodes = run_case("narrow_rod");
+  EXPECT_EQ(nodes.status, 1);
+  for (const char* part : {"enters between the nodes", "divisions"}) EXPECT_NE(reason(nodes).find(part), std::string::npos) << reason(nodes);
+  EXPECT_EQ(run_case("narrow_rod", {"contacts.0.divisions=4"}).status, 1) << "points would slip around the rod";
+}
+
+TEST(NarrowRod, ThatIsLetInDeepIsToldOf) {
+  const auto warnings = [](const char* way) {
+    const Ran run = run_case("narrow_rod", {"contacts.0.divisions=8", std::string("steps.0.move.0.translate=[0, 0, ") + way + "]"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_GT(probe(run, "push"), 10);
+    return run.summary()["warnings"];
+  };
+  EXPECT_TRUE(warnings("-0.13").empty());
+  const auto deep = warnings("-0.3");
+  ASSERT_EQ(deep.size(), 1);
+  EXPECT_NE(deep[0].get<std::string>().find("larger than 3 MPa/mm"), std::string::npos) << deep;
+}
+
 }  // namespace
 }  // namespace bulbus::test

@@ -1,4 +1,5 @@
 // Contacts press the same nodes with the same force however many ranks hold them.
+#include "contact/operation_figures.hpp"
 #include "core/base/error.hpp"
 #include "tests/verify/two_blocks.hpp"
 
@@ -31,8 +32,7 @@ Scene two_blocks_and_a_ball() {
   return scene;
 }
 
-TEST(Contact, IsTheSameOnAnyNumberOfRanks) {
-  const Scene scene = two_blocks_and_a_ball();
+void expect_the_same_on_any_number_of_ranks(const Scene& scene) {
   ContactTrial alone(scene, Comm(MPI_COMM_SELF));
   alone.direct();
   ASSERT_TRUE(alone.report.converged) << alone.report.reason;
@@ -53,6 +53,22 @@ TEST(Contact, IsTheSameOnAnyNumberOfRanks) {
              together.comm.size(), direct ? "direct" : "iterative", together.pairs("blocks"), together.pairs("ball"), worst, together.report.increments,
              alone.report.increments, together.report.newton_iterations, alone.report.newton_iterations, together.report.krylov_iterations);
   }
+}
+
+TEST(Contact, IsTheSameOnAnyNumberOfRanks) { expect_the_same_on_any_number_of_ranks(two_blocks_and_a_ball()); }
+
+TEST(Contact, OfBothWaysIsTheSameOnAnyNumberOfRanks) {
+  Scene scene = two_blocks_and_a_ball();
+  scene.model.contacts[0].two_way = true;
+  expect_the_same_on_any_number_of_ranks(scene);
+  ContactTrial alone(scene, Comm(MPI_COMM_SELF)), together(scene);
+  alone.direct(), together.direct();
+  Snapshot one(alone.problem, alone.state), many(together.problem, together.state);
+  const ContactStanding expected = standing(alone.operation->contact("blocks", ""), one), found = standing(together.operation->contact("blocks", ""), many);
+  EXPECT_EQ(found.touching, expected.touching);
+  EXPECT_LT(relative(found.pressure, expected.pressure), 1e-6);
+  const Vec3<double> push = probes::total(together.problem, on_master(together.operation->contact("blocks", ""), many), "whole").force;
+  EXPECT_LT(relative(-push[2], std::abs(ProbeSet(alone.problem).values(alone.problem, alone.state)[0])), 1e-6) << "held from below";
 }
 
 // Each node lies on an edge or a corner of the other side: GMRES leaves a little of the residual, and no pair may make more of it.
