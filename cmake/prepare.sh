@@ -1,4 +1,5 @@
 # Sourced by demo and check: installs what is missing from cmake/packages.txt and builds into build/. Quiet about what is there.
+# BULBUS_TARGETS: what to build; default: everything.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1  # mpirun refuses root otherwise
@@ -30,7 +31,8 @@ build() {
   [ "$preset" = release ] || folder=build-$preset
   [ -f $folder/build.ninja ] || { echo "configuring ..."; quietly cmake --preset "$preset"; }
   echo "building (a first build takes several minutes) ..."
-  quietly cmake --build --preset "$preset" -- -j"$(nproc)"
+  # shellcheck disable=SC2086
+  quietly cmake --build --preset "$preset" ${BULBUS_TARGETS:+--target $BULBUS_TARGETS} -- -j"$(nproc)"
 }
 
 quietly() {
