@@ -2,8 +2,8 @@
 
 #include "app/commands.hpp"
 #include "app/prepare.hpp"
-#include "app/sizes.hpp"
-#include "app/study_design.hpp"
+#include "app/memory/sizes.hpp"
+#include "app/study/study_design.hpp"
 
 namespace bulbus {
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/checkpoints.hpp"
+#include "app/records/checkpoints.hpp"
 #include "app/commands.hpp"
-#include "app/help.hpp"
+#include "app/scene/help.hpp"
 #include "app/version.hpp"
 #include "core/base/error.hpp"
 #include "core/base/memory.hpp"

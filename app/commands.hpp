@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
 
-#include "app/study.hpp"
+#include "app/study/study.hpp"
 #include "core/base/parallel.hpp"
 #include "core/io/log.hpp"
-#include "core/mesh/gmsh.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
 
 namespace bulbus {
 

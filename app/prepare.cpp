@@ -1,8 +1,8 @@
 #include "app/prepare.hpp"
 
-#include "app/contact_limits.hpp"
-#include "app/record_names.hpp"
-#include "app/size_limits.hpp"
+#include "app/scene/contact_limits.hpp"
+#include "app/records/record_names.hpp"
+#include "app/scene/size_limits.hpp"
 #include "contact/operation_probes.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/symmetry_planes.hpp"

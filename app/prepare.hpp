@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/input_files.hpp"
-#include "app/scene.hpp"
+#include "app/scene/input_files.hpp"
+#include "app/scene/scene.hpp"
 #include "contact/operation.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/problem/problem.hpp"

@@ -4,20 +4,20 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "app/contact_summary.hpp"
-#include "app/dumping_solver.hpp"
-#include "app/folder.hpp"
-#include "app/memory_forecast.hpp"
+#include "app/records/contact_summary.hpp"
+#include "app/records/dumping_solver.hpp"
+#include "app/records/folder.hpp"
+#include "app/memory/memory_forecast.hpp"
 #include "app/prepare.hpp"
-#include "app/recorder.hpp"
-#include "app/sizes.hpp"
-#include "app/summary.hpp"
+#include "app/records/recorder.hpp"
+#include "app/memory/sizes.hpp"
+#include "app/records/summary.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/io/disk_file.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
-#include "precond/displacement.hpp"
+#include "precond/operators/displacement.hpp"
 #include "precond/make_preconditioner.hpp"
 
 namespace bulbus {

@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "app/finished.hpp"
-#include "app/folder.hpp"
-#include "app/narrator.hpp"
+#include "app/records/finished.hpp"
+#include "app/records/folder.hpp"
+#include "app/records/narrator.hpp"
 #include "app/prepare.hpp"
-#include "app/study_figure.hpp"
-#include "app/study_json.hpp"
+#include "app/study/study_figure.hpp"
+#include "app/study/study_json.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/output.hpp"

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "app/finished.hpp"
-#include "app/folder.hpp"
-#include "app/narrator.hpp"
-#include "app/trade_records.hpp"
+#include "app/records/finished.hpp"
+#include "app/records/folder.hpp"
+#include "app/records/narrator.hpp"
+#include "app/trade/trade_records.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/base/process.hpp"
 #include "core/io/json_file.hpp"

@@ -1,5 +1,5 @@
 #include "app/commands.hpp"
-#include "app/size_limits.hpp"
+#include "app/scene/size_limits.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus {

@@ -7,7 +7,7 @@
 #include "benchmarks/scalar_csr.hpp"
 #include "core/element/block_csr.hpp"
 #include "core/element/solid.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/generate.hpp"
 
 using namespace bulbus;
 using namespace bulbus::bench;

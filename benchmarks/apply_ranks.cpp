@@ -5,9 +5,9 @@
 
 #include "benchmarks/common.hpp"
 #include "core/element/solid.hpp"
-#include "core/mesh/generate.hpp"
-#include "core/mesh/local_mesh.hpp"
-#include "core/mesh/partition.hpp"
+#include "core/mesh/generate/generate.hpp"
+#include "core/mesh/distributed/local_mesh.hpp"
+#include "core/mesh/distributed/partition.hpp"
 
 using namespace bulbus;
 using namespace bulbus::bench;

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "benchmarks/common.hpp"
-#include "contact/local_search.hpp"
-#include "contact/position_codes.hpp"
-#include "contact/slave_surface.hpp"
+#include "contact/search/local_search.hpp"
+#include "contact/search/position_codes.hpp"
+#include "contact/surfaces/slave_surface.hpp"
 
 using namespace bulbus;
 using namespace bulbus::bench;

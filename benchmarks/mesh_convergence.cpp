@@ -4,7 +4,7 @@
 //     bench_mesh_convergence [-n CELLS] [--refine TIMES] [-o FILE]
 #include <cmath>
 
-#include "app/extrapolation.hpp"
+#include "app/study/extrapolation.hpp"
 #include "benchmarks/scene_run.hpp"
 
 using namespace bulbus::bench;

@@ -2,7 +2,7 @@
 # FOLDER but main.cpp. PRECOMPILED: headers of its own to precompile; else it shares those of bulbus_base, unless its flags differ.
 function(add_floor name folder)
   cmake_parse_arguments(ARG "OWN_FLAGS" "" "PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(sources)
     add_library(bulbus_${name} STATIC ${sources})

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "contact/layer.hpp"
-#include "contact/rigid_shapes.hpp"
-#include "contact/suture_points.hpp"
-#include "contact/sutured_tissue.hpp"
+#include "contact/surfaces/layer.hpp"
+#include "contact/rigid/rigid_shapes.hpp"
+#include "contact/suture/suture_points.hpp"
+#include "contact/suture/sutured_tissue.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/validate.hpp"
 

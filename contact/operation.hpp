@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_term.hpp"
-#include "contact/midface_check.hpp"
-#include "contact/rigid_motion.hpp"
-#include "contact/suture_term.hpp"
+#include "contact/law/contact_term.hpp"
+#include "contact/law/midface_check.hpp"
+#include "contact/rigid/rigid_motion.hpp"
+#include "contact/suture/suture_term.hpp"
 #include "core/problem/problem.hpp"
 
 namespace bulbus {

@@ -1,6 +1,6 @@
 #pragma once
 #include "contact/operation.hpp"
-#include "core/problem/probe_figures.hpp"
+#include "core/problem/probes/probe_figures.hpp"
 
 namespace bulbus {
 

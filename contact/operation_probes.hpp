@@ -1,6 +1,6 @@
 #pragma once
 #include "contact/operation.hpp"
-#include "core/problem/probes.hpp"
+#include "core/problem/probes/probes.hpp"
 
 namespace bulbus {
 

@@ -2,7 +2,7 @@
 
 #include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
-#include "precond/chebyshev.hpp"
+#include "precond/smoothers/chebyshev.hpp"
 
 namespace bulbus {
 

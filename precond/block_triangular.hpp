@@ -4,8 +4,8 @@
 
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_solver.hpp"
-#include "precond/displacement.hpp"
-#include "precond/pressure_schur.hpp"
+#include "precond/operators/displacement.hpp"
+#include "precond/schur/pressure_schur.hpp"
 
 namespace bulbus {
 

@@ -1,7 +1,7 @@
 #include "precond/make_preconditioner.hpp"
 
 #include "precond/block_triangular.hpp"
-#include "precond/displacement.hpp"
+#include "precond/operators/displacement.hpp"
 
 namespace bulbus {
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails where a file includes from a floor above its own, from a sibling, or a wrapped library outside its wrappers."""
+"""Fails where a file includes from a floor above its own, from a sibling, from a room that is closed to its own, or a wrapped library
+outside its wrappers."""
 import pathlib
 import re
 import sys
@@ -7,13 +8,34 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FLOORS = [["core/base"], ["core/mesh"], ["core/io"], ["core/material"], ["core/element"], ["core/problem"], ["core/solve"],
           ["precond", "contact"], ["app"], ["tests", "benchmarks"]]
+# Within a floor: folder -> the folders beside it that it may not include.
+ROOMS = {
+    "core/mesh/generate": ["core/mesh/distributed", "core/mesh/eye", "core/mesh/gmsh"],
+    "core/mesh/distributed": ["core/mesh/eye", "core/mesh/gmsh"],
+    "core/mesh/gmsh": ["core/mesh/distributed", "core/mesh/eye"],
+    "core/mesh/eye": ["core/mesh/distributed", "core/mesh/gmsh"],
+    "precond/smoothers": ["precond/amg", "precond/coarse", "precond/schur"],
+    "precond/schur": ["precond/amg", "precond/coarse"],
+    "precond/amg": ["precond/schur"],
+    "precond/coarse": ["precond/schur"],
+    "contact/search": ["contact/law", "contact/suture", "contact/rigid"],
+    "contact/surfaces": ["contact/law", "contact/suture"],
+    "contact/rigid": ["contact/law", "contact/suture", "contact/search"],
+    "contact/law": ["contact/suture", "contact/rigid"],
+    "contact/suture": ["contact/law", "contact/search"],
+    "app/plot": ["app/memory", "app/records", "app/scene", "app/study", "app/trade"],
+    "app/scene": ["app/records", "app/trade", "app/plot"],
+    "app/memory": ["app/records", "app/study", "app/trade", "app/plot"],
+    "app/records": ["app/study", "app/trade", "app/plot"],
+    "app/study": ["app/records", "app/trade", "app/memory"],
+}
 LEVEL = {folder: level for level, floor in enumerate(FLOORS) for folder in floor}
 WRAPPED = {  # header pattern: the sources that may include it
     r"(Tpetra|Belos|Teuchos|Kokkos)\w*\.hpp": r"core/solve/(fgmres\.cpp|krylov_vectors\.hpp)",
-    r"_?hypre\w*\.h|HYPRE\w*\.h": r"precond/boomeramg\.cpp",
+    r"_?hypre\w*\.h|HYPRE\w*\.h": r"precond/amg/boomeramg\.cpp",
     r"dmumps_c\.h": r"core/solve/mumps\.cpp",
     r"hdf5\.h|H5\w*\.h": r"core/io/hdf5_\w+\.(cpp|hpp)|core/solve/dump\.cpp|core/io/vtkhdf\.cpp",
-    r"metis\.h": r"core/mesh/partition\.cpp",
+    r"metis\.h": r"core/mesh/distributed/partition\.cpp",
     r"yaml-cpp/.*": r"app/.*",
     r"muParser\.h": r"core/problem/formula\.cpp",
 }
@@ -33,6 +55,10 @@ def faults(path, text):
         other = folder_of(target)
         if own and other and other != own and LEVEL[other] >= LEVEL[own]:
             yield f"{path}:{number}: {own} may not include {target}"
+        room = str(pathlib.PurePath(path).parent)
+        for closed in ROOMS.get(room, []):
+            if target.startswith(closed + "/"):
+                yield f"{path}:{number}: {room} may not include {target}"
         for pattern, allowed in WRAPPED.items():
             if re.fullmatch(pattern, target) and not re.fullmatch(allowed, path) and not path.startswith("tests/"):
                 yield f"{path}:{number}: {target} belongs inside {allowed}"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/io/keeper.hpp"
-#include "core/mesh/local_mesh.hpp"
+#include "core/mesh/distributed/local_mesh.hpp"
 
 namespace bulbus {
 

@@ -1,6 +1,6 @@
 #include "core/io/keeper.hpp"
 
-#include "core/mesh/local_mesh.hpp"
+#include "core/mesh/distributed/local_mesh.hpp"
 
 namespace bulbus {
 

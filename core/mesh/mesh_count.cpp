@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/mesh/eye_map.hpp"
+#include "core/mesh/eye/eye_map.hpp"
 
 namespace bulbus {
 namespace {

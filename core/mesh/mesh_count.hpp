@@ -1,6 +1,6 @@
 #pragma once
-#include "core/mesh/eye.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh/local_mesh.hpp"
+#include "core/mesh/distributed/local_mesh.hpp"
 #include "core/mesh/refine.hpp"
 
 namespace bulbus {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/local_mesh.hpp"
+#include "core/mesh/distributed/local_mesh.hpp"
 
 namespace bulbus {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/embed.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/hex_edges.hpp"
 #include "core/mesh/sorted.hpp"
 

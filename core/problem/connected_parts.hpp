@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/element/solid.hpp"
-#include "core/mesh/local_mesh.hpp"
+#include "core/mesh/distributed/local_mesh.hpp"
 
 namespace bulbus {
 

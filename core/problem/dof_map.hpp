@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/pack.hpp"
-#include "core/mesh/local_mesh.hpp"
+#include "core/mesh/distributed/local_mesh.hpp"
 #include "core/problem/rigid_body.hpp"
 #include "core/problem/state.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
-#include "core/problem/contact_spec.hpp"
-#include "core/problem/rigid_spec.hpp"
+#include "core/problem/spec/contact_spec.hpp"
+#include "core/problem/spec/rigid_spec.hpp"
 
 namespace bulbus {
 

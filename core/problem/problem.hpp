@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/element/solid.hpp"
-#include "core/mesh/mesh_levels.hpp"
+#include "core/mesh/distributed/mesh_levels.hpp"
 #include "core/problem/dof_map.hpp"
 #include "core/problem/liquid.hpp"
 #include "core/problem/loads.hpp"

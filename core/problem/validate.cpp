@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/base/error.hpp"
-#include "core/problem/cancelled_figures.hpp"
+#include "core/problem/probes/cancelled_figures.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/plausible.hpp"
 #include "core/problem/pressed_surfaces.hpp"

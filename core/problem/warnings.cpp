@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/mesh/geometry.hpp"
-#include "core/problem/cancelled_figures.hpp"
+#include "core/problem/probes/cancelled_figures.hpp"
 #include "core/problem/coincident_nodes.hpp"
 #include "core/problem/material_stability.hpp"
 #include "core/problem/pressed_surfaces.hpp"

@@ -1,7 +1,7 @@
 // A thick sphere full of liquid, an octant of it, blown up by 15 mmHg: the library called from a program of one's own.
 #include <cstdio>
 
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/problem/problem.hpp"
 #include "core/solve/march.hpp"
 #include "precond/make_preconditioner.hpp"

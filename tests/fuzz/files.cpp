@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/checkpoints.hpp"
-#include "contact/stl.hpp"
-#include "core/mesh/gmsh.hpp"
+#include "app/records/checkpoints.hpp"
+#include "contact/rigid/stl.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/prepared.hpp"
 #include "tests/fuzz/target.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/memory_forecast.hpp"
+#include "app/memory/memory_forecast.hpp"
 #include "tests/fuzz/guard.hpp"
 
 namespace bulbus::fuzz {

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/entry.hpp"
+#include "app/scene/entry.hpp"
 #include "app/prepare.hpp"
 
 namespace bulbus::fuzz {

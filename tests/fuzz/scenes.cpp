@@ -3,7 +3,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "app/study_design.hpp"
+#include "app/study/study_design.hpp"
 #include "core/base/error.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/prepared.hpp"

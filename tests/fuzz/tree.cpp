@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/wording.hpp"
+#include "app/scene/wording.hpp"
 #include "tests/fuzz/bytes.hpp"
 
 namespace bulbus::fuzz {

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/entry.hpp"
+#include "app/scene/entry.hpp"
 #include "tests/fuzz/random.hpp"
 
 namespace bulbus::fuzz {

@@ -1,7 +1,7 @@
 // Probes and fields of contacts however many ranks: of a prescribed state, on every rank by itself and together.
 #include <gtest/gtest.h>
 
-#include "app/contact_fields.hpp"
+#include "app/records/contact_fields.hpp"
 #include "contact/operation_figures.hpp"
 #include "contact/operation_probes.hpp"
 #include "tests/support/models.hpp"

@@ -1,8 +1,8 @@
 // Parts of the weak pressure patterns are the same whichever ranks their hexahedra are on.
 #include <gtest/gtest.h>
 
-#include "precond/pattern_matrix.hpp"
-#include "precond/rough.hpp"
+#include "precond/schur/pattern_matrix.hpp"
+#include "precond/schur/rough.hpp"
 #include "tests/support/linearised.hpp"
 #include "tests/support/small_eye.hpp"
 

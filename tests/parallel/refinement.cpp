@@ -5,9 +5,9 @@
 
 #include "contact/operation.hpp"
 #include "core/base/error.hpp"
-#include "core/mesh/eye.hpp"
-#include "core/mesh/mesh_levels.hpp"
-#include "core/mesh/partition.hpp"
+#include "core/mesh/eye/eye.hpp"
+#include "core/mesh/distributed/mesh_levels.hpp"
+#include "core/mesh/distributed/partition.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/running_sums.hpp"
 #include "tests/support/models.hpp"

@@ -1,10 +1,10 @@
 // A suture pulls the same nodes the same way however many ranks hold them.
 #include <gtest/gtest.h>
 
-#include "contact/rigid_shapes.hpp"
-#include "contact/suture_term.hpp"
-#include "core/mesh/generate.hpp"
-#include "core/mesh/partition.hpp"
+#include "contact/rigid/rigid_shapes.hpp"
+#include "contact/suture/suture_term.hpp"
+#include "core/mesh/generate/generate.hpp"
+#include "core/mesh/distributed/partition.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {

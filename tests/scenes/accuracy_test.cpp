@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "app/command_line.hpp"
-#include "app/trade_results.hpp"
+#include "app/trade/trade_results.hpp"
 
 namespace bulbus {
 namespace {

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "app/prepare.hpp"
-#include "app/recorder.hpp"
+#include "app/records/recorder.hpp"
 #include "core/solve/linear_solver.hpp"
 
 namespace bulbus::test {

@@ -1,7 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "precond/line_jacobi.hpp"
+#include "precond/smoothers/line_jacobi.hpp"
 #include "precond/make_preconditioner.hpp"
 #include "tests/support/models.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "core/mesh/embed.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/embed.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/problem/problem.hpp"
 #include "tests/support/numbers.hpp"

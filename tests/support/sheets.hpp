@@ -2,7 +2,7 @@
 #include <functional>
 #include <memory>
 
-#include "contact/contact_term.hpp"
+#include "contact/law/contact_term.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {

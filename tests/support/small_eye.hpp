@@ -1,5 +1,5 @@
 #pragma once
-#include "core/mesh/eye.hpp"
+#include "core/mesh/eye/eye.hpp"
 #include "core/problem/tissues.hpp"
 #include "tests/support/models.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/element/solid.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "core/problem/probe_figures.hpp"
+#include "core/problem/probes/probe_figures.hpp"
 #include "precond/make_preconditioner.hpp"
 #include "tests/support/march_trial.hpp"
 

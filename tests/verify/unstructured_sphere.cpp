@@ -1,5 +1,5 @@
 // A thick sphere under inner pressure in hexahedra that are aligned with nothing (data/meshes/unstructured_shell.geo).
-#include "core/mesh/gmsh.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/verify/references.hpp"
 #include "tests/verify/run.hpp"
 

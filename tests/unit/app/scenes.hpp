@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene.hpp"
+#include "app/scene/scene.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus::test {

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/study_design.hpp"
+#include "app/study/study_design.hpp"
 #include "tests/support/run_scene.hpp"
 
 namespace bulbus::test {

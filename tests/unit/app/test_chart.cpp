@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/chart.hpp"
+#include "app/plot/chart.hpp"
 
 namespace {
 

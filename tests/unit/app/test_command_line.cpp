@@ -4,7 +4,7 @@
 
 #include "app/command_line.hpp"
 #include "app/version.hpp"
-#include "core/mesh/gmsh.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
 #include "scenes.hpp"
 
 namespace {

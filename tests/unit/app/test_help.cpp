@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
-#include "app/help.hpp"
-#include "app/kinds.hpp"
-#include "app/study.hpp"
-#include "app/wording.hpp"
+#include "app/scene/help.hpp"
+#include "app/scene/kinds.hpp"
+#include "app/study/study.hpp"
+#include "app/scene/wording.hpp"
 #include "scenes.hpp"
 
 namespace {

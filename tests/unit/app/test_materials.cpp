@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/scene.hpp"
+#include "app/scene/scene.hpp"
 #include "tests/support/run_scene.hpp"
 
 namespace {

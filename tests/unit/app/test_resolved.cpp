@@ -1,4 +1,4 @@
-#include "app/entry.hpp"
+#include "app/scene/entry.hpp"
 #include "scenes.hpp"
 
 namespace {

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/study_figure.hpp"
-#include "app/study_json.hpp"
+#include "app/study/study_figure.hpp"
+#include "app/study/study_json.hpp"
 #include "tests/unit/app/studies.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/trade_records.hpp"
+#include "app/trade/trade_records.hpp"
 #include "tests/unit/app/studies.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/rigid_shapes.hpp"
+#include "contact/rigid/rigid_shapes.hpp"
 #include "core/mesh/geometry.hpp"
 
 namespace bulbus {

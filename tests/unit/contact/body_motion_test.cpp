@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "contact/rigid_motion.hpp"
+#include "contact/rigid/rigid_motion.hpp"
 #include "core/base/error.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "tests/support/solids.hpp"
 #include "tests/unit/contact/bodies.hpp"
 

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <numbers>
 
-#include "contact/meridians.hpp"
-#include "contact/rigid_shapes.hpp"
-#include "contact/skin.hpp"
-#include "core/mesh/generate.hpp"
-#include "core/mesh/gmsh.hpp"
+#include "contact/surfaces/meridians.hpp"
+#include "contact/rigid/rigid_shapes.hpp"
+#include "contact/rigid/skin.hpp"
+#include "core/mesh/generate/generate.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/unit/contact/bodies.hpp"
 
 namespace bulbus {

@@ -1,4 +1,4 @@
-#include "contact/contact_area.hpp"
+#include "contact/law/contact_area.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "contact/contact_term.hpp"
+#include "contact/law/contact_term.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "contact/curved_facets.hpp"
+#include "contact/surfaces/curved_facets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "contact/rigid_shapes.hpp"
+#include "contact/rigid/rigid_shapes.hpp"
 
 namespace bulbus {
 namespace {

@@ -1,8 +1,8 @@
-#include "contact/distances.hpp"
+#include "contact/search/distances.hpp"
 
 #include <gtest/gtest.h>
 
-#include "contact/nearest_point.hpp"
+#include "contact/search/nearest_point.hpp"
 #include "tests/support/sheets.hpp"
 
 namespace bulbus {

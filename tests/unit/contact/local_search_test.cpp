@@ -1,10 +1,10 @@
-#include "contact/local_search.hpp"
+#include "contact/search/local_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "contact/nearest_point.hpp"
+#include "contact/search/nearest_point.hpp"
 #include "tests/support/sheets.hpp"
 
 namespace bulbus {

@@ -1,10 +1,10 @@
-#include "contact/outline.hpp"
+#include "contact/rigid/outline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "contact/meridians.hpp"
+#include "contact/surfaces/meridians.hpp"
 #include "tests/unit/contact/bodies.hpp"
 
 namespace bulbus {

@@ -1,8 +1,8 @@
-#include "contact/pair.hpp"
+#include "contact/surfaces/pair.hpp"
 
 #include <gtest/gtest.h>
 
-#include "contact/pressure_law.hpp"
+#include "contact/law/pressure_law.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {

@@ -1,4 +1,4 @@
-#include "contact/position_codes.hpp"
+#include "contact/search/position_codes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "contact/meridians.hpp"
-#include "contact/rigid_shapes.hpp"
+#include "contact/surfaces/meridians.hpp"
+#include "contact/rigid/rigid_shapes.hpp"
 #include "tests/support/sheets.hpp"
 
 namespace bulbus {

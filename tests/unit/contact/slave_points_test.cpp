@@ -1,9 +1,9 @@
-#include "contact/slave_points.hpp"
+#include "contact/surfaces/slave_points.hpp"
 
 #include <gtest/gtest.h>
 
-#include "contact/contact_term.hpp"
-#include "contact/rigid_shapes.hpp"
+#include "contact/law/contact_term.hpp"
+#include "contact/rigid/rigid_shapes.hpp"
 #include "tests/support/sheets.hpp"
 
 namespace bulbus {

@@ -1,4 +1,4 @@
-#include "contact/slave_surface.hpp"
+#include "contact/surfaces/slave_surface.hpp"
 
 #include <gtest/gtest.h>
 

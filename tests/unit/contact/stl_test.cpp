@@ -1,4 +1,4 @@
-#include "contact/stl.hpp"
+#include "contact/rigid/stl.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 #include <numbers>
 #include <numeric>
 
-#include "contact/suture_term.hpp"
+#include "contact/suture/suture_term.hpp"
 #include "core/base/error.hpp"
 #include "core/element/block_csr.hpp"
-#include "core/mesh/embed.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/embed.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "tests/support/solids.hpp"
 #include "tests/unit/contact/bodies.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/element/block_csr.hpp"
-#include "core/mesh/embed.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "tests/support/solids.hpp"
 
 namespace bulbus {

@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "core/base/error.hpp"
-#include "core/mesh/generate.hpp"
-#include "core/mesh/partition.hpp"
+#include "core/mesh/generate/generate.hpp"
+#include "core/mesh/distributed/partition.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {

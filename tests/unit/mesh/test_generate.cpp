@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/base/error.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/base/error.hpp"
-#include "core/mesh/gmsh.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
 
 namespace bulbus {
 namespace {

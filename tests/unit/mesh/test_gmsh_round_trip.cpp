@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/mesh/embed.hpp"
-#include "core/mesh/eye.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/embed.hpp"
+#include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
-#include "core/mesh/gmsh.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
 #include "core/mesh/quality.hpp"
 
 namespace bulbus {

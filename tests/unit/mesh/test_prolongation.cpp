@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/eye.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/prolongation.hpp"
 #include "tests/support/numbers.hpp"
 

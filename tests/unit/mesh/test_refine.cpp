@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
-#include "core/mesh/embed.hpp"
-#include "core/mesh/eye.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/embed.hpp"
+#include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/refine.hpp"

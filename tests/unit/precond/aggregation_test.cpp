@@ -1,11 +1,11 @@
-#include "precond/aggregation.hpp"
+#include "precond/coarse/aggregation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "core/solve/reduced.hpp"
-#include "precond/displacement.hpp"
+#include "precond/operators/displacement.hpp"
 #include "precond/make_preconditioner.hpp"
 #include "tests/support/small_eye.hpp"
 #include "tests/support/linearised.hpp"

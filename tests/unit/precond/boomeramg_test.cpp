@@ -1,4 +1,4 @@
-#include "precond/boomeramg.hpp"
+#include "precond/amg/boomeramg.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "precond/chebyshev.hpp"
+#include "precond/smoothers/chebyshev.hpp"
 
 #include <gtest/gtest.h>
 

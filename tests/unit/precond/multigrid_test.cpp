@@ -1,10 +1,10 @@
-#include "precond/multigrid.hpp"
+#include "precond/coarse/multigrid.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/solve/assemble.hpp"
-#include "precond/chebyshev.hpp"
-#include "precond/displacement.hpp"
+#include "precond/smoothers/chebyshev.hpp"
+#include "precond/operators/displacement.hpp"
 #include "tests/support/small_eye.hpp"
 #include "tests/support/linearised.hpp"
 

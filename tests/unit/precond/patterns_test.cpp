@@ -1,6 +1,6 @@
-#include "precond/patterns.hpp"
+#include "precond/schur/patterns.hpp"
 
-#include "precond/pattern_matrix.hpp"
+#include "precond/schur/pattern_matrix.hpp"
 #include "tests/support/linearised.hpp"
 
 namespace bulbus {

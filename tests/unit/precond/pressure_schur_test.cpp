@@ -1,6 +1,6 @@
-#include "precond/line_pressure_stiffness.hpp"
-#include "precond/pressure_schur.hpp"
-#include "precond/rough.hpp"
+#include "precond/schur/line_pressure_stiffness.hpp"
+#include "precond/schur/pressure_schur.hpp"
+#include "precond/schur/rough.hpp"
 
 #include <random>
 

@@ -1,9 +1,9 @@
-#include "precond/single_block.hpp"
+#include "precond/operators/single_block.hpp"
 
 #include <gtest/gtest.h>
 
-#include "precond/displacement.hpp"
-#include "precond/smoother.hpp"
+#include "precond/operators/displacement.hpp"
+#include "precond/smoothers/smoother.hpp"
 #include "tests/support/small_eye.hpp"
 #include "tests/support/linearised.hpp"
 

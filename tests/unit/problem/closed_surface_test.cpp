@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/mesh/generate.hpp"
+#include "core/mesh/generate/generate.hpp"
 
 namespace bulbus {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/mesh/partition.hpp"
+#include "core/mesh/distributed/partition.hpp"
 #include "tests/support/solids.hpp"
 
 namespace bulbus {

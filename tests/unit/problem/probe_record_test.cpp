@@ -1,4 +1,4 @@
-#include "core/problem/probe_record.hpp"
+#include "core/problem/probes/probe_record.hpp"
 
 #include <gtest/gtest.h>
 

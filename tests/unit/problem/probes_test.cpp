@@ -1,4 +1,4 @@
-#include "core/problem/probes.hpp"
+#include "core/problem/probes/probes.hpp"
 
 #include <gtest/gtest.h>
 

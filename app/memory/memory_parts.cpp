@@ -1,0 +1,166 @@
+#include "app/memory/memory_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/solve/direct_memory.hpp"
+#include "core/solve/fgmres.hpp"
+#include "precond/operators/displacement.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
+// Krylov vectors of a solve: only those that it needs are made
+constexpr int usual_basis = 20, basis_with_hierarchy = 18, basis_of_easy_solves = 8;
+
+// Does a run end before weak pressure patterns and tight solves matter?
+bool easy(const NewtonSettings& newton) { return std::min(newton.force, newton.volume) >= 1e-4; }
+
+using Size = RunSize::Level;
+
+// The basis, and work vectors in double precision.
+double krylov_bytes(const Size& s, const SolverSettings& solver, int refinements) {
+  const int most = easy(solver.newton) ? basis_of_easy_solves
+                   : refinements > 0   ? basis_with_hierarchy
+                                       : usual_basis;
+  const double vector = solver.newton.eta_max < least_of_plain_method ? 2 * number : single;
+  return (std::min(solver.linear.restart, most) * vector + 6 * number) * s.unknowns();
+}
+
+// Scaling, liquid columns and the room of a product; moduli and penalties; strain, or mean tangents and
+// places in single precision.
+double system_bytes(const Size& s, double liquids, const LinearSettings& l) {
+  const double cache = l.op == "cache"       ? 7 * 8 * single * s.hexes
+                       : l.op == "assembled" ? 27 * 9 * number * s.nodes
+                                             : 0;
+  const double smoothed = chosen_precision(l) == Precision::full
+                              ? 0
+                              : sizeof(SingleTangent) / 16. * s.hexes + sizeof(NodeSingle) * s.nodes;
+  return number * (s.unknowns() + (2 + liquids) * s.nodal() + 2 * s.hexes) + smoothed + cache;
+}
+
+// Line factors; Chebyshev's and the cycle's vectors; interpolation from a coarser level.
+double smoother_bytes(const Size& s, const LinearSettings& l) {
+  const double vectors = chosen_precision(l) == Precision::full ? 5 * 3 * number : 4 * sizeof(NodeSingle);
+  return (15 * single + 8 + vectors + 3 * number + 4 + 3.4 * 8) * s.nodes;
+}
+
+// Nodal room of K; vectors. Of a refined mesh the matrix of slow patterns: pairs of coarser hexahedra,
+// measured on eyes, where lines run through five and more of them; on one refined twice K's own lines. What
+// setting it up needs besides is less than a Krylov basis that is still short.
+double pressure_bytes(const Size& s, int refinements) {
+  const double K = sizeof(NodeSingle) * s.nodes;
+  if (refinements == 0) return K + 6 * number * s.hexes + 2 * number * s.nodes;
+  const double coarser = s.hexes / (refinements == 1 ? 8 : 64),
+               pairs = 20 * coarser * std::max(1.0, std::cbrt(coarser / 7350));
+  return refinements == 1 ? 72 * pairs : K + 15 * single * s.nodes + 54 * s.hexes + 408 * pairs;
+}
+
+// Blocks of 3 x 3 or 6 x 6 and their triplets on the way to MUMPS: a block's upper half, each number with its
+// row and column.
+double triplet_bytes(double rows, int block, double neighbours) {
+  return 12 * block * block * neighbours / 2 * rows / block;
+}
+
+// MUMPS on the displacement block of a base mesh: its code and buffers, matrix and factors, measured on eyes,
+// blocks and balls.
+double base_bytes(const Size& s, const LinearSettings& l) {
+  return 5 * megabyte + triplet_bytes(s.nodal(), 3, 27) +
+         (chosen_precision(l) == Precision::full ? 178 : 89) * std::pow(s.nodal(), 4.0 / 3);
+}
+
+void add_coarser_levels(const RunSize& size, const LinearSettings& l, std::vector<MemoryPart>& parts) {
+  double levels = 0;
+  for (std::size_t k = 1; k + 1 < size.levels.size(); ++k) {
+    const Size& s = size.levels[k];
+    levels += system_bytes(s, size.liquids, l) + smoother_bytes(s, l) + 3 * number * s.unknowns();
+  }
+  parts.push_back({"coarser levels", levels});
+  parts.push_back({"base factors", base_bytes(size.levels.back(), l)});
+}
+
+// Aggregates' matrix of 6 x 6 blocks and its factors by MUMPS: with all 27 neighbours, and fewer where the
+// body is thin; separators, and so factors, grow with the body's extent. Measured on blocks, cylinders,
+// shells and eyes of 3,600 to 47,000 hexahedra. While the factors are made there are blocks and triplets
+// besides.
+double aggregation_bytes(const Size& s, const LinearSettings& l) {
+  const double aggregates = s.nodes / l.aggregation.nodes, round = sphericity(s.hexes, s.nodes),
+               neighbours = 27 * std::min(1., .5 + .8 * round);
+  const double factors = (neighbours / 27 * 1350 + 18 * round * std::cbrt(s.nodes)) * 16 * aggregates;
+  return (chosen_precision(l) == Precision::full ? 1.4 : 1) * factors +
+         36 * single * neighbours / 2 * aggregates + triplet_bytes(6 * aggregates, 6, neighbours);
+}
+
+// Of hypre's hierarchies, and of the nodes' blocks.
+double coarse_bytes(const std::string& name, const Size& s, const LinearSettings& l) {
+  if (name == "aggregation") return aggregation_bytes(s, l);
+  if (name == "jacobi") return 9 * 12 * s.nodes;
+  return (name == "boomeramg" || name == "boomeramg_nodal" ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes;
+}
+
+void add_direct(const Size& s, int ranks, std::vector<MemoryPart>& parts) {
+  parts.push_back({"matrix and its copies", direct_matrix_bytes(s.hexes)});
+  parts.push_back({"factors", direct_factor_bytes(s.unknowns(), s.hexes, s.nodes, ranks)});
+}
+
+void add_iterative(const RunSize& size, const SolverSettings& solver, std::vector<MemoryPart>& parts) {
+  const LinearSettings& l = solver.linear;
+  const Size& s = size.levels.front();
+  const bool hierarchy = size.levels.size() > 1;
+  const std::string name = l.displacement != "auto" ? l.displacement
+                           : hierarchy              ? "multigrid"
+                                                    : "aggregation";
+  parts.push_back({"operator", system_bytes(s, size.liquids, l)});
+  parts.push_back({"smoother", smoother_bytes(s, l) + (1 + size.liquids) * number * s.nodal()});
+  parts.push_back({"Krylov basis", krylov_bytes(s, solver, size.refinements)});
+  if (!easy(solver.newton)) parts.push_back({"element pressures", pressure_bytes(s, size.refinements)});
+  if (name == "multigrid" && hierarchy)
+    add_coarser_levels(size, l, parts);
+  else
+    parts.push_back({"coarse matrix", coarse_bytes(name, s, l)});
+}
+
+}  // namespace
+
+double sum_of(const std::vector<MemoryPart>& parts) {
+  return std::accumulate(parts.begin(), parts.end(), 0.,
+                         [](double sum, const MemoryPart& p) { return sum + p.bytes; });
+}
+
+std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scene) {
+  const Size& s = size.levels.front();
+  std::vector<MemoryPart> parts;
+  // their code and buffers become resident when they are first called
+  parts.push_back({"libraries at work", 10 * megabyte * size.ranks});
+  // MUMPS sends fronts from rank to rank
+  if (size.ranks > 1) parts.push_back({"message buffers", 8 * megabyte * size.ranks});
+  // of a point: place, normal and area now, on trial, at the last search and at the start of the increment,
+  // multipliers and history of its pieces, candidates, its block of the tangent; measured on the encircling
+  // eye
+  if (size.contact_points > 0) parts.push_back({"contacts", 800 * size.contact_points});
+  // states at rest, on trial and of a probe's beginning, right-hand side and solution
+  parts.push_back({"states and residuals", number * 5 * s.unknowns()});
+  // fields on their way to a file, measured; elsewhere they are less than a Krylov basis, which is gone by
+  // then
+  if (scene.output.vtk && easy(scene.solver.newton)) parts.push_back({"results", 20 * megabyte});
+  // the state that a step begins with; on their way to the file, nodes and hexahedra with their keys
+  parts.push_back({"checkpoints",
+                   scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});
+  if (scene.solver.linear.method == "direct")
+    add_direct(s, size.ranks, parts);
+  else
+    add_iterative(size, scene.solver, parts);
+  return parts;
+}
+
+double bytes_of_last_resort(const RunSize& size, const Scene& scene) {
+  const LinearSettings& l = scene.solver.linear;
+  if (l.method == "direct" || l.fallback != "direct") return 0;
+  std::vector<MemoryPart> parts;
+  add_direct(size.levels.front(), size.ranks, parts);
+  return sum_of(parts);
+}
+
+}  // namespace bulbus

@@ -1,0 +1,75 @@
+#pragma once
+#include <memory>
+
+#include "app/records/folder.hpp"
+#include "app/prepare.hpp"
+#include "app/scene/scene.hpp"
+#include "core/problem/problem.hpp"
+#include "core/solve/march.hpp"
+
+namespace bulbus {
+
+/// What a run keeps besides state and problem.
+class Remembering {
+ public:
+  virtual ~Remembering() = default;
+  /// At this place of the march. Collective.
+  virtual void remember(Keeper& keeper, const MarchPlace& place) = 0;
+};
+
+/// Where a run goes on.
+struct Resumed {
+  MarchPlace place;
+  State start, state;  ///< of the step, and now
+};
+
+/// The file of a run's folder.
+std::string checkpoint_in(const std::string& folder);
+
+/// A checkpoint that may be gone on from.
+class Checkpoint {
+ public:
+  /// Throws InputError if it is damaged, or of another problem. Collective.
+  Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
+  const MarchPlace& place() const { return place_; }
+  /// Brings problem and records, both new, to where they were. Collective.
+  Resumed resume(Problem& problem, Remembering& records);
+
+ private:
+  std::unique_ptr<Keeper> kept_;
+  MarchPlace place_;
+};
+
+/// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
+class Checkpoints {
+ public:
+  Checkpoints(const Scene& scene, const Prepared& prepared, Remembering& records, ResultsFolder& folder)
+      : scene_(scene),
+        inputs_(prepared.inputs),
+        problem_(*prepared.problem),
+        records_(records),
+        folder_(folder),
+        every_(scene.output.checkpoint) {}
+
+  /// Keeps where a step begins.
+  void step_begins(const State& start);
+  /// Writes if it is this increment's turn, or the last chance. Collective. Throws std::runtime_error.
+  void rests(MarchPlace place, State& state, bool last);
+  /// Writes unless this state is written. Collective. Throws std::runtime_error.
+  void interrupted(MarchPlace place, State& state);
+  void resumed(const Resumed& from);
+  std::size_t bytes() const;
+
+ private:
+  void write(MarchPlace& place, State& state);
+
+  const Scene& scene_;
+  std::vector<InputFile> inputs_;
+  Problem& problem_;
+  Remembering& records_;
+  ResultsFolder& folder_;
+  int every_, written_ = -1;
+  State start_;
+};
+
+}  // namespace bulbus

@@ -1,0 +1,69 @@
+#include "app/records/contact_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace bulbus {
+namespace {
+
+using json = nlohmann::json;
+
+void add(Wrench& sum, const Wrench& w) {
+  for (int c = 0; c < 3; ++c) sum.force[c] += w.force[c], sum.moment[c] += w.moment[c];
+}
+
+}  // namespace
+
+json contacts_summary(const Operation& operation, const std::vector<ContactStanding>& standings) {
+  json all = json::object();
+  for (std::size_t k = 0; k < operation.contacts().size(); ++k) {
+    const auto& contact = operation.contacts()[k];
+    const ContactStanding& now = standings[k];
+    json& one = all[contact.spec.name] = {{"penalty", contact.penalty},
+                                          {"thickness", contact.thickness},
+                                          {"active_nodes", now.touching},
+                                          {"area", now.area},
+                                          {"largest_pressure", now.pressure},
+                                          {"largest_penetration", now.penetration}};
+    if (contact.spec.tolerance > 0)
+      one["augmentation"] = {{"updates", now.augmentation.updates},
+                             {"violation", now.augmentation.violation},
+                             {"gave_up", now.augmentation.gave_up}};
+  }
+  return all;
+}
+
+std::vector<std::string> deep_contacts(const Operation& operation, const std::vector<ContactStanding>& standings) {
+  constexpr double deep = 0.1;
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < standings.size(); ++k) {
+    const auto& contact = operation.contacts()[k];
+    if (standings[k].penetration > deep * contact.thickness)
+      sentences.push_back(fmt::format(
+          "contact '{}' lets its slave in by {:.3g} mm, {:.0f} % of the thinner layer: its force depends on the penalty. Give a `penalty` larger than {:.3g} MPa/mm{}",
+          contact.spec.name, standings[k].penetration, 100 * standings[k].penetration / contact.thickness, contact.penalty,
+          contact.spec.two_way ? "" : ", or a `tolerance`"));
+  }
+  return sentences;
+}
+
+json bodies_summary(const Problem& problem, const Operation& operation, const std::vector<ContactStanding>& standings) {
+  json all = json::object();
+  for (const auto& [name, body] : operation.bodies()) {
+    std::vector<Wrench> parts(body->parts.size());
+    Wrench sum;
+    for (std::size_t k = 0; k < operation.contacts().size(); ++k)
+      if (operation.contacts()[k].body == body)
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+          add(parts[p], standings[k].on_master[p]);
+          add(sum, standings[k].on_master[p]);
+        }
+    const auto whole = probes::with_images(problem, {sum.force, sum.moment});
+    json& one = all[name] = {{"force", whole.force}, {"moment", whole.moment}, {"parts", json::array()}};
+    for (const Wrench& w : parts) one["parts"].push_back({{"force", w.force}, {"moment", w.moment}});
+  }
+  return all;
+}
+
+}  // namespace bulbus

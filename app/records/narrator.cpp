@@ -1,0 +1,104 @@
+#include "app/records/narrator.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/memory/sizes.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double worth_telling = 10;  // seconds to go
+
+}  // namespace
+
+std::string duration(double seconds) {
+  if (seconds < 10) return fmt::format("{:.1f} s", seconds);
+  const long long s = std::llround(seconds);
+  if (s < 60) return fmt::format("{} s", s);
+  if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
+}
+
+Narrator::Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience)
+    : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)), forecast_(stepping), patience_(patience) {}
+
+void Narrator::resumes(const MarchPlace& place) {
+  log_.info("");
+  log_.info(fmt::format("goes on after increment {}: {:.4g} of step {} of {} is done", place.report.increments, place.done, place.step + 1,
+                        model_.steps.size()));
+}
+
+void Narrator::step_begins(int step, const StepSpec& spec, const State&) {
+  log_.info("");
+  log_.info(fmt::format("step {} of {}{}: {} increment{}", step + 1, model_.steps.size(),
+                        spec.name.empty() ? "" : " '" + spec.name + "'", spec.increments,
+                        spec.increments == 1 ? "" : "s"));
+}
+
+void Narrator::increment_begins(int, double from, double to) {
+  log_.info(fmt::format("  from {:.4g} to {:.4g} of the step", from, to));
+  log_.info("     it  force     volume    liquid    eta      Krylov  reduced  length  elapsed");
+  told_ = Clock::now();
+}
+
+void Narrator::newton_iteration(const NewtonIteration& i) {
+  std::string line = fmt::format("    {:>3}  {:.2e}  {:.2e}  {:.2e}", i.number, i.balance.force,
+                                 i.balance.volume, i.balance.liquid);
+  if (i.step > 0 || i.linear.ok)
+    line += fmt::format("  {:.1e}  {:>6}  {:.1e}  {:<6.3g}  {}", i.tolerance, i.linear.iterations,
+                        i.linear.reduction, i.step, duration(elapsed()));
+  if (i.linear.negative_pivots >= 0) line += fmt::format("  {} negative pivots", i.linear.negative_pivots);
+  if (i.linear.by_fallback) line += "  by MUMPS" + (i.linear.reason.empty() ? "" : " (" + i.linear.reason + ")");
+  if (!i.balance.region.empty()) line += "  (" + i.balance.region + ")";
+  log_.info(line);
+  told_ = Clock::now();
+}
+
+bool Narrator::unstable(const NewtonReport& report) const {
+  return report.negative_curvature || (report.negative_pivots >= 0 && report.negative_pivots != stable_pivots_);
+}
+
+void Narrator::solve_lasts(const SolveProgress& p) {
+  const double now = Clock::now();
+  if (now - told_ < patience_) return;
+  told_ = now;
+  log_.info(fmt::format("         linear solve: {} Krylov iterations, residual {:.1e} of {:.1e}  {}", p.iteration, p.residual, p.tolerance,
+                        duration(elapsed())));
+}
+
+void Narrator::increment_cut(const NewtonReport& report, double from, double to) {
+  log_.info(fmt::format("  cut: {:.4g} to {:.4g} did not converge after {} iterations: {}", from, to,
+                        report.iterations.size(), report.reason));
+}
+
+void Narrator::increment_done(const Increment& i, const State&) {
+  const double left = forecast_.after(i, model_.steps, Clock::now() - since_);
+  since_ = Clock::now();
+  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}{}", i.number, i.newton.iterations.size(),
+                        i.newton.krylov_iterations, duration(i.seconds),
+                        left < worth_telling ? "" : "; about " + duration(left) + " to go"));
+  const long long surplus = i.newton.negative_pivots - stable_pivots_;
+  if (i.newton.negative_pivots >= 0 && surplus != 0)
+    log_.warn(fmt::format(
+        "not a stable equilibrium: {} negative pivot(s) more than one has. The body would leave it at the "
+        "least push; prescribe the motion that is missing, or judge the figures with care.",
+        surplus));
+  if (i.newton.negative_curvature)
+    log_.warn("perhaps not a stable equilibrium: the last Newton step has negative curvature. Compare with solver.linear.method: direct, "
+              "which counts the negative pivots.");
+}
+
+void Narrator::contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings) {
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    log_.info(fmt::format("    contact {}: {} nodes touch, largest penetration {:.3g} mm", contacts[k].spec.name,
+                          standings[k].touching, standings[k].penetration));
+}
+
+void Narrator::probes(const ProbeSet& probes, const ProbeValues& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i]) log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), *values[i], probes.unit(i)));
+}
+
+}  // namespace bulbus

@@ -1,0 +1,185 @@
+#include "app/records/recorder.hpp"
+
+#include <algorithm>
+
+#include "app/memory/sizes.hpp"
+#include "contact/operation_probes.hpp"
+#include "core/io/output.hpp"
+
+namespace bulbus {
+namespace {
+
+std::vector<std::string> history_columns(const ProbeSet& probes) {
+  std::vector<std::string> columns{"increment", "step", "time"};
+  for (std::size_t i = 0; i < probes.size(); ++i) columns.push_back(probes.name(i));
+  for (const char* c : {"newton_iterations", "krylov_iterations", "cuts", "seconds"}) columns.emplace_back(c);
+  return columns;
+}
+
+std::vector<std::string> krylov_columns() {
+  return {"increment",        "newton",          "iteration",           "residual",          "displacement",
+          "element_pressure", "liquid_pressure", "smallest_eigenvalue", "largest_eigenvalue"};
+}
+
+}  // namespace
+
+Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& folder, const Log& log,
+                   Meters& meters, FileStart start)
+    : problem_(*prepared.problem),
+      log_(log),
+      operation_(prepared.operation),
+      meters_(meters),
+      narrator_(log, problem_, scene.solver.stepping),
+      witness_(problem_, static_cast<int>(stable_pivots(problem_))),
+      probes_(problem_, operation_probes(operation_)),
+      record_(probes_),
+      results_(scene.output, operation_, folder),
+      checkpoints_(scene, prepared, *this, folder) {
+  const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
+  folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file}
+                      : std::vector<std::string>{history_file});
+  write_together(problem_.comm(), [&] {
+    if (problem_.comm().rank() != 0) return;
+    history_.emplace(folder.path() + "/" + history_file, history_columns(probes_), start);
+    if (krylov) krylov_.emplace(folder.path() + "/" + krylov_file, krylov_columns(), start);
+  });
+}
+
+void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
+  steps_.push_back({.name = spec.name});
+  narrator_.step_begins(step, spec, start);
+  witness_.step_begins(step, start);
+  checkpoints_.step_begins(start);
+  meters_.memory.set("checkpoints", checkpoints_.bytes());
+}
+
+void Recorder::increment_begins(int step, double from, double to) {
+  since_ = Clock::now();
+  narrator_.increment_begins(step, from, to);
+}
+
+void Recorder::newton_iteration(const NewtonIteration& i) {
+  narrator_.newton_iteration(i);
+  if (i.linear.factor) {
+    factor_ = i.linear.factor;
+    worst_reduction_ = std::max(worst_reduction_, i.linear.reduction);
+  }
+  if (!krylov_ || !fault_.empty()) return;
+  try {
+    append_krylov(i);
+  } catch (const std::runtime_error& e) {
+    fault_ = e.what();  // the other ranks hear of it when the increment is done
+  }
+}
+
+void Recorder::append_krylov(const NewtonIteration& i) {
+  for (std::size_t k = 0; k < i.linear.history.size(); ++k) {
+    std::vector<CsvTable::Cell> row{static_cast<long long>(increments_ + 1), static_cast<long long>(i.number),
+                                    static_cast<long long>(k), i.linear.history[k]};
+    const bool known = k < i.linear.blocks.size();
+    for (int block = 0; block < 3; ++block)
+      row.push_back(known ? CsvTable::Cell(i.linear.blocks[k][block]) : CsvTable::Cell(std::string()));
+    for (double e : i.linear.spectrum) row.emplace_back(e);
+    krylov_->append(row);
+  }
+}
+
+void Recorder::count(const NewtonReport& report) {
+  StepRecord& step = steps_.back();
+  step.newton_iterations += static_cast<int>(report.iterations.size());
+  step.krylov_iterations += report.krylov_iterations;
+  step.seconds += Clock::now() - since_;
+  if (report.negative_pivots >= 0 || report.krylov_iterations > 0) negative_pivots_ = report.negative_pivots;
+  direct_solves_ += report.direct_solves;
+}
+
+void Recorder::increment_cut(const NewtonReport& report, double from, double to) {
+  count(report);
+  ++steps_.back().cuts;
+  ++cuts_;
+  narrator_.increment_cut(report, from, to);
+  witness_.increment_cut(report);
+}
+
+void Recorder::increment_done(const Increment& increment, const State& state) {
+  const auto scope = meters_.clock.measure("records");
+  count(increment.newton);
+  ++steps_.back().increments;
+  unstable_increments_ += narrator_.unstable(increment.newton);
+  increments_ = increment.number;
+  witness_.increment_done(increment, state);
+  Snapshot snapshot(problem_, state);
+  if (increment.progress == 1) record_.step_ended(increment.step, snapshot);
+  take(snapshot);
+  narrator_.increment_done(increment, state);
+  narrator_.contacts(operation_->contacts(), contacts_);
+  narrator_.probes(probes_, values_);
+  write_together(problem_.comm(), [&] {
+    if (history_) append_history(increment);
+    if (!fault_.empty()) throw std::runtime_error(fault_);
+    log_.require_written();
+  });
+  results_.increment_done(increment.number, increment.time, snapshot);
+}
+
+void Recorder::rests(const MarchPlace& place, State& state, bool last) {
+  const auto scope = meters_.clock.measure("checkpoints");
+  checkpoints_.rests(place, state, last);
+}
+
+void Recorder::interrupted(const MarchPlace& place, State& state) {
+  const auto scope = meters_.clock.measure("checkpoints");
+  checkpoints_.interrupted(place, state);
+}
+
+void Recorder::remember(Keeper& keeper, const MarchPlace& place) {
+  keeper.scalars("counts", increments_, cuts_, negative_pivots_);
+  if (!keeper.reading() || keeper.knows("linear solver")) keeper.scalars("linear solver", direct_solves_, unstable_increments_);
+  steps_.resize(place.step + 1);
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    StepRecord& s = steps_[k];
+    s.name = problem_.model().steps[k].name;
+    keeper.scalars("step " + std::to_string(k), s.increments, s.newton_iterations, s.krylov_iterations, s.cuts, s.seconds);
+  }
+  record_.remember(keeper, place.step + (place.done == 1));
+  results_.remember(keeper, problem_.comm());
+}
+
+Resumed Recorder::resume(Checkpoint& checkpoint) {
+  Resumed from = checkpoint.resume(problem_, *this);
+  checkpoints_.resumed(from);
+  narrator_.resumes(from.place);
+  if (from.place.begun) witness_.step_begins(from.place.step, from.start);
+  return from;
+}
+
+std::string Recorder::diagnosis(const State& last) const {
+  const bool touching = std::ranges::any_of(contacts_, [](const ContactStanding& c) { return c.touching > 0; });
+  return bulbus::diagnosis(witness_.facts(last, touching));
+}
+
+void Recorder::take(Snapshot& snapshot) {
+  taken_ = true;
+  values_ = record_.values(snapshot);
+  contacts_.clear();
+  for (const Operation::Contact& contact : operation_->contacts()) contacts_.push_back(standing(contact, snapshot));
+}
+
+void Recorder::append_history(const Increment& i) {
+  std::vector<CsvTable::Cell> row{static_cast<long long>(i.number), i.step_name, i.time};
+  for (const auto& value : values_) row.push_back(value ? CsvTable::Cell(*value) : CsvTable::Cell(std::string()));
+  row.emplace_back(static_cast<long long>(i.newton.iterations.size()));
+  row.emplace_back(static_cast<long long>(i.newton.krylov_iterations));
+  row.emplace_back(static_cast<long long>(cuts_));
+  row.emplace_back(i.seconds);
+  history_->append(row);
+}
+
+void Recorder::finish(const State& state) {
+  const auto scope = meters_.clock.measure("records");
+  Snapshot snapshot(problem_, state);
+  if (!taken_) take(snapshot);
+  results_.finish(snapshot);
+}
+
+}  // namespace bulbus

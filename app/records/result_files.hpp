@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+
+#include "app/records/body_files.hpp"
+#include "app/records/folder.hpp"
+#include "app/scene/scene.hpp"
+#include "core/io/series.hpp"
+#include "core/problem/probes/probe_snapshot.hpp"
+
+namespace bulbus {
+
+/// result_0001.vtkhdf and so on with their series, and the rigid bodies: each n-th converged increment, and the
+/// last.
+class ResultFiles {
+ public:
+  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation,
+              ResultsFolder& folder);
+
+  /// Saves if it is this increment's turn. Collective. Throws std::runtime_error.
+  void increment_done(int number, double time, Snapshot& snapshot);
+  /// Saves the state of the last increment unless that is done. Collective. Throws std::runtime_error.
+  void finish(Snapshot& snapshot);
+  /// Which increments have their files, and when they were. Collective.
+  void remember(Keeper& keeper, const Comm& comm);
+
+ private:
+  void save(Snapshot& snapshot);
+  void claim_indices();
+  void list(int number, double time);
+
+  OutputSettings settings_;
+  std::shared_ptr<const Operation> operation_;
+  ResultsFolder& folder_;
+  Series series_;
+  BodyFiles bodies_;
+  int last_ = 0;
+  double time_ = 0;
+  std::vector<double> saved_;  // number and time of each
+};
+
+}  // namespace bulbus

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <charconv>
+
+#include "app/scene/entry.hpp"
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> parts{""};
+  for (char c : path)
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::string name_of(const Entry& item) {
+  for (const char* key : {"name", "set", "body"})
+    if (const Entry* name = item.find(key); name && name->is(Entry::Kind::word)) return name->text;
+  return "";
+}
+
+Entry& in_list(Entry& list, const std::string& part, const Place& place) {
+  std::size_t index = 0;
+  const auto [end, fault] = std::from_chars(part.data(), part.data() + part.size(), index);
+  const bool numeric = fault == std::errc{} && end == part.data() + part.size();
+  if (numeric && index < list.items.size()) return list.items[index];
+  std::vector<std::string> names;
+  for (Entry& item : list.items) {
+    if (name_of(item) == part) return item;
+    names.push_back(name_of(item));
+  }
+  const std::string near = numeric ? "" : nearest(part, names);
+  throw input_error(
+      place.file, place.line, "no entry '" + part + "' in a list of " + std::to_string(list.items.size()),
+      near.empty() ? "entries count from 0, or go by their name" : "did you mean '" + near + "'?");
+}
+
+// A word or nothing on the way becomes a map: the reader then says whether a map may stand there.
+Entry& in_map(Entry& entry, const std::string& part, const Place& place) {
+  if (!entry.is(Entry::Kind::map)) entry = Entry::empty(Entry::Kind::map, place);
+  if (Entry* known = entry.find(part)) return *known;
+  return entry.insert(part, place, Entry::empty(Entry::Kind::nothing, place));
+}
+
+}  // namespace
+
+Place place_of(const Entry& root, const std::string& path) {
+  const Entry* at = &root;
+  Place place = root.place;
+  for (const std::string& part : split(path)) {
+    std::size_t index = at->items.size();
+    if (at->is(Entry::Kind::map))
+      index = std::find(at->keys.begin(), at->keys.end(), part) - at->keys.begin();
+    else if (at->is(Entry::Kind::list))
+      std::from_chars(part.data(), part.data() + part.size(), index);
+    if (index >= at->items.size()) break;
+    place = at->is(Entry::Kind::map) ? at->key_places[index] : at->items[index].place;
+    at = &at->items[index];
+    if (at->place.file != place.file) place = at->place;  // an override, or a study: it stands behind the key of the scene
+  }
+  return place;
+}
+
+void set_at(Entry& root, const std::string& path, const Place& place, Entry value) {
+  Entry* at = &root;
+  for (const std::string& part : split(path)) {
+    if (part.empty())
+      throw input_error(place.file, place.line, "an empty name in the path '" + path + "'", "write path.to.key");
+    at = at->is(Entry::Kind::list) ? &in_list(*at, part, place) : &in_map(*at, part, place);
+  }
+  *at = std::move(value);
+}
+
+void apply_override(Entry& root, const std::string& assignment) {
+  // every value that it gives keeps the place
+  constexpr std::size_t shown = 200;
+  const Place place{"--set " + (assignment.size() > shown ? assignment.substr(0, shown) + " ..." : assignment), 0};
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw input_error(place.file, 0, "not of the form path.to.key=value",
+                      "such as --set steps.0.increments=4");
+  const std::string value = assignment.substr(equals + 1);
+  set_at(root, assignment.substr(0, equals), place,
+         value.empty() ? Entry::word("", place) : parse_word(value, place.file));
+}
+
+}  // namespace bulbus

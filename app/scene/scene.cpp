@@ -1,0 +1,81 @@
+#include "app/scene/scene.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "app/scene/reader.hpp"
+
+namespace bulbus {
+namespace {
+
+Entry with_overrides(Entry root, const std::vector<std::string>& overrides) {
+  for (const std::string& assignment : overrides) apply_override(root, assignment);
+  return root;
+}
+
+// Relative files count from the folder of the scene.
+void place_files(Scene& scene, const std::string& path) {
+  namespace fs = std::filesystem;
+  const auto place = [&](std::string& file) { file = (fs::absolute(path).parent_path() / file).lexically_normal().string(); };
+  if (scene.mesh.file) place(*scene.mesh.file);
+  for (auto& [name, body] : scene.model.rigid_bodies)
+    if (body.file) place(body.file->path);
+}
+
+// Columns of history.csv beside the probes.
+const std::set<std::string> columns{"increment", "step", "time", "newton_iterations", "krylov_iterations", "cuts", "seconds"};
+
+template <class Range>
+void refuse_twins(const Range& named, const std::string& key) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < named.size(); ++i)
+    if (!named[i].name.empty() && !seen.insert(named[i].name).second)
+      throw scene_error(key + "." + std::to_string(i) + ".name", "two " + key + " are named '" + named[i].name + "'", "give each its own name");
+}
+
+}  // namespace
+
+void Scene::validate() const {
+  refuse_twins(model.probes, "probes");
+  refuse_twins(model.steps, "steps");
+  for (std::size_t i = 0; i < model.probes.size(); ++i)
+    if (columns.contains(model.probes[i].name))
+      throw scene_error("probes." + std::to_string(i) + ".name", "history.csv has a column '" + model.probes[i].name + "' of its own",
+                        "give the probe another name");
+  for (std::size_t i = 0; i < model.symmetry.size(); ++i)
+    if (std::count(model.symmetry.begin(), model.symmetry.begin() + static_cast<long>(i), model.symmetry[i]) > 0)
+      throw scene_error("symmetry." + std::to_string(i), "the plane '" + model.symmetry[i] + "' is given twice: figures of the whole would be doubled",
+                        "name every plane once");
+}
+
+void Scene::take_preset() { solver.linear.take_mesh(mesh.refine); }
+
+Scene scene_of(const Entry& root, const std::string& path) {
+  Scene scene;
+  reader::read_struct(root, "", scene);
+  place_files(scene, path);
+  return scene;
+}
+
+Scene parse_scene(const std::string& text, const std::string& path,
+                  const std::vector<std::string>& overrides) {
+  return scene_of(with_overrides(parse_yaml(text, path), overrides), path);
+}
+
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
+  return scene_of(with_overrides(read_yaml(path), overrides), path);
+}
+
+InputError located(const InputError& fault, const Entry& root) {
+  if (fault.key.empty()) return fault;
+  const Place place = place_of(root, fault.key);
+  return input_error(place.file, place.line, fault.key + ": " + fault.what(), "");
+}
+
+InputError located(const InputError& fault, const std::string& path,
+                   const std::vector<std::string>& overrides) {
+  return fault.key.empty() ? fault : located(fault, with_overrides(read_yaml(path), overrides));
+}
+
+}  // namespace bulbus

@@ -1,0 +1,73 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/scene/entry.hpp"
+#include "app/scene/mesh_source.hpp"
+#include "core/base/error.hpp"
+#include "core/problem/model.hpp"
+#include "core/solve/settings.hpp"
+
+namespace bulbus {
+
+/// What a run saves for ParaView. The last converged increment is always saved.
+struct OutputSettings {
+  bool vtk = true;
+  int every = 1, checkpoint = 0;
+  std::vector<std::string> fields{"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure",
+                                  "contact_status"};
+  template <class V>
+  void describe(V&& v) {
+    v("vtk", vtk, About{"write result_*.vtkhdf and their series, and the rigid bodies as bodies_*.vtp with bodies.pvd"});
+    v("every", every, About{"save each n-th converged increment, and always the last"}.between(1, 1000000));
+    v("checkpoint", checkpoint,
+      About{"write checkpoint.h5, from which --restart goes on, at each n-th converged increment and at the end; 0: only where the run is interrupted"}.between(0, 1000000));
+    v("fields", fields,
+      About{"what is saved; the last three where the scene has contacts: gap in mm, pressure in MPa, 1 where closed"}.one_of(
+          {"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure", "contact_status"}));
+  }
+};
+
+/// A whole scene file, checked as far as it can be without the mesh.
+struct Scene {
+  std::string title;
+  MeshSource mesh;
+  Model model;
+  SolverSettings solver;
+  OutputSettings output;
+  template <class V>
+  void describe(V&& v) {
+    v("title", title, About{"a line for the records"});
+    v("mesh", mesh, About{"where the mesh comes from: exactly one source, and how often it is refined"}.needed());
+    model.describe(v);
+    v("solver", solver, About{"how the equations are solved"});
+    v("output", output, About{"what is saved"});
+  }
+  /// Throws InputError if two probes or two named steps share a name.
+  void validate() const;
+  static constexpr const char* preset_key = "mesh";
+  /// Defaults of the solver that depend on the mesh; the reader calls it before the solver's settings override them.
+  void take_preset();
+};
+
+/// A scene from its YAML as data. Relative files count from the folder of `path`, the scene's, and come out
+/// absolute. Throws InputError with file, line, key, value and remedy.
+Scene scene_of(const Entry& root, const std::string& path);
+
+/// Reads a scene file, after `path.to.key=value` overrides in their order. Throws InputError.
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same from text; `path` is the name in messages and gives the folder.
+Scene parse_scene(const std::string& text, const std::string& path,
+                  const std::vector<std::string>& overrides = {});
+
+/// The message of a fault that knows only its key, with the place where the scene gives that key (or the
+/// nearest map around it). A fault without a key comes back as it is.
+InputError located(const InputError& fault, const Entry& root);
+InputError located(const InputError& fault, const std::string& path,
+                   const std::vector<std::string>& overrides = {});
+
+/// The scene as YAML with every default written out. Reading it back gives the same scene.
+std::string resolved_yaml(const Scene& scene);
+
+}  // namespace bulbus

@@ -1,0 +1,102 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/scene/help.hpp"
+#include "app/scene/outline.hpp"
+#include "app/scene/scene.hpp"
+
+namespace bulbus {
+namespace {
+
+using json = nlohmann::json;
+using Kind = Topic::Kind;
+
+json schema_of(const Topic& t);
+
+json number_schema(const Topic& t, const char* type) {
+  json s{{"type", type}};
+  if (t.about.quantity != Quantity::number) s["type"] = {type, "string"};  // "15 mmHg"
+  if (std::isfinite(t.about.low)) s[t.about.above ? "exclusiveMinimum" : "minimum"] = t.about.low;
+  if (std::isfinite(t.about.high)) s["maximum"] = t.about.high;
+  return s;
+}
+
+json text_schema(const Topic& t) {
+  if (t.about.formula) return {{"type", {"number", "string"}}};
+  json s{{"type", {"string", "number"}}};  // a name may look like a number
+  if (!t.about.choices.empty()) s = {{"type", "string"}, {"enum", t.about.choices}};
+  return s;
+}
+
+json point_schema(const Topic& t) {
+  return {{"type", "array"}, {"items", number_schema(t, "number")}, {"minItems", 3}, {"maxItems", 3}};
+}
+
+json group_schema(const Topic& t) {
+  json s{{"type", "object"}, {"additionalProperties", false}, {"properties", json::object()}};
+  for (const Topic& part : t.parts) {
+    s["properties"][part.key] = schema_of(part);
+    if (part.about.required) s["required"].push_back(part.key);
+  }
+  return s;
+}
+
+json shape_of(const Topic& t) {
+  switch (t.kind) {
+    case Kind::truth:
+      return {{"type", "boolean"}};
+    case Kind::integer:
+      return number_schema(t, "integer");
+    case Kind::number:
+      return number_schema(t, "number");
+    case Kind::point:
+      return point_schema(t);
+    case Kind::group:
+      return group_schema(t);
+    case Kind::list:
+      return {{"type", "array"}, {"items", shape_of(t.parts[0])}};
+    case Kind::map:
+      return {{"type", "object"}, {"additionalProperties", shape_of(t.parts[0])}};
+    case Kind::any:
+      return json::object();
+    default:
+      return text_schema(t);
+  }
+}
+
+json value_of(const Entry& e, Kind kind) {
+  json list = json::array();
+  if (e.is(Entry::Kind::list)) {
+    for (const Entry& item : e.items) list.push_back(value_of(item, kind));
+    return list;
+  }
+  if (kind == Kind::truth) return e.text == "true";
+  if (kind == Kind::integer) return std::stoi(e.text);
+  return kind == Kind::number ? json(std::stod(e.text)) : json(e.text);
+}
+
+json default_of(const Topic& t) {
+  if (t.kind == Kind::map) return json::object();
+  if (t.kind == Kind::point) return value_of(t.fallback, Kind::number);
+  return value_of(t.fallback, t.kind == Kind::list ? t.parts[0].kind : t.kind);
+}
+
+json schema_of(const Topic& t) {
+  json s = shape_of(t);
+  const std::string unit = unit_of(t.about.quantity);
+  s["description"] = t.about.help + (unit.empty() ? "" : " [" + unit + "]");
+  if (!t.about.required && !t.optional && t.kind != Kind::group) s["default"] = default_of(t);
+  return s;
+}
+
+}  // namespace
+
+nlohmann::json scene_schema() {
+  json s = shape_of(outline_of<Scene>("", About{""}));
+  s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  s["title"] = "Bulbus scene";
+  s["properties"]["mesh"]["minProperties"] = s["properties"]["mesh"]["maxProperties"] = 1;
+  return s;
+}
+
+}  // namespace bulbus

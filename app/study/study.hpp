@@ -1,0 +1,74 @@
+#pragma once
+#include "app/scene/scene.hpp"
+
+namespace bulbus {
+
+/// What a study varies: the value of one key of the scene, or of several at once.
+struct Factor {
+  std::string name, unit, baseline;
+  std::vector<std::string> keys, labels;
+  std::vector<Entry> values;
+  template <class V>
+  void describe(V&& v) {
+    v("name", name, About{"name in the records"}.needed());
+    v("keys", keys, About{"keys of the scene that all take the value"}.needed());
+    v("values", values, About{"the values, of any kind that the keys take"}.needed());
+    v("labels", labels, About{"what the records call the values, where numbers and words would not do"});
+    v("baseline", baseline,
+      About{"the value held while other factors vary (one_at_a_time); empty: the first"});
+    v("unit", unit, About{"unit in the records; empty: that of the values"});
+  }
+  /// Throws InputError unless there are keys and different values, and labels and baseline fit them.
+  void validate() const;
+
+  int levels() const { return static_cast<int>(values.size()); }
+  int baseline_level() const;
+  /// What the records call a level: its label, its number without unit, its text.
+  std::string text(int level) const;
+  /// The values, if all are numbers of one unit; else none.
+  std::vector<double> numbers() const;
+  /// The unit in the records; may be empty.
+  std::string unit_text() const;
+};
+
+/// A study file: a scene, and what to vary in it.
+struct Study {
+  std::string title, scene, design = "product";
+  std::map<std::string, Entry> set;
+  std::vector<Factor> vary;
+  std::vector<std::string> figures;
+  double tolerance = 1e-5;
+  template <class V>
+  void describe(V&& v) {
+    v("title", title, About{"a line for the records"});
+    v("scene", scene, About{"scene file; a relative path counts from the folder of the study"}.needed());
+    v("set", set, About{"keys of the scene that differ from its file in every run"});
+    v("vary", vary, About{"factors; the first with numbers is the abscissa of the figure"}.needed());
+    v("design", design,
+      About{"every combination, or one factor at a time while the others hold their baseline"}.one_of(
+          {"product", "one_at_a_time"}));
+    v("figures", figures, About{"probes for table and figure; empty: all"});
+    v("tolerance", tolerance,
+      About{"a change below this part of a figure's largest value is none"}.between(0, 1));
+  }
+  /// Throws InputError if nothing varies, two factors share a name or a key, or there are more runs than
+  /// 10,000.
+  void validate() const;
+  long long combinations() const;
+
+  Entry source;                        ///< the file as data
+  Entry scene_source;                  ///< the scene's file as data
+  std::vector<std::string> overrides;  ///< path.to.key=value for every run, after `set`
+};
+
+/// Reads a study file and that of its scene, of which no key is judged yet. `overrides` are for the scene.
+/// Throws InputError.
+Study read_study(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same from the file as data; `path` gives the folder.
+Study study_of(const Entry& source, const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Whether a file is a study and not a scene. Throws InputError if it cannot be read.
+bool is_study(const std::string& path);
+
+}  // namespace bulbus

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/study/study_design.hpp"
+
+namespace bulbus {
+namespace {
+
+// Result fields are off unless `set` wants them: a study is after its figures.
+Entry source_of(const Study& study, const Levels& levels) {
+  Entry root = study.scene_source;
+  set_at(root, "output.vtk", {}, Entry::word("false"));
+  for (const auto& [path, value] : study.set) set_at(root, path, value.place, value);
+  for (const std::string& assignment : study.overrides) apply_override(root, assignment);
+  for (std::size_t f = 0; f < study.vary.size(); ++f)
+    for (std::size_t k = 0; k < study.vary[f].keys.size(); ++k)
+      set_at(root, study.vary[f].keys[k], place_of(study.source, fmt::format("vary.{}.keys.{}", f, k)),
+             study.vary[f].values[levels[f]]);
+  return root;
+}
+
+const ProbeSpec* probe(const StudyRun& run, const std::string& name) {
+  const auto& probes = run.scene.model.probes;
+  const auto at = std::ranges::find(probes, name, &ProbeSpec::name);
+  return at == probes.end() ? nullptr : &*at;
+}
+
+std::vector<std::string> probe_names(const StudyRun& run) {
+  std::vector<std::string> names;
+  for (const ProbeSpec& p : run.scene.model.probes) names.push_back(p.name);
+  return names;
+}
+
+void expect_figure(const std::string& name, const StudyRun& run, const StudyRun& first) {
+  const ProbeSpec *here = probe(run, name), *there = probe(first, name);
+  const std::string near = nearest(name, probe_names(run));
+  if (!here)
+    throw scene_error("figures", "there is no probe '" + name + "'",
+                      near.empty() ? "name probes of the scene" : "did you mean '" + near + "'?");
+  if (here->unit != there->unit || here->label != there->label || here->kind != there->kind)
+    throw scene_error("figures",
+                      "'" + name + "' is another figure, or in another unit, than in the first run",
+                      "vary neither kind nor unit of a probe");
+}
+
+}  // namespace
+
+InputError fault_of(const InputError& fault, const Study& study, const StudyRun& run) {
+  const InputError placed = fault.key.empty() ? fault : located(fault, source_of(study, run.levels));
+  return InputError(fmt::format("{}\n  in {}: {}", placed.what(), run.name, words_of(study, run.levels)));
+}
+
+std::vector<StudyRun> plan(const Study& study) {
+  std::vector<StudyRun> runs;
+  for (const Levels& levels : levels_of(study)) {
+    runs.push_back({fmt::format("run_{:03d}", runs.size() + 1), levels, {}});
+    StudyRun& run = runs.back();
+    of_run(study, run, [&] {
+      run.scene = scene_of(source_of(study, levels), study.scene);
+    });
+  }
+  return runs;
+}
+
+std::vector<std::string> figures_of(const Study& study, const std::vector<StudyRun>& runs) {
+  const std::vector<std::string> figures = study.figures.empty() ? probe_names(runs[0]) : study.figures;
+  try {
+    for (const StudyRun& run : runs)
+      for (const std::string& name : figures) expect_figure(name, run, runs[0]);
+  } catch (const InputError& fault) {
+    throw located(fault, study.source);
+  }
+  return figures;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "contact/law/contact_area.hpp"
+#include "contact/law/contact_term.hpp"
+#include "contact/search/distances.hpp"
+#include "contact/surfaces/meridians.hpp"
+
+namespace bulbus {
+Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
+  const std::array<double, 4> deepest{mine.depth, mine.place[0], mine.place[1], mine.place[2]};
+  const auto all = comm.gather(std::span<const double>(deepest));
+  Overlap o{.points = comm.sum(mine.points)};
+  for (std::size_t r = 0; r < all.size(); r += 4)
+    if (all[r] > o.depth) o.depth = all[r], o.place = {all[r + 1], all[r + 2], all[r + 3]};
+  return o;
+}
+
+namespace {
+
+// N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may stand at right angles.
+constexpr double same_side = 0.05, same_side_of_node = 0.5;
+
+}  // namespace
+
+ContactFigures ContactTerm::figures(const State& state) const {
+  const Found& f = found(state);
+  ContactFigures sum{.penetration = penetration(f), .on_master = std::vector<Wrench>(master_.pieces())};
+  const std::vector<double> places = outermost(state.x, f.shape);
+  for (const Touch& t : f.touches) {
+    const double push = area(t) * pressure(t).value;
+    if (push == 0 || !points_[t.point].mine) continue;
+    ++sum.pairs;
+    Wrench& w = sum.on_master[t.slot % master_.pieces()];
+    const Vec3<double> force = -push * t.pair.normal;
+    const Vec3<double> moment =
+        cross({places[3 * t.point], places[3 * t.point + 1], places[3 * t.point + 2]}, force);
+    for (int c = 0; c < 3; ++c) w.force[c] += force[c], w.moment[c] += moment[c];
+  }
+  sum.area = points_.on_faces() ? area_of_points(f) : area_of_faces(state, f);
+  return sum;
+}
+
+Overlap ContactTerm::inside(const State& state, const std::function<double(const SlavePoints::Point&, double)>& allowed) const {
+  Overlap o;
+  const Found& f = found(state);
+  const std::vector<double> places = points_.places(state.x);
+  for (const Touch& t : f.touches)
+    if (points_[t.point].mine && -gap(t) > allowed(points_[t.point], f.shape.areas[t.point])) o.add(-gap(t), at(places, t.point));
+  return o;
+}
+
+Overlap ContactTerm::behind(const State& state) const {
+  Overlap o;
+  const Found& f = found(state);
+  const std::vector<double> places = points_.places(state.x);
+  const double most = points_.on_faces() ? same_side : same_side_of_node;
+  for (const Touch& t : f.touches)
+    if (points_[t.point].mine && pressure(t).value > 0 && dot(t.pair.normal, f.shape.normals[t.point]) > most) o.add(-gap(t), at(places, t.point));
+  return o;
+}
+
+double ContactTerm::area_of_points(const Found& f) const {
+  double sum = 0;
+  int counted = -1;  // a point that touches two pieces has one area
+  for (const Touch& t : f.touches) {
+    if (!points_[t.point].mine || t.point == counted || area(t) * pressure(t).value == 0) continue;
+    sum += f.shape.areas[t.point];
+    counted = t.point;
+  }
+  return sum;
+}
+
+// Each face is of the rank that owns its first corner; the others tell that rank of corners of their own.
+double ContactTerm::area_of_faces(const State& state, const Found& f) const {
+  const NodeInContact far{0, limits_.reach};
+  std::map<int, NodeInContact> of_node;
+  for (const Touch& t : f.touches) {
+    NodeInContact& n = of_node.try_emplace(points_[t.point].nodes[0], far).first->second;
+    n = {std::max(n.pressure, pressure(t).value), std::min(n.gap, gap(t))};
+  }
+  const auto faces = slave_.faces();
+  std::vector<double> told;  // number of face and corner, pressure, gap
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    for (int c = 0; c < 4 && faces[k][0] >= owned_; ++c)
+      if (const auto n = of_node.find(faces[k][c]); faces[k][c] < owned_ && n != of_node.end())
+        told.insert(told.end(), {4. * slave_.numbers()[k] + c, n->second.pressure, n->second.gap});
+  told = comm_.gather(told);
+  std::map<long long, NodeInContact> of_corner;
+  for (std::size_t k = 0; k < told.size(); k += 3)
+    of_corner[static_cast<long long>(told[k])] = {told[k + 1], told[k + 2]};
+  const auto corner = [&](std::size_t face, int c) {
+    if (std::ranges::binary_search(master_.nodes(), faces[face][c])) return NodeInContact{0, 0};
+    if (const auto n = of_node.find(faces[face][c]); n != of_node.end()) return n->second;
+    const auto n = of_corner.find(4LL * slave_.numbers()[face] + c);
+    return n == of_corner.end() ? far : n->second;
+  };
+  double sum = 0;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (faces[k][0] >= owned_) continue;
+    std::array<NodeInContact, 4> corners;
+    std::array<Vec3<double>, 4> x;
+    std::array<double, 4> lengths;
+    for (int c = 0; c < 4; ++c) corners[c] = corner(k, c), x[c] = at(state.x, faces[k][c]);
+    for (int c = 0; c < 4; ++c) lengths[c] = norm(minus(x[(c + 1) % 4], x[c]));
+    sum +=
+        part_in_contact(corners, lengths, modulus_) * norm(cross(minus(x[2], x[0]), minus(x[3], x[1]))) / 2;
+  }
+  return sum;
+}
+
+// A node's force is the sum of its points'; its gap the smallest of those that lie next to it.
+std::vector<ContactNode> ContactTerm::nodes(const State& state, double farthest) const {
+  const Found& f = found(state);
+  std::vector<double> places;
+  for (int n : slave_.nodes()) places.insert(places.end(), &state.x[3 * n], &state.x[3 * n] + 3);
+  const auto distance = distances(places, master_.at(state), farthest > 0 ? farthest : limits_.reach);
+  std::vector<ContactNode> nodes;
+  for (std::size_t i = 0; i < distance.size(); ++i) nodes.push_back({slave_.nodes()[i], distance[i]});
+  const std::vector<double> areas = points_.on_faces() ? slave_.shape(state.x).areas : f.shape.areas;
+  for (const Touch& t : f.touches) {
+    const SlavePoints::Point& point = points_[t.point];
+    const double push = area(t) * pressure(t).value;
+    const auto shares = points_.shares(t.point, state.x, t.pair.normal);
+    for (int k = 0; k < point.carriers; ++k) {
+      const auto at = std::ranges::lower_bound(slave_.nodes(), point.nodes[k]);
+      if (at == slave_.nodes().end() || *at != point.nodes[k]) continue;
+      const std::size_t i = at - slave_.nodes().begin();
+      ContactNode& n = nodes[i];
+      if (gap(t) < 0 && 2 * point.weights[k] > std::ranges::max(point.weights))
+        n.gap = std::min(n.gap, gap(t));
+      n.pressure += point.weights[k] * push / areas[i];
+      for (int c = 0; c < 3; ++c) n.force[c] += push * shares[k][c];
+      n.active |= push > 0;
+    }
+  }
+  return nodes;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "contact/law/contact_term.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr int most_updates = 20;
+
+}  // namespace
+
+void ContactTerm::begin_increment() {
+  predicted_.assign(current_.triangle.size(), 0);
+  releases_.assign(current_.triangle.size(), 0);
+  rates_.clear();
+  linearized_ = retried_ = false;
+  augmentation_ = {};
+  found_.key.clear();
+}
+
+// Bodies that a step brings to touch get there without a way; what is inside as the first step begins is in
+// contact.
+void ContactTerm::begin_step(int, const State& state) {
+  if (!start_.points.empty()) leave(state);
+  commit(state);
+}
+
+void ContactTerm::pass_step(int, const State& start) { leave(start); }
+
+void ContactTerm::set_progress(double s) {
+  fade_ = 1 - s;
+  begin_increment();
+}
+
+void ContactTerm::freeze() {
+  current_.overlap.clear();
+  committed_.overlap.clear();
+}
+
+std::string ContactTerm::refusal(const State& state) const {
+  const double motion = comm_.max(found(state).motion), most = farthest_search * limits_.reach;
+  if (motion > most)
+    return fmt::format(
+        "contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than the "
+        "search looks ({:.3g} mm), so that a contact may have been missed. Give the step more increments",
+        name_, motion, most);
+  const Overlap o = of_all_ranks(behind(state), comm_);
+  if (o.points == 0) return {};
+  return fmt::format(
+      "contact '{}': {} points of the slave have slipped around the master to its far side, the deepest at ({:.4g}, {:.4g}, {:.4g}). "
+      "The master is finer than the slave's faces can follow: give the contact more `divisions`, or refine the slave",
+      name_, o.points, o.place[0], o.place[1], o.place[2]);
+}
+
+void ContactTerm::commit(const State& state) {
+  std::ranges::fill(current_.triangle, -1);
+  for (const Touch& t : find(state, limits_, Search::remembering).touches)
+    current_.triangle[t.slot] = t.triangle;
+  committed_ = current_;
+  found_.key.clear();
+  leave(state);
+}
+
+void ContactTerm::roll_back() {
+  begin_increment();
+  current_ = committed_;
+}
+
+void ContactTerm::remember(Keeper& keeper) {
+  const Keeper::Group group(keeper, "contact " + name_);
+  keeper.scalars("augmentation", augmentation_.updates, augmentation_.violation, augmentation_.gave_up);
+  Keeper::Keys rows_of;
+  std::vector<double> rows;
+  const std::size_t all = current_.triangle.size();
+  const std::vector<double> overlap(current_.overlap.empty() ? std::vector<double>(all) : current_.overlap);
+  const auto points = points_.keys(slave_);
+  for (std::size_t k = 0; k < all; ++k) {
+    const std::size_t slot = k % slots(), face = k / slots(), point = slot / master_.pieces(),
+                      piece = slot % master_.pieces();
+    const bool worth = current_.triangle[k] >= 0 || current_.pressure[k] != 0 || overlap[k] != 0;
+    rows_of.add(
+        (points[point] * master_.pieces() + static_cast<long long>(piece)) * master_.faces_at_a_point() +
+            static_cast<long long>(face),
+        worth && points_[static_cast<int>(point)].mine);
+    rows.insert(rows.end(), {1. * current_.triangle[k], current_.pressure[k], overlap[k]});
+  }
+  if (!keeper.reading()) return keeper.rows("pairs", rows_of, 3, rows);
+  for (std::size_t k = 0; k < all; ++k) std::ranges::copy(std::array{-1., 0., 0.}, &rows[3 * k]);
+  keeper.rows("pairs", rows_of, 3, rows);
+  recall(rows);
+}
+
+// Triangle, multiplier and overlap of every slot, as at the end of an increment.
+void ContactTerm::recall(std::span<const double> rows) {
+  current_.overlap.assign(current_.triangle.size(), 0);
+  for (std::size_t k = 0; k < current_.triangle.size(); ++k) {
+    current_.triangle[k] = static_cast<int>(rows[3 * k]);
+    current_.pressure[k] = rows[3 * k + 1];
+    current_.overlap[k] = rows[3 * k + 2];
+  }
+  if (std::ranges::count(current_.overlap, 0.) == std::ssize(current_.overlap)) current_.overlap.clear();
+  committed_ = current_;
+  found_.key.clear();
+  start_.resumed = true;
+  if (!master_.rigid()) return;
+  const auto places = master_.places({});
+  start_.places.assign(places.begin(), places.end());
+}
+
+// Where an increment ends the next one's ways begin.
+void ContactTerm::leave(const State& state) {
+  start_.points = outermost(state);
+  const auto places = master_.places(state);
+  start_.places.assign(places.begin(), places.end());
+  start_.resumed = false;
+}
+
+double ContactTerm::penetration(const Found& f) const {
+  double worst = 0;
+  for (const Touch& t : f.touches) worst = std::max(worst, -gap(t));
+  return worst;
+}
+
+// What is left of G ≥ 0, pressure · G = 0.
+double ContactTerm::violation(const Found& f) const {
+  double worst = penetration(f);
+  for (const Touch& t : f.touches)
+    if (pressure(t).value > 0) worst = std::max(worst, gap(t));
+  return worst;
+}
+
+// No pair may be in tension at the end of an increment.
+bool ContactTerm::released(const Found& f) {
+  bool any = false;
+  for (const Touch& t : f.touches)
+    if (pressure(t).value < 0) predicted_[t.slot] = 0, ++releases_[t.slot], any = true;
+  return comm_.any(any);
+}
+
+// A set of active pairs that the last linear solution was not found with may not be the final one. Tried once.
+bool ContactTerm::set_changed(const Found& f) {
+  if (!linearized_ || retried_) return false;
+  std::vector<int> now;
+  for (const Touch& t : f.touches)
+    if (pressure(t).slope > 0) now.push_back(t.slot);
+  return retried_ = comm_.any(!std::ranges::equal(now, rates_, {}, {}, &PressureRate::slot));
+}
+
+bool ContactTerm::revise(const State& state) {
+  const Found& f = found(state);
+  if (set_changed(f) || released(f)) return true;
+  if (tolerance_ == 0) return false;
+  augmentation_.violation = comm_.max(violation(f));
+  if (augmentation_.violation <= tolerance_) return false;
+  augmentation_.gave_up = augmentation_.updates == most_updates;
+  if (augmentation_.gave_up) return false;
+  ++augmentation_.updates;
+  std::vector<double> p(current_.pressure.size());
+  for (const Touch& t : f.touches) p[t.slot] = std::max(0., current_.pressure[t.slot] - penalty_ * gap(t));
+  current_.pressure = std::move(p);
+  return true;
+}
+
+std::vector<double> ContactTerm::outermost(std::span<const double> x,
+                                           const SlaveSurface::Shape& shape) const {
+  std::vector<double> places = points_.places(x);
+  for (int i = 0; i < points_.size(); ++i)
+    for (int c = 0; c < 3; ++c) places[3 * i + c] += points_[i].bulge * shape.normals[i][c];
+  return places;
+}
+
+Overlap ContactTerm::overlaps(const State& start, double tolerance) const {
+  Overlap o;
+  const Found f = find(start, {limits_.reach, limits_.reach}, Search::whole);
+  const std::vector<double> places = points_.places(start.x);
+  for (const Touch& t : f.touches) {
+    if (-gap(t) <= tolerance || !points_[t.point].mine) continue;
+    ++o.points;
+    if (-gap(t) <= o.depth) continue;
+    o.depth = -gap(t);
+    std::copy_n(&places[3 * t.point], 3, o.place.begin());
+  }
+  return o;
+}
+
+void ContactTerm::resolve(const State& start) {
+  current_.overlap.assign(current_.triangle.size(), 0);
+  for (const Touch& t : find(start, {limits_.reach, limits_.reach}, Search::whole).touches) {
+    current_.triangle[t.slot] = t.triangle;
+    current_.overlap[t.slot] = std::max(0., -gap(t));
+  }
+  committed_ = current_;
+  fade_ = 1;
+  begin_increment();
+}
+
+}  // namespace bulbus

@@ -1,0 +1,45 @@
+#pragma once
+#include "contact/law/contact_term.hpp"
+#include "core/mesh/distributed/halo.hpp"
+
+namespace bulbus {
+
+/// What a contact of nodes cannot feel: a master with corners, or a body, finer than the slave's faces, which enters between the nodes.
+/// The middles of the faces are followed as points of a contact without forces. A converged state is refused in which one lies deeper inside
+/// than the nodes do by more than a part of its face's width h: h/4 where a corner of the face is in contact, the chord height of a body as
+/// curved as the face is wide; h/10 where none is, so that nothing keeps the face out.
+class MidfaceCheck final : public Term {
+ public:
+  /// `spec`: of the contact that `nodes` is.
+  MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides, const Comm& comm, const Halo& halo,
+               std::shared_ptr<const ContactTerm> nodes);
+
+  void add_residual(const State&, std::span<double>, std::span<double>) const override {}
+  void linearize(const State&) override {}
+  void add_action(std::span<const double>, std::span<double>) const override {}
+  void visit(const ContributionVisitor&) const override {}
+  void begin_step(int step, const State& state) override { middles_.begin_step(step, state); }
+  void pass_step(int step, const State& start) override { middles_.pass_step(step, start); }
+  void set_progress(double s) override { middles_.set_progress(s); }
+  void freeze() override { middles_.freeze(); }
+  void commit(const State& state) override { middles_.commit(state); }
+  void roll_back() override { middles_.roll_back(); }
+  void remember(Keeper& keeper) override { middles_.remember(keeper); }
+  std::string refusal(const State& state) const override;
+  /// As the contact's own: its overlap at the start is made good over the first step.
+  void resolve(const State& start) { middles_.resolve(start); }
+
+  int points() const { return middles_.points().size(); }
+
+ private:
+  Overlap entered(const State& state) const;
+
+  ContactSpec spec_;
+  Comm comm_;
+  Halo halo_;
+  bool rigid_;
+  std::shared_ptr<const ContactTerm> nodes_;
+  ContactTerm middles_;
+};
+
+}  // namespace bulbus

@@ -1,0 +1,155 @@
+#include "contact/rigid/rigid_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/surfaces/meridians.hpp"
+#include "core/problem/rigid_body.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double clearance = 1e-6;  // mm between a part brought to touch and the first node
+
+Vec3<double> turned(const Mat3<double>& R, const Vec3<double>& v) {
+  return {R(0, 0) * v[0] + R(0, 1) * v[1] + R(0, 2) * v[2], R(1, 0) * v[0] + R(1, 1) * v[1] + R(1, 2) * v[2],
+          R(2, 0) * v[0] + R(2, 1) * v[1] + R(2, 2) * v[2]};
+}
+
+// A frame that looks along the direction: two coordinates across it and the way along it.
+struct View {
+  Vec3<double> u, v, d;
+  explicit View(const Vec3<double>& direction)
+      : u(across(direction)[0]), v(across(direction)[1]), d(direction) {}
+  Vec3<double> operator()(const double* x) const {
+    const Vec3<double> p{x[0], x[1], x[2]};
+    return {dot(u, p), dot(v, p), dot(d, p)};
+  }
+};
+
+double area2(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+}  // namespace
+
+double way_to_touch(const RigidSurface& surface, const RigidSurface::Part& part,
+                    const Vec3<double>& direction, std::span<const double> points) {
+  const View view(direction);
+  std::vector<Vec3<double>> seen;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) seen.push_back(view(&points[i]));
+  std::ranges::sort(seen, {}, [](const Vec3<double>& p) { return p[0]; });
+  double way = std::numeric_limits<double>::infinity();
+  for (int t = part.first_triangle; t < part.first_triangle + part.triangles; ++t) {
+    std::array<Vec3<double>, 3> c;
+    for (int i = 0; i < 3; ++i) c[i] = view(&surface.places[3 * surface.facets.triangles[t][i]]);
+    const double area = area2(c[0], c[1], c[2]);
+    const auto [low, high] = std::minmax({c[0][0], c[1][0], c[2][0]});
+    const auto [bottom, top] = std::minmax({c[0][1], c[1][1], c[2][1]});
+    const double size = std::max(high - low, top - bottom), slack = 1e-12 * size * size;
+    if (area <= slack) continue;  // only facets that face the way meet anything first
+    for (auto p = std::ranges::lower_bound(seen, low - 1e-12 * size, {},
+                                           [](const Vec3<double>& q) { return q[0]; });
+         p != seen.end() && (*p)[0] <= high + 1e-12 * size; ++p) {
+      const double a = area2(*p, c[1], c[2]), b = area2(c[0], *p, c[2]), e = area - a - b;
+      if (a < -slack || b < -slack || e < -slack) continue;
+      way = std::min(way, (*p)[2] - (a * c[0][2] + b * c[1][2] + e * c[2][2]) / area);
+    }
+  }
+  return way;
+}
+
+RigidMotion::RigidMotion(std::shared_ptr<RigidSurface> surface)
+    : surface_(std::move(surface)), start_(surface_->parts.size()), now_(start_) {
+  place();
+}
+
+void RigidMotion::set_poses(std::vector<Pose> poses) {
+  start_ = now_ = std::move(poses);
+  course_ = {};
+  place();
+}
+
+Vec3<double> RigidMotion::inwards(std::size_t part) const {
+  return turned(start_[part].rotation, surface_->parts[part].inwards);
+}
+
+void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key) {
+  for (const auto& part : surface_->parts)
+    if (move.close != 0 && norm(part.inwards) == 0)
+      throw scene_error(key + ".close", "'" + surface_->name + "' has no direction to close along",
+                        "Give the body a `direction`, or use `translate`.");
+  if (move.rotate && !(norm(move.rotate->axis) > 0))
+    throw scene_error(key + ".rotate.axis", "the axis is zero", "Give a vector with a length.");
+  if (move.from == "touch") bring_to_touch(move, slaves, key);
+  course_ = {move.rotate, move.translate, move.close};
+  set_progress(0);
+}
+
+void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> slaves,
+                                 const std::string& key) {
+  for (std::size_t p = 0; p < start_.size(); ++p) {
+    const bool shifts = move.close == 0 && norm(move.translate) > 0;
+    const Vec3<double> d = shifts ? unit(move.translate) : inwards(p);
+    if (!(norm(d) > 0))
+      throw scene_error(key + ".from", "'" + surface_->name + "' has no direction in which to come to touch",
+                        "Give the move a `translate`, or the body a `direction`.");
+    const double way = way_to_touch(*surface_, surface_->parts[p], d, slaves);
+    if (!std::isfinite(way))
+      throw scene_error(
+          key + ".from",
+          "part " + std::to_string(p) + " of '" + surface_->name +
+              "' meets no node of the surfaces it is in contact with",
+          "Place the body so that its way leads to them, and name them as slaves of a contact with it.");
+    start_[p].shift = start_[p].shift + (way - clearance) * d;
+  }
+}
+
+Pose RigidMotion::at(std::size_t part, double s) const {
+  Pose pose = start_[part];
+  const Vec3<double>& c = surface_->parts[part].center;
+  if (course_.rotate) {
+    const RotationSpec& r = *course_.rotate;
+    const Mat3<double> R = rotation(s * r.angle * unit(r.axis));
+    pose.rotation = R * pose.rotation;
+    pose.shift = r.center + turned(R, c + pose.shift - r.center) - c;
+  }
+  pose.shift = pose.shift + s * course_.translate + s * course_.close * inwards(part);
+  return pose;
+}
+
+void RigidMotion::set_progress(double s) {
+  for (std::size_t p = 0; p < now_.size(); ++p) now_[p] = at(p, s);
+  place();
+}
+
+void RigidMotion::remember(Keeper& keeper) {
+  const Keeper::Group group(keeper, "rigid body " + surface_->name);
+  bulbus::remember(keeper, "start", start_);
+  bulbus::remember(keeper, "now", now_);
+  place();
+}
+
+void RigidMotion::freeze() {
+  set_progress(1);
+  start_ = now_;
+  course_ = {};
+}
+
+void RigidMotion::place() {
+  for (std::size_t p = 0; p < now_.size(); ++p) {
+    const RigidSurface::Part& part = surface_->parts[p];
+    const Vec3<double> anchor = part.center + now_[p].shift;
+    for (int i = 3 * part.first_point; i < 3 * (part.first_point + part.points); i += 3) {
+      const Vec3<double> X{surface_->reference[i], surface_->reference[i + 1], surface_->reference[i + 2]};
+      const Vec3<double> x = anchor + turned(now_[p].rotation, X - part.center);
+      std::copy(x.begin(), x.end(), surface_->places.begin() + i);
+    }
+    if (surface_->normals.empty()) continue;
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangles; ++t)
+      for (int i = 0; i < 3; ++i) surface_->normals[t][i] = turned(now_[p].rotation, surface_->reference_normals[t][i]);
+  }
+}
+
+}  // namespace bulbus

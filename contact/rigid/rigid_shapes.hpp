@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "contact/rigid/rigid_surface.hpp"
+#include "core/problem/spec/rigid_spec.hpp"
+
+namespace bulbus {
+
+/// The skin of a rigid body as drawn: normals out, closed but for planes, arcs without caps and open surfaces
+/// of Gmsh files. `key` is the path of the spec in the scene ("rigid_bodies.tire"). Throws InputError, among
+/// others if the body is inside out.
+RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& spec, const std::string& key);
+
+}  // namespace bulbus

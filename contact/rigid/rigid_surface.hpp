@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/facets.hpp"
+#include "core/problem/state.hpp"
+
+namespace bulbus {
+
+/// The skin of a rigid body that the scene moves: band, tire, plane, ... Several parts may move each its own way (the
+/// arcs of a band close radially).
+struct RigidSurface {
+  struct Part {
+    int first_point = 0, points = 0;        ///< its run of points
+    int first_triangle = 0, triangles = 0;  ///< and of triangles
+    Vec3<double> center{0, 0, 0};           ///< moments and rotations count from here (reference place)
+    Vec3<double> inwards{0, 0, 0};          ///< unit direction of `close`; zero: none
+  };
+
+  std::string name;
+  Facets facets;
+  std::vector<double> reference;  ///< 3 per point, as drawn
+  std::vector<double> places;     ///< 3 per point, where the motion has brought them
+  /// At the corners of the triangles, as drawn and as moved; empty where every triangle keeps its own normal.
+  std::vector<CornerNormals> reference_normals, normals;
+  std::vector<Part> parts;
+  std::vector<std::string> warnings;  ///< sentences about the file that it was read from
+};
+
+}  // namespace bulbus

@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/rigid/section.hpp"
+#include "core/problem/spec/rigid_spec.hpp"
+
+namespace bulbus {
+
+/// Points and triangles of a surface; (x2 − x1) × (x3 − x1) points out of the body.
+struct Skin {
+  std::vector<double> points;  ///< 3 per point, mm
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::string> warnings;  ///< sentences about the file that it was read from
+
+  int size() const { return static_cast<int>(points.size() / 3); }
+  /// Returns the number of the new point.
+  int add(const Point& p) {
+    for (double c : p) points.push_back(c);
+    return size() - 1;
+  }
+};
+
+/// ⅙ Σ x1·(x2 × x3), mm³: the volume if the surface is closed, negative if it is inside out.
+double enclosed_volume(std::span<const double> points, std::span<const std::array<int, 3>> triangles);
+
+/// A surface of a mesh. Throws InputError that blames `key`.surface, with the nearest name, if there is none.
+const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& surface, const std::string& key);
+
+Skin skin_of(const PlaneShape& shape, const std::string& key);
+/// An octahedron whose faces are cut into facets² triangles, blown up: corners lie on the sphere.
+Skin skin_of(const SphereShape& shape);
+Skin skin_of(const RodShape& shape, const std::string& key);
+Skin skin_of(const BodyFile& file, const std::string& key);
+
+/// One part of an arc, between two azimuths (degrees). Corners lie on the circles that those of the section
+/// run through.
+Skin sweep(const Section& section, const ArcSpec& arc, double from, double to, const std::string& key);
+
+}  // namespace bulbus

@@ -1,0 +1,102 @@
+#include "contact/surfaces/curved_facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/surfaces/meridians.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr int most_steps = 12;
+
+}  // namespace
+
+std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places) {
+  std::vector<Vec3<double>> areas;
+  std::vector<std::vector<int>> around(places.size() / 3);
+  for (const auto& t : facets.triangles) {
+    for (int corner : t) around[corner].push_back(static_cast<int>(areas.size()));
+    areas.push_back(cross(minus(at(places, t[1]), at(places, t[0])), minus(at(places, t[2]), at(places, t[0]))));
+  }
+  std::vector<CornerNormals> normals(areas.size());
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      Vec3<double> sum{0, 0, 0};
+      for (int other : around[facets.triangles[k][i]])
+        if (dot(areas[other], areas[k]) >= smooth_edge * norm(areas[other]) * norm(areas[k]))
+          for (int c = 0; c < 3; ++c) sum[c] += areas[other][c];
+      normals[k][i] = unit(sum);
+    }
+  return normals;
+}
+
+// |Σ s_ij L_i L_j| ≤ max |s_ij| · ⅓ on the triangle; feet up to a triangle's size beside it count thrice
+double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals) {
+  double most = 0;
+  for (std::size_t k = 0; k < normals.size(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const auto& t = facets.triangles[k];
+      most =
+          std::max(most, std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(places, t[i]), at(places, t[j])))) / 2);
+    }
+  return most;
+}
+
+// Newton's method for x = x1 + L2 e2 + L3 e3 + g (n1 + L2 d2 + L3 d3) with d_i = n_i − n1
+std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Pair& flat, const Triangle& v,
+                                             const CornerNormals& n) {
+  if (std::ranges::min(flat.weights) < -1) return {};
+  const Vec3<double> e2 = minus(v[1], v[0]), e3 = minus(v[2], v[0]), d2 = minus(n[1], n[0]),
+                     d3 = minus(n[2], n[0]);
+  double L2 = flat.weights[1], L3 = flat.weights[2], change = 1;
+  NormalFoot foot{.along = flat.gap};
+  for (int step = 0; step < most_steps && change > 1e-14; ++step) {
+    Vec3<double> a, b, rest;
+    for (int c = 0; c < 3; ++c) {
+      a[c] = e2[c] + foot.along * d2[c], b[c] = e3[c] + foot.along * d3[c];
+      foot.normal[c] = n[0][c] + L2 * d2[c] + L3 * d3[c];
+      rest[c] = x[c] - v[0][c] - L2 * e2[c] - L3 * e3[c] - foot.along * foot.normal[c];
+    }
+    foot.inverse = {cross(b, foot.normal), cross(foot.normal, a), cross(a, b)};
+    const double det = dot(a, foot.inverse[0]);
+    for (Vec3<double>& row : foot.inverse)
+      for (double& value : row) value /= det;
+    const double dL2 = dot(foot.inverse[0], rest), dL3 = dot(foot.inverse[1], rest);
+    L2 += dL2, L3 += dL3, foot.along += dot(foot.inverse[2], rest);
+    change = std::abs(dL2) + std::abs(dL3);
+  }
+  if (!(change < 1e-9)) return {};
+  foot.weights = {1 - L2 - L3, L2, L3};
+  for (int c = 0; c < 3; ++c) foot.normal[c] = n[0][c] + L2 * d2[c] + L3 * d3[c];
+  return foot;
+}
+
+// The normal's change is (d2 (J⁻¹)_1 + d3 (J⁻¹)_2) δx.
+FaceGap curved_gap(const Vec3<double>& x, const Pair& flat, const Triangle& v, const CornerNormals& n) {
+  const auto foot = foot_along_normals(x, flat, v, n);
+  if (!foot) return {flat.gap, flat.normal};
+  const double length = norm(foot->normal);
+  const auto& L = foot->weights;
+  FaceGap curved{foot->along * length, foot->normal};
+  for (double& value : curved.normal) value /= length;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    curved.gap -= dot(minus(n[i], n[j]), minus(v[i], v[j])) / 2 * L[i] * L[j];
+  }
+  const Vec3<double>& m = curved.normal;
+  const Vec3<double> d2 = minus(n[1], n[0]), d3 = minus(n[2], n[0]);
+  const double along2 = dot(m, d2), along3 = dot(m, d3);
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      const double turn =
+          ((d2[r] - along2 * m[r]) * foot->inverse[0][c] + (d3[r] - along3 * m[r]) * foot->inverse[1][c]) /
+          length;
+      curved.bend(r, c) += turn / 2;
+      curved.bend(c, r) += turn / 2;
+    }
+  return curved;
+}
+
+}  // namespace bulbus

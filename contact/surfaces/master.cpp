@@ -1,0 +1,48 @@
+#include "contact/surfaces/master.hpp"
+
+#include <algorithm>
+
+#include "contact/surfaces/normal_projection.hpp"
+
+namespace bulbus {
+
+Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles.size()) {
+  for (const auto& t : faces_.triangles) nodes_.insert(nodes_.end(), t.begin(), t.end());
+  std::sort(nodes_.begin(), nodes_.end());
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  for (auto& t : faces_.triangles)
+    for (int& n : t) n = static_cast<int>(std::ranges::lower_bound(nodes_, n) - nodes_.begin());
+  mirror(std::vector<std::array<bool, 3>>(nodes_.size()));
+}
+
+void Master::mirror(std::vector<std::array<bool, 3>> components) {
+  if (!surface_) node_normals_.emplace(faces_, std::move(components));
+}
+
+Master::Master(std::shared_ptr<const RigidSurface> surface)
+    : surface_(std::move(surface)),
+      edges_(surface_->facets, surface_->places, SharpEdges::Kind::convex),
+      hollows_(surface_->facets, surface_->places, SharpEdges::Kind::concave),
+      pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),
+      piece_(surface_->facets.triangles.size()) {
+  for (std::size_t k = 0; k < surface_->parts.size(); ++k)
+    std::fill_n(piece_.begin() + surface_->parts[k].first_triangle, surface_->parts[k].triangles, static_cast<int>(k));
+}
+
+std::span<const double> Master::places(const State& state) const {
+  if (surface_) return surface_->places;
+  places_.clear();
+  for (int n : nodes_) places_.insert(places_.end(), &state.x[3 * n], &state.x[3 * n] + 3);
+  return places_;
+}
+
+MasterSurface Master::at(const State& state) const {
+  if (surface_) return {facets(), places(state), surface_->normals};
+  const auto now = places(state);
+  normals_ = node_normals_->at_corners(now);
+  MasterSurface faces(facets(), now, normals_);
+  faces.edges = false, faces.rim = fading_rim;
+  return faces;
+}
+
+}  // namespace bulbus

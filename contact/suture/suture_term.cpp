@@ -1,0 +1,193 @@
+#include "contact/suture/suture_term.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace bulbus {
+namespace {
+
+Vec3<double> in_plane(const CuttingPlane& plane, const Point2& v) {
+  return v[0] * plane.along + v[1] * plane.away;
+}
+
+}  // namespace
+
+SutureTerm::SutureTerm(const LocalMesh& mesh, const std::vector<SuturePoint>& points,
+                       std::shared_ptr<const RigidSurface> body, const SutureSpec& spec, std::string key)
+    : mesh_(mesh),
+      body_(std::move(body)),
+      frame_(spec.meridians, key),
+      generator_(spec.generator),
+      follow_(spec.follow),
+      key_(std::move(key)),
+      strings_(points.size()),
+      stiffness_(points.size()) {
+  std::unordered_map<int, int> local;
+  for (int n = 0; n < mesh.nodes(); ++n) local.emplace(mesh.input_node[n], n);
+  for (const SuturePoint& p : points) {
+    Bite& bite = bites_.emplace_back();
+    bite.on_plane = p.on_plane;
+    bite.share = p.share;
+    double held = 0;
+    for (std::size_t i = 0; i < p.nodes.size(); ++i) {
+      const auto found = local.find(p.nodes[i]);
+      if (found == local.end()) continue;
+      bite.near.nodes.push_back(found->second);
+      bite.near.weights.push_back(p.weights[i]);
+      held += p.weights[i];
+      if (found->second >= mesh.owned) continue;
+      bite.owned.nodes.push_back(found->second);
+      bite.owned.weights.push_back(p.weights[i]);
+    }
+    const auto all = mesh.comm.gather(std::span<const double>(&held, 1));
+    if (std::ranges::max_element(all) - all.begin() != mesh.comm.rank()) bite.near = {};
+  }
+}
+
+std::vector<Vec3<double>> SutureTerm::places(const State& state) const {
+  std::vector<double> sum(3 * bites_.size());
+  for (std::size_t b = 0; b < bites_.size(); ++b)
+    for (std::size_t i = 0; i < bites_[b].owned.nodes.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        sum[3 * b + c] += bites_[b].owned.weights[i] * state.x[3 * bites_[b].owned.nodes[i] + c];
+  mesh_.comm.sum(sum);
+  std::vector<Vec3<double>> S(bites_.size());
+  for (std::size_t b = 0; b < bites_.size(); ++b)
+    for (int c = 0; c < 3; ++c)
+      S[b][c] = bites_[b].on_plane[c] ? 0 : sum[3 * b + c];  // with its image it lies on the plane
+  return S;
+}
+
+CuttingPlane SutureTerm::plane_through(const Vec3<double>& S) const {
+  const bool meridian = norm(generator_) == 0;
+  const Vec3<double> r = S - frame_.center, off = meridian ? frame_.axis : unit(generator_),
+                     away = unit(r - dot(r, off) * off);
+  const Vec3<double> normal = meridian ? cross(frame_.axis, away) : off;
+  return {meridian ? frame_.center : frame_.center + dot(r, off) * off, normal, cross(away, normal), away};
+}
+
+std::optional<Tangent> SutureTerm::tangent(const Bite& bite, const Vec3<double>& S) const {
+  return outer_tangent(outline(*body_, bite.plane), bite.plane.flat(S));
+}
+
+void SutureTerm::update(const State& state) {
+  const auto S = places(state);
+  for (std::size_t b = 0; b < bites_.size(); ++b) {
+    strings_[b].S = S[b];
+    Bite tried = bites_[b];
+    tried.plane = plane_through(S[b]);
+    const auto found = tangent(tried, S[b]);
+    strings_[b].lost = !found;
+    if (!found) continue;
+    bites_[b].plane = tried.plane;
+    strings_[b].T = tried.plane.lift(found->touch);
+    strings_[b].direction = in_plane(tried.plane, found->direction);
+  }
+}
+
+void SutureTerm::begin_step(int, const State& state) {
+  if (idle()) return;
+  update(state);
+  for (std::size_t b = 0; b < bites_.size(); ++b)
+    if (norm(strings_[b].direction) == 0)
+      throw scene_error(key_,
+                        "point " + std::to_string(b) + " has no tangent to the outline of '" + body_->name +
+                            "': it lies inside, or its plane misses the body",
+                        "Move the point out from under the body, or the body to the point.");
+}
+
+void SutureTerm::commit(const State& state) {
+  if (!idle()) update(state);
+}
+
+void SutureTerm::remember(Keeper& keeper) {
+  std::vector<double> values;
+  const auto visit = [&](auto take) {
+    for (std::size_t b = 0; b < bites_.size(); ++b) {
+      auto& [S, T, direction, force, lost] = strings_[b];
+      auto& [origin, normal, along, away] = bites_[b].plane;
+      for (auto* v : {&S, &T, &direction, &origin, &normal, &along, &away})
+        for (double& c : *v) take(c);
+      double flag = lost;
+      take(flag);
+      lost = flag != 0;
+    }
+  };
+  visit([&](double v) { values.push_back(v); });
+  keeper.numbers(key_, values);
+  std::size_t i = 0;
+  visit([&](double& v) { v = values.at(i++); });
+}
+
+void SutureTerm::set_progress(double s) {
+  now_ = start_ + (end_ - start_) * s;
+  for (std::size_t b = 0; b < bites_.size(); ++b) strings_[b].force = now_;
+}
+
+void SutureTerm::freeze() {
+  start_ = end_;
+  set_progress(1);
+}
+
+void SutureTerm::add_residual(const State& state, std::span<double> force,
+                              std::span<double> magnitude) const {
+  if (now_ == 0) return;
+  const auto S = follow_ ? places(state) : std::vector<Vec3<double>>{};
+  for (std::size_t b = 0; b < bites_.size(); ++b) {
+    const Bite& bite = bites_[b];
+    Vec3<double> d = strings_[b].direction;
+    if (follow_)
+      if (const auto found = tangent(bite, S[b])) d = in_plane(bite.plane, found->direction);
+    for (std::size_t i = 0; i < bite.owned.nodes.size(); ++i) {
+      const int n = bite.owned.nodes[i];
+      const double f = bite.share * now_ * bite.owned.weights[i];
+      for (int c = 0; c < 3; ++c) force[3 * n + c] -= f * d[c];
+      if (!magnitude.empty()) magnitude[n] += std::abs(f);
+    }
+  }
+}
+
+void SutureTerm::linearize(const State& state) {
+  stiffness_.assign(bites_.size(), {});
+  if (!follow_ || now_ == 0) return;
+  const auto S = places(state);
+  for (std::size_t b = 0; b < bites_.size(); ++b) {
+    const auto found = tangent(bites_[b], S[b]);
+    if (!found) continue;
+    // I − d dᵀ in the plane is q qᵀ with q across d
+    const Vec3<double> q = in_plane(bites_[b].plane, {-found->direction[1], found->direction[0]});
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) stiffness_[b](i, j) = bites_[b].share * now_ / found->length * q[i] * q[j];
+  }
+}
+
+void SutureTerm::add_action(std::span<const double> dx, std::span<double> force) const {
+  if (!follow_ || now_ == 0) return;
+  for (std::size_t b = 0; b < bites_.size(); ++b) {
+    const Patch& near = bites_[b].near;
+    Vec3<double> dS{0, 0, 0};
+    for (std::size_t i = 0; i < near.nodes.size(); ++i)
+      for (int c = 0; c < 3; ++c) dS[c] += near.weights[i] * dx[3 * near.nodes[i] + c];
+    for (std::size_t i = 0; i < near.nodes.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        for (int k = 0; k < 3; ++k)
+          force[3 * near.nodes[i] + c] += near.weights[i] * stiffness_[b](c, k) * dS[k];
+  }
+}
+
+void SutureTerm::visit(const ContributionVisitor& visitor) const {
+  if (!follow_ || now_ == 0) return;
+  for (std::size_t b = 0; b < bites_.size(); ++b) {
+    const Patch& near = bites_[b].near;
+    if (near.nodes.empty()) continue;
+    const std::size_t n = 3 * near.nodes.size();
+    std::vector<double> K(n * n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        K[n * i + j] = near.weights[i / 3] * near.weights[j / 3] *
+                       stiffness_[b](static_cast<int>(i % 3), static_cast<int>(j % 3));
+    visitor(near.nodes, K);
+  }
+}
+
+}  // namespace bulbus

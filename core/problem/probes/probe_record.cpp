@@ -1,0 +1,42 @@
+#include "core/problem/probes/probe_record.hpp"
+
+namespace bulbus {
+
+double ProbeRecord::value(std::size_t i, Snapshot& s, const Start& start) const {
+  const auto origin = s.origin;
+  s.origin = start.x;
+  const double value = probes_.value(i, s);
+  s.origin = origin;
+  return value;
+}
+
+void ProbeRecord::step_ended(int step, Snapshot& s) {
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    if (probes_.since(i) != step) continue;
+    Start& start = starts_[step];
+    start.x = s.state.x;
+    start.values[i] = value(i, s, start);
+  }
+}
+
+void ProbeRecord::remember(Keeper& keeper, int ended) {
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    if (probes_.since(i) < 0 || probes_.since(i) >= ended) continue;
+    Start& start = starts_[probes_.since(i)];
+    const Keeper::Group group(keeper, "probe " + probes_.name(i));
+    keeper.nodes("x", start.x);
+    keeper.scalars("value", start.values[i]);
+  }
+}
+
+ProbeValues ProbeRecord::values(Snapshot& s) const {
+  ProbeValues values(probes_.size());
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    const auto start = starts_.find(probes_.since(i));
+    if (probes_.since(i) < 0) values[i] = probes_.value(i, s);
+    else if (start != starts_.end()) values[i] = value(i, s, start->second) - start->second.values.at(i);
+  }
+  return values;
+}
+
+}  // namespace bulbus

@@ -1,0 +1,32 @@
+#pragma once
+#include "precond/smoothers/block_jacobi.hpp"
+#include "precond/smoothers/chebyshev.hpp"
+#include "precond/operators/displacement.hpp"
+#include "precond/coarse/rigid_coarse.hpp"
+#include "precond/amg/scalar_amg.hpp"
+
+namespace bulbus {
+
+/// The displacement block without its matrix: Chebyshev with block Jacobi on the tangent as it is applied on the fly, before and
+/// after one cycle of the three scalar AMGs and a correction with the rigid motions of aggregates. A fixed linear map.
+class Hybrid final : public Preconditioner {
+ public:
+  /// `rigid`: none without the rigid motions. Collective.
+  Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid, Precision smoothing);
+  int size() const override { return block_->size(); }
+  void apply(std::span<const double> b, std::span<double> x) const override;
+  bool fixed() const override { return true; }
+  bool follow() override { return smoother_.follow(); }
+  std::string fault() const override { return amg_->fault() + (coarse_ ? coarse_->fault() : ""); }
+  std::size_t bytes() const override;
+
+ private:
+  std::unique_ptr<LinearOperator> block_;
+  BlockJacobi jacobi_;
+  Chebyshev smoother_;
+  std::unique_ptr<ScalarAmg> amg_;
+  std::unique_ptr<RigidCoarse> coarse_;
+  mutable std::vector<double> residual_, correction_;
+};
+
+}  // namespace bulbus

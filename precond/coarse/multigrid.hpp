@@ -1,0 +1,79 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/mumps.hpp"
+#include "core/solve/settings.hpp"
+#include "precond/operators/displacement.hpp"
+#include "precond/smoothers/line_jacobi.hpp"
+#include "precond/operators/projected_term.hpp"
+#include "precond/smoothers/smoother.hpp"
+
+namespace bulbus {
+
+/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every refined level, the base matrix's
+/// analysis, and as long as its factors are kept the smoothers' largest eigenvalues: what changes these changes the matrix, too.
+class MultigridPlan {
+ public:
+  /// Adds a ProjectedTerm to every coarser problem. Collective.
+  MultigridPlan(const Problem& finest, const LinearSettings& settings);
+
+  struct Level {
+    Lines lines;
+    std::shared_ptr<ProjectedTerm> projected;  ///< of this level's added terms, on the next coarser one
+    std::unique_ptr<CoupledSystem> coarser;
+    State state;                               ///< of `coarser`
+    double largest_eigenvalue = 0;             ///< of the smoother
+  };
+  const Problem& problem() const { return problem_; }
+  std::vector<Level>& levels() { return levels_; }
+  /// Of the base level.
+  std::shared_ptr<Mumps> base() const { return base_; }
+
+ private:
+  const Problem& problem_;
+  std::vector<Level> levels_;  // finest first; without the base
+  std::shared_ptr<Mumps> base_;
+};
+
+/// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1) or W(1,1), every refined level applied on the fly and
+/// rediscretised in the injected state, smoothed by Chebyshev with line Jacobi; the base mesh is solved directly. A fixed linear
+/// map, symmetric.
+class Multigrid final : public Preconditioner {
+ public:
+  /// Takes the tangents of all levels. Collective.
+  Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing = Precision::single);
+  int size() const override { return levels_.front()->block.size(); }
+  void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
+  bool fixed() const override { return true; }
+  bool follow() override { return levels_.front()->smoother->follow(); }
+  std::string fault() const override { return base_->fault(); }
+  std::size_t bytes() const override;
+  /// Of the finest level.
+  const LineJacobi& lines() const { return levels_.front()->jacobi; }
+
+ private:
+  struct Level {
+    Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation P, const MultigridSettings& settings, Precision smoothing);
+    void restrict_residual();
+    void prolong();
+
+    const CoupledSystem& fine;
+    const CoupledSystem& coarse;
+    Interpolation P;
+    DisplacementBlock block;
+    LineJacobi jacobi;
+    std::unique_ptr<Smoother> smoother;
+    std::vector<double> correction, coarse_residual, coarse_correction, coarse_nodal;
+  };
+  class From;
+  void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
+
+  int visits_;
+  std::vector<std::unique_ptr<Level>> levels_;
+  std::unique_ptr<Preconditioner> base_;
+  std::size_t coarse_bytes_ = 0;
+};
+
+}  // namespace bulbus

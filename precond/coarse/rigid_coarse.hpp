@@ -1,0 +1,46 @@
+#pragma once
+#include "core/solve/coupled_system.hpp"
+#include "core/solve/linear_operator.hpp"
+#include "core/solve/mumps.hpp"
+#include "precond/coarse/rigid_modes.hpp"
+
+namespace bulbus {
+
+/// What the correction with rigid motions keeps from one linearisation to the next: the aggregates, the pattern of the coarse matrix
+/// and its analysis.
+struct RigidPlan {
+  /// Aggregates of about `nodes` nodes, factors of this precision. Collective.
+  RigidPlan(const CoupledSystem& system, int nodes, Precision precision);
+  Aggregates groups;
+  CoarseMatrix matrix;
+  Mumps factor;
+};
+
+/// Galerkin correction on the rigid motions of aggregates in the current configuration: the bending and tilting that smoothers and
+/// scalar AMG cannot see. x = Z (Zᵀ A Z)⁻¹ Zᵀ b; the coarse matrix may be indefinite. Rigid bodies are coarse unknowns as they are.
+/// One per plan at a time. Usage: add() everything of visit_reduced, then factorise().
+class RigidCoarse final : public Preconditioner {
+ public:
+  /// Collective.
+  RigidCoarse(const CoupledSystem& system, RigidPlan& plan);
+  void add(std::span<const int> dofs, std::span<const double> K) { plan_.matrix.add(plan_.groups, modes_.of, dofs, K); }
+  /// Collective.
+  void factorise();
+  int size() const override { return system_.layout().primal(); }
+  void apply(std::span<const double> b, std::span<double> x) const override;
+  bool fixed() const override { return true; }
+  std::string fault() const override { return fault_; }
+  std::size_t bytes() const override;
+  /// Coarse unknowns of all ranks.
+  int coarse_size() const { return 6 * plan_.groups.total; }
+
+ private:
+  const CoupledSystem& system_;
+  RigidPlan& plan_;
+  RigidModes modes_;
+  mutable std::vector<double> coarse_;
+  std::string fault_;
+  std::size_t factor_bytes_ = 0;
+};
+
+}  // namespace bulbus

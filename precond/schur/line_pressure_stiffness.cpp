@@ -1,0 +1,27 @@
+#include "precond/schur/line_pressure_stiffness.hpp"
+
+#include <algorithm>
+
+#include "core/base/memory.hpp"
+
+namespace bulbus {
+
+LinePressureStiffness::LinePressureStiffness(const CoupledSystem& system, const LineJacobi& lines)
+    : problem_(system.problem()), lines_(lines), nodal_(problem_.mesh().nodes()) {}
+
+void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q) const {
+  const Solid& solid = problem_.solid();
+  const Halo& halo = problem_.mesh().halo;
+  std::ranges::fill(nodal_, NodeSingle{});
+  solid.apply_pressure_single(p, nodal_);
+  halo.fold(nodal_);
+  problem_.dofs().project(nodal_);
+  lines_.apply(nodal_);
+  halo.update(nodal_);
+  solid.volume_change_single(nodal_, q);
+  for (int h : solid.rigid_hexes()) q[h] = 0;
+}
+
+std::size_t LinePressureStiffness::bytes() const { return bytes_of(nodal_); }
+
+}  // namespace bulbus

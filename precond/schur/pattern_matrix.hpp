@@ -1,0 +1,78 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/base/pack.hpp"
+#include "core/mesh/distributed/halo.hpp"
+#include "core/solve/linear_operator.hpp"
+#include "precond/schur/line_pressure_stiffness.hpp"
+#include "precond/schur/patterns.hpp"
+
+namespace bulbus {
+
+/// Pᵀ K P, blocks of pairs of coarser hexahedra; stored in single precision.
+class PatternMatrix final : public LinearOperator {
+ public:
+  /// Collective. Nothing but `patterns` has to outlive it.
+  PatternMatrix(const Problem& problem, const Patterns& patterns, const LineJacobi& lines);
+  int size() const override { return patterns_.size(); }
+  /// Collective.
+  void apply(std::span<const double> x, std::span<double> y) const override;
+  /// Leaves out blocks whose norm is below this part of their two hexahedra's own. Collective.
+  void drop(double part);
+  /// Of a coarser hexahedron.
+  int patterns() const { return patterns_.count(); }
+  /// Blocks of every coarser hexahedron with itself. Collective.
+  std::vector<double> diagonal() const;
+  std::size_t bytes() const;
+
+ private:
+  struct Pair {
+    int row, column;  // row ≤ column
+    auto operator<=>(const Pair&) const = default;
+  };
+  class Assembly;
+  template <int N>
+  void multiply(std::span<double> x) const;  // x ← K x without halos, N patterns
+  template <int N>
+  void add_products() const;
+
+  const Patterns& patterns_;
+  std::vector<Pair> pairs_;     // ascending
+  std::vector<float> blocks_;   // of the pairs, by rows
+  std::unique_ptr<Halo> halo_;  // of coarser hexahedra, ghosts behind this rank's
+  mutable std::vector<SinglePack::Vector> in_, out_;  // a vector for a coarser hexahedron
+  mutable std::vector<double> exchanged_;
+};
+
+/// Inverses of a PatternMatrix's diagonal blocks; zero where nothing moves.
+class PatternJacobi final : public Preconditioner {
+ public:
+  /// Collective.
+  explicit PatternJacobi(const PatternMatrix& matrix);
+  int size() const override { return size_; }
+  void apply(std::span<const double> r, std::span<double> z) const override;
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override;
+
+ private:
+  int patterns_, size_;
+  std::vector<float> inverse_;
+};
+
+/// Pᵀ K P as the product of its factors.
+class PatternProduct final : public LinearOperator {
+ public:
+  PatternProduct(const Patterns& patterns, const LinePressureStiffness& K) : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
+  int size() const override { return patterns_.size(); }
+  /// Collective.
+  void apply(std::span<const double> x, std::span<double> y) const override;
+  std::size_t bytes() const;
+
+ private:
+  const Patterns& patterns_;
+  const LinePressureStiffness& K_;
+  mutable std::vector<double> p_, q_;
+};
+
+}  // namespace bulbus

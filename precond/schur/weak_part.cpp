@@ -1,0 +1,133 @@
+#include "precond/schur/weak_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/base/memory.hpp"
+#include "precond/smoothers/chebyshev.hpp"
+#include "precond/schur/pattern_matrix.hpp"
+#include "precond/schur/rough.hpp"
+
+namespace bulbus {
+namespace {
+
+// (1 + γ) μ_e/V_e; zero of rigid hexahedra, which have no Schur complement.
+std::vector<double> inverse_diagonal(const CoupledSystem& system) {
+  std::vector<double> values = system.inverse_pressure_schur();
+  for (int e : system.problem().solid().rigid_hexes()) values[e] = 0;
+  return values;
+}
+
+// Of the four patterns of eight hexahedra: an eighth of the mean of theirs, for columns of P are as long as √8.
+std::vector<double> inverse_diagonal(const CoupledSystem& system, const Patterns& patterns) {
+  const auto of_hexes = inverse_diagonal(system);
+  std::vector<double> values(patterns.size());
+  for (std::size_t h = 0; h < of_hexes.size(); ++h)
+    if (const int coarser = patterns.coarser_of(static_cast<int>(h)); coarser >= 0)
+      for (int k = 0; k < patterns.count(); ++k) values[patterns.count() * coarser + k] += of_hexes[h] / 64;
+  return values;
+}
+
+class Diagonal final : public Preconditioner {
+ public:
+  explicit Diagonal(std::vector<double> values) : values_(std::move(values)) {}
+  int size() const override { return static_cast<int>(values_.size()); }
+  void apply(std::span<const double> r, std::span<double> z) const override { std::ranges::transform(values_, r, z.begin(), std::multiplies{}); }
+  bool fixed() const override { return true; }
+  std::size_t bytes() const override { return bytes_of(values_); }
+
+ private:
+  std::vector<double> values_;
+};
+
+// As many hexahedra as a mesh has in one direction, more or less, times `part`: halving them doubles it. Fewer than 16 gain little. `part` is
+// where the eye's fourth Newton system stopped to gain: 59 k hexahedra 41, 32 iterations with 1, 1.6; refined once 20, 15, 17 with 1, 2, 3;
+// 163 k refined twice 27, 24, 24 with 2, 3, 4; of 470 k a whole increment by default takes 35 iterations with 3, 36 with 2, and less time.
+int degree_for(double hexes, double part) { return std::max(16, static_cast<int>(std::lround(part * std::cbrt(hexes)))); }
+
+// A polynomial of degree d inverts eigenvalues above so much of the largest one to within a third.
+double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * degree); }
+
+// Of a block of the chessboards' matrix: a third to two fifths of them are less. Iterations are the same with 1e-3 and grow by half with 3e-3.
+constexpr double negligible = 3e-4;
+
+class OnAll final : public WeakPart {
+ public:
+  OnAll(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree)
+      : rough_(system.problem(), carried_by_lines(system, lines)),
+        scale_(inverse_diagonal(system)),
+        inverse_(K, scale_, degree, smallest_for(degree), system.problem().comm()),
+        given_(K.size()),
+        correction_(K.size()) {}
+  void add(std::span<const double> r, double weight, std::span<double> z) override {
+    std::ranges::copy(r, given_.begin());
+    rough_.apply(given_);
+    inverse_.apply(given_, correction_);
+    rough_.apply(correction_);
+    for (std::size_t e = 0; e < z.size(); ++e) z[e] += weight * correction_[e];
+  }
+  std::size_t bytes() const override { return rough_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_); }
+
+ private:
+  Rough rough_;
+  Diagonal scale_;
+  Chebyshev inverse_;
+  std::vector<double> given_, correction_;
+};
+
+template <class Product, class Scale>
+class OnPatterns final : public WeakPart {
+ public:
+  // make_product(P), make_scale(P, product)
+  template <class MakeProduct, class MakeScale>
+  OnPatterns(const Problem& problem, int refinements, int degree, MakeProduct make_product, MakeScale make_scale)
+      : patterns_(problem, refinements),
+        K_(make_product(patterns_)),
+        scale_(make_scale(patterns_, K_)),
+        inverse_(K_, scale_, degree, smallest_for(degree), problem.comm()),
+        given_(K_.size()),
+        correction_(K_.size()) {}
+  void add(std::span<const double> r, double weight, std::span<double> z) override {
+    patterns_.restrict_pressures(r, given_);
+    inverse_.apply(given_, correction_);
+    patterns_.add_prolonged(correction_, weight, z);
+  }
+  std::size_t bytes() const override {
+    return patterns_.bytes() + K_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
+  }
+
+ private:
+  Patterns patterns_;
+  Product K_;
+  Scale scale_;
+  Chebyshev inverse_;
+  std::vector<double> given_, correction_;
+};
+
+}  // namespace
+
+std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree) {
+  return std::make_unique<OnAll>(system, lines, K, degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
+}
+
+std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
+  return std::make_unique<OnPatterns<PatternProduct, Diagonal>>(
+      system.problem(), 1, degree > 0 ? degree : 16, [&](const Patterns& P) { return PatternProduct(P, K); },
+      [&](const Patterns& P, const PatternProduct&) { return Diagonal(inverse_diagonal(system, P)); });
+}
+
+std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree) {
+  const Problem& problem = system.problem();
+  const int refinements = std::min(2, problem.mesh().refinements);
+  const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
+  return std::make_unique<OnPatterns<PatternMatrix, PatternJacobi>>(
+      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2), [&](const Patterns& P) {
+        PatternMatrix matrix(problem, P, lines);
+        matrix.drop(negligible);
+        return matrix;
+      },
+      [](const Patterns&, const PatternMatrix& matrix) { return PatternJacobi(matrix); });
+}
+
+}  // namespace bulbus

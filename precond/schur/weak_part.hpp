@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+#include <span>
+
+#include "precond/schur/line_pressure_stiffness.hpp"
+
+namespace bulbus {
+
+/// Part of an approximate inverse on the weak patterns of element pressures: a fixed symmetric linear map.
+class WeakPart {
+ public:
+  virtual ~WeakPart() = default;
+  /// z += weight · part · r. Collective.
+  virtual void add(std::span<const double> r, double weight, std::span<double> z) = 0;
+  /// Without K.
+  virtual std::size_t bytes() const = 0;
+};
+
+/// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see Rough) but where lines carry alone. K has to outlive it.
+/// Degree 0: from the mesh. Collective.
+std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree);
+
+/// P q(Pᵀ K P) Pᵀ on the chessboards (see Patterns) of hexahedra that were split once, in the product of its factors. K has to outlive it.
+/// Degree 0: 16. Collective.
+std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree);
+
+/// P q(Pᵀ K P) Pᵀ with the matrix of the chessboards of hexahedra that were split once or, where there are such, twice. Keeps nothing of
+/// lines. Degree 0: from the mesh. Collective.
+std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree);
+
+}  // namespace bulbus

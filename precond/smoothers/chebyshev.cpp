@@ -1,0 +1,91 @@
+#include "precond/smoothers/chebyshev.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/base/inner_product.hpp"
+#include "core/base/memory.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double growth = 1.3;  // of the largest eigenvalue, before smoothing suffers
+
+}  // namespace
+
+// The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½). They stand for an indefinite D
+// too: T is then symmetric up to signs, and its eigenvalues may be complex.
+Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, const Comm& comm) {
+  const std::size_t n = A.size();
+  std::vector<double> r(n), z(n), p(n), q(n);
+  std::mt19937 random(1 + comm.rank());
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (double& v : r) v = uniform(random);
+  D.apply(r, z);
+  p = z;
+  double rz = inner_product(r, z, comm), beta = 0, alpha = 1;
+  std::vector<double> diagonal, off;
+  const double least = 1e-11 * std::abs(rz);  // below it the rounding of single precision makes eigenvalues of its own
+  for (int k = 0; k < steps && std::abs(rz) > least; ++k) {
+    A.apply(p, q);
+    const double before = alpha, pq = inner_product(p, q, comm);
+    if (pq == 0 || !std::isfinite(pq)) break;
+    alpha = rz / pq;
+    diagonal.push_back(1 / alpha + (k > 0 ? beta / before : 0));
+    if (k > 0) off.push_back(std::copysign(std::sqrt(std::abs(beta)) / before, beta));
+    for (std::size_t i = 0; i < n; ++i) r[i] -= alpha * q[i];
+    D.apply(r, z);
+    const double next = inner_product(r, z, comm);
+    beta = next / rz;
+    rz = next;
+    for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
+  }
+  if (diagonal.empty()) return {1, 1};
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(diagonal.size(), diagonal.size());
+  for (std::size_t k = 0; k < diagonal.size(); ++k) {
+    T(k, k) = diagonal[k];
+    if (k > 0) T(k, k - 1) = std::abs(off[k - 1]), T(k - 1, k) = off[k - 1];
+  }
+  const Eigen::VectorXd e = Eigen::EigenSolver<Eigen::MatrixXd>(T, false).eigenvalues().real();
+  return {e.minCoeff(), e.maxCoeff()};
+}
+
+DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm, double largest)
+    : A_(A), D_(D), part_(lowest), largest_(largest), comm_(comm) {
+  if (largest_ == 0) follow();
+  own_ = largest_;
+}
+
+bool DampedSpectrum::follow() {
+  const double estimate = lanczos(A_, D_, 10, comm_).largest;
+  largest_ = 1.1 * (estimate > 0 ? estimate : 1);
+  return largest_ < growth * own_;
+}
+
+Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm, double largest)
+    : A_(A), D_(D), degree_(degree), spectrum_(A, D, smoothed_part, comm, largest), r_(A.size()), z_(A.size()), d_(A.size()) {}
+
+void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
+  auto steps = spectrum_.steps();
+  std::ranges::copy(b, r_.begin());
+  std::ranges::fill(x, 0);
+  std::ranges::fill(d_, 0);
+  for (int k = 0; k < degree_; ++k) {
+    if (k > 0) {
+      A_.apply(d_, z_);
+      for (std::size_t i = 0; i < r_.size(); ++i) r_[i] -= z_[i];
+    }
+    D_.apply(r_, z_);
+    const auto [keep, add] = steps.next();
+    for (std::size_t i = 0; i < d_.size(); ++i) {
+      d_[i] = keep * d_[i] + add * z_[i];
+      x[i] += d_[i];
+    }
+  }
+}
+
+std::size_t Chebyshev::bytes() const { return bytes_of(r_) + bytes_of(z_) + bytes_of(d_); }
+
+}  // namespace bulbus
