@@ -44,8 +44,9 @@ struct ContactDefaults {
 /// pairs; a point's gradient D is shared out to the nodes that carry it.
 ///
 /// D follows the normals of the master's nodes (CurvedGap, NormalProjection), so that forces go on from facet
-/// to facet; those between deformable bodies balance but have no potential. H is taken once the pressure is
-/// the predicted one.
+/// to facet; those between deformable bodies balance but have no potential. H of a
+/// rigid body is taken once a pressure was predicted, where the body is hollow at once; that of a deformable
+/// master once pressure and prediction agree within a factor of two, between 0.01 and 1 shear moduli.
 ///
 /// Newton's method is a primal-dual active set method (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13,
 /// 2002; Hüeber and Wohlmuth, CMAME 194, 2005): a pair whose pressure the last linear solution predicts to be

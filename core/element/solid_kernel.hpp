@@ -85,7 +85,7 @@ NodalVectors<Pack> internal_force(const Material& material, const ReferenceGradi
 }
 
 /// Action of a pack's tangent: forces K δx + b (δλ + γ W θ), where θ = bᵀ δx, b = ∂V_e/∂u, is returned too.
-/// `penalty` is γ W = γ μ_e / V_e.
+/// `penalty` is γ W = γ μ_e / V0_e.
 template <class P, class Material, class Strain>
 NodalVectors<P> tangent_action(const Material& material, const Strain& strain, const NodalVectors<P>& x, const NodalVectors<P>& dx,
                                const P& lambda, const P& dlambda, const P& penalty, P& theta) {

@@ -25,7 +25,7 @@ class Load : public Term {
   std::function<double(double)> value_;
 };
 
-/// Pressure against the body that follows its faces. The tangent is symmetric only where the surface's rim is held.
+/// Pressure against the body that follows its faces. The tangent is taken as it is, not symmetric: it would be where the surface's rim is constrained.
 class FollowerPressure final : public Load {
  public:
   FollowerPressure(PressureSurface surface, std::function<double(double)> value, bool symmetric)

@@ -11,7 +11,7 @@
 
 namespace bulbus {
 
-/// The residual of the coupled system (formulation A, B, D), before holds are projected out.
+/// The residual of the coupled system (formulation, section 3.1), before holds are projected out.
 struct Residual {
   std::vector<double> force;      ///< A: 3 per local node, folded to the owners (N)
   std::vector<double> volume;     ///< B: V_e − V0_e per local hexahedron (mm³)

@@ -76,9 +76,9 @@ class CoupledSystem final : public LinearOperator {
   /// ΔP of every liquid, on every rank, from a solution of the system. Collective.
   std::vector<double> pressure_increments(std::span<const double> solution) const;
 
-  /// (1 + γ) μ_e / V_e: the inverse of the element-pressure Schur complement, diagonal part.
+  /// (1 + γ) μ_e / V0_e: the inverse of the element-pressure Schur complement, diagonal part.
   std::vector<double> inverse_pressure_schur() const;
-  /// V_e / ((1 + γ) μ_e): minus the diagonal of a rigid hexahedron's row, whose pressure stays as it is.
+  /// V0_e / ((1 + γ) μ_e): minus the diagonal of a rigid hexahedron's row, whose pressure stays as it is.
   double rigid_compliance(int hex) const;
   /// 3×3 diagonal blocks of the displacement block, held directions on held_scale(); 9 per owned node. Made anew by every call, of all
   /// element matrices. Collective.
@@ -99,7 +99,7 @@ class CoupledSystem final : public LinearOperator {
   /// Symmetric scaling s: every tolerance is on the Euclidean norm of s·r, free of units. Diagonal of s·A·s about 1.
   const std::vector<double>& scaling() const { return scaling_; }
 
-  /// Augmented nodal dofs matrix contributions for assembled preconditioners and the direct solver.
+  /// The factor of the augmentation γ B W Bᵀ of the displacement block, W = μ_e / V0_e.
   double gamma() const { return settings_.gamma; }
   std::size_t bytes() const;
 

@@ -10,7 +10,7 @@
 namespace bulbus {
 namespace {
 
-// Strongly coupled owned neighbours of every owned node: |tr A_ij| > threshold √(tr A_ii tr A_jj).
+// Strongly coupled owned neighbours of every owned node: Σ_c |A_ij,cc| > threshold √(tr A_ii tr A_jj).
 std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
   const auto scalar = scalar_matrices(system);
   constexpr double threshold = 0.02;

@@ -9,7 +9,7 @@ namespace bulbus {
 
 /// Approximate inverse of the element pressures' Schur complement Bᵀ A⁻¹ B:
 ///
-///     Ŝ⁻¹ = (1 + γ) μ_e/V_e + θ Σ weak parts
+///     Ŝ⁻¹ = (1 + γ) μ_e/V0_e + θ Σ weak parts
 ///
 /// The first part is right for pressures that strain the tissue. Chessboards of pressure along a layer hardly do: Q1/P0 leaves them
 /// almost free, and what holds them goes through the layer's thickness, so that K, the Schur complement with the lines of the

@@ -12,7 +12,7 @@
 namespace bulbus {
 namespace {
 
-// (1 + γ) μ_e/V_e; zero of rigid hexahedra, which have no Schur complement.
+// (1 + γ) μ_e/V0_e; zero of rigid hexahedra, which have no Schur complement.
 std::vector<double> inverse_diagonal(const CoupledSystem& system) {
   std::vector<double> values = system.inverse_pressure_schur();
   for (int e : system.problem().solid().rigid_hexes()) values[e] = 0;

@@ -13,7 +13,7 @@ struct Spectrum {
 };
 Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, const Comm& comm);
 
-/// The part [lowest, 1.1]·λ_max of the spectrum of D⁻¹A that a Chebyshev polynomial damps.
+/// The part 1.1 [lowest, 1]·λ of the spectrum of D⁻¹A that a Chebyshev polynomial damps; λ: the estimate of λ_max.
 class DampedSpectrum {
  public:
   /// Estimates λ_max by a few Lanczos steps, unless it is given. `A` and `D` must outlive this. Collective.
