@@ -264,8 +264,8 @@ void Operation::freeze() {
   for (auto& [name, motion] : motions_) motion.freeze();
 }
 
-void Operation::remember(Keeper& keeper) {
-  for (auto& [name, motion] : motions_) motion.remember(keeper);
+void Operation::serialize(Archive& archive) {
+  for (auto& [name, motion] : motions_) motion.serialize(archive);
 }
 
 }  // namespace bulbus

@@ -48,7 +48,7 @@ class Operation final : public Term {
   void begin_step(int step, const State& start) override;
   void set_progress(double s) override;
   void freeze() override;
-  void remember(Keeper& keeper) override;
+  void serialize(Archive& archive) override;
 
  private:
   Operation(Problem& problem, const Mesh& base);

@@ -10,10 +10,10 @@
 namespace bulbus {
 namespace {
 
-void remember(Keeper& keeper, State& start, State& now) {
+void serialize(Archive& archive, State& start, State& now) {
   for (auto [name, state] : {std::pair{"start", &start}, {"now", &now}}) {
-    const Keeper::Group group(keeper, name);
-    state->remember(keeper);
+    const Archive::Group group(archive, name);
+    state->serialize(archive);
   }
 }
 
@@ -31,16 +31,16 @@ Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepar
   refuse_missing(path, problem.comm());
   kept_ = open_checkpoint(path, problem.mesh());
   ProblemMark mark;
-  place_.remember(*kept_);
-  mark.remember(*kept_);
+  place_.serialize(*kept_);
+  mark.serialize(*kept_);
   refuse_another(mark, mark_of(scene, prepared.inputs, problem, place_.step), prepared.inputs, path);
 }
 
 Resumed Checkpoint::resume(Problem& problem, Remembering& records) {
   Resumed r{place_, problem.initial_state(), problem.initial_state()};
-  remember(*kept_, r.start, r.state);
+  serialize(*kept_, r.start, r.state);
   problem.resume(place_.step, r.start, place_.done, r.state, *kept_);
-  records.remember(*kept_, place_);
+  records.serialize(*kept_, place_);
   return r;
 }
 
@@ -71,12 +71,12 @@ std::size_t Checkpoints::bytes() const { return bytes_of(start_.x) + bytes_of(st
 void Checkpoints::write(MarchPlace& place, State& state) {
   ProblemMark mark = mark_of(scene_, inputs_, problem_, place.step);
   folder_.claim({checkpoint_file});
-  write_checkpoint(checkpoint_in(folder_.path()), problem_.mesh(), [&](Keeper& keeper) {
-    place.remember(keeper);
-    mark.remember(keeper);
-    remember(keeper, start_, state);
-    problem_.remember(keeper);
-    records_.remember(keeper, place);
+  write_checkpoint(checkpoint_in(folder_.path()), problem_.mesh(), [&](Archive& archive) {
+    place.serialize(archive);
+    mark.serialize(archive);
+    serialize(archive, start_, state);
+    problem_.serialize(archive);
+    records_.serialize(archive, place);
   });
 }
 

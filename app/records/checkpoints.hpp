@@ -14,7 +14,7 @@ class Remembering {
  public:
   virtual ~Remembering() = default;
   /// At this place of the march. Collective.
-  virtual void remember(Keeper& keeper, const MarchPlace& place) = 0;
+  virtual void serialize(Archive& archive, const MarchPlace& place) = 0;
 };
 
 /// Where a run goes on.
@@ -36,7 +36,7 @@ class Checkpoint {
   Resumed resume(Problem& problem, Remembering& records);
 
  private:
-  std::unique_ptr<Keeper> kept_;
+  std::unique_ptr<Archive> kept_;
   MarchPlace place_;
 };
 

@@ -85,10 +85,10 @@ std::string differing_key(const std::string& kept, const std::string& here) {
 
 }  // namespace
 
-void ProblemMark::remember(Keeper& keeper) {
-  keeper.text("scene", scene);
-  keeper.numbers("mesh", mesh);
-  if (!keeper.reading() || keeper.knows("input files")) keeper.text("input files", files);
+void ProblemMark::serialize(Archive& archive) {
+  archive.text("scene", scene);
+  archive.numbers("mesh", mesh);
+  if (!archive.reading() || archive.knows("input files")) archive.text("input files", files);
 }
 
 ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, const Problem& problem,

@@ -132,17 +132,17 @@ void Recorder::interrupted(const MarchPlace& place, State& state) {
   checkpoints_.interrupted(place, state);
 }
 
-void Recorder::remember(Keeper& keeper, const MarchPlace& place) {
-  keeper.scalars("counts", increments_, cuts_, negative_pivots_);
-  if (!keeper.reading() || keeper.knows("linear solver")) keeper.scalars("linear solver", direct_solves_, unstable_increments_);
+void Recorder::serialize(Archive& archive, const MarchPlace& place) {
+  archive.scalars("counts", increments_, cuts_, negative_pivots_);
+  if (!archive.reading() || archive.knows("linear solver")) archive.scalars("linear solver", direct_solves_, unstable_increments_);
   steps_.resize(place.step + 1);
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     StepRecord& s = steps_[k];
     s.name = problem_.model().steps[k].name;
-    keeper.scalars("step " + std::to_string(k), s.increments, s.newton_iterations, s.krylov_iterations, s.cuts, s.seconds);
+    archive.scalars("step " + std::to_string(k), s.increments, s.newton_iterations, s.krylov_iterations, s.cuts, s.seconds);
   }
-  record_.remember(keeper, place.step + (place.done == 1));
-  results_.remember(keeper, problem_.comm());
+  record_.serialize(archive, place.step + (place.done == 1));
+  results_.serialize(archive, problem_.comm());
 }
 
 Resumed Recorder::resume(Checkpoint& checkpoint) {

@@ -34,7 +34,7 @@ class Recorder final : public MarchObserver, public Remembering {
   void interrupted(const MarchPlace& place, State& state) override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
-  void remember(Keeper& keeper, const MarchPlace& place) override;
+  void serialize(Archive& archive, const MarchPlace& place) override;
   /// Goes on as the records of a run that was left. Collective.
   Resumed resume(Checkpoint& checkpoint);
 

@@ -126,10 +126,10 @@ void ResultFiles::list(int number, double time) {
   bodies_.list(number, time);
 }
 
-void ResultFiles::remember(Keeper& keeper, const Comm& comm) {
-  keeper.scalars("last result", last_, time_);
-  keeper.numbers("results", saved_);
-  if (!keeper.reading() || saved_.empty()) return;
+void ResultFiles::serialize(Archive& archive, const Comm& comm) {
+  archive.scalars("last result", last_, time_);
+  archive.numbers("results", saved_);
+  if (!archive.reading() || saved_.empty()) return;
   claim_indices();
   write_together(comm, [&] {
     for (std::size_t i = 0; i < saved_.size() && comm.rank() == 0; i += 2)

@@ -21,7 +21,7 @@ class ResultFiles {
   /// Saves the state of the last increment unless that is done. Collective. Throws std::runtime_error.
   void finish(Snapshot& snapshot);
   /// Which increments have their files, and when they were. Collective.
-  void remember(Keeper& keeper, const Comm& comm);
+  void serialize(Archive& archive, const Comm& comm);
 
  private:
   void save(Snapshot& snapshot);

@@ -68,10 +68,10 @@ void ContactTerm::roll_back() {
   current_ = committed_;
 }
 
-void ContactTerm::remember(Keeper& keeper) {
-  const Keeper::Group group(keeper, "contact " + name_);
-  keeper.scalars("augmentation", augmentation_.updates, augmentation_.violation, augmentation_.gave_up);
-  Keeper::Keys rows_of;
+void ContactTerm::serialize(Archive& archive) {
+  const Archive::Group group(archive, "contact " + name_);
+  archive.scalars("augmentation", augmentation_.updates, augmentation_.violation, augmentation_.gave_up);
+  Archive::Keys rows_of;
   std::vector<double> rows;
   const std::size_t all = current_.triangle.size();
   const std::vector<double> overlap(current_.overlap.empty() ? std::vector<double>(all) : current_.overlap);
@@ -86,9 +86,9 @@ void ContactTerm::remember(Keeper& keeper) {
         worth && points_[static_cast<int>(point)].mine);
     rows.insert(rows.end(), {1. * current_.triangle[k], current_.pressure[k], overlap[k]});
   }
-  if (!keeper.reading()) return keeper.rows("pairs", rows_of, 3, rows);
+  if (!archive.reading()) return archive.rows("pairs", rows_of, 3, rows);
   for (std::size_t k = 0; k < all; ++k) std::ranges::copy(std::array{-1., 0., 0.}, &rows[3 * k]);
-  keeper.rows("pairs", rows_of, 3, rows);
+  archive.rows("pairs", rows_of, 3, rows);
   recall(rows);
 }
 

@@ -77,7 +77,7 @@ class ContactTerm final : public Term {
   void freeze() override;
   void commit(const State& state) override;
   void roll_back() override;
-  void remember(Keeper& keeper) override;
+  void serialize(Archive& archive) override;
   std::string refusal(const State& state) const override;
 
   /// N·mm

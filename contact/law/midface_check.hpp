@@ -24,7 +24,7 @@ class MidfaceCheck final : public Term {
   void freeze() override { middles_.freeze(); }
   void commit(const State& state) override { middles_.commit(state); }
   void roll_back() override { middles_.roll_back(); }
-  void remember(Keeper& keeper) override { middles_.remember(keeper); }
+  void serialize(Archive& archive) override { middles_.serialize(archive); }
   std::string refusal(const State& state) const override;
   /// As the contact's own: its overlap at the start is made good over the first step.
   void resolve(const State& start) { middles_.resolve(start); }

@@ -124,10 +124,10 @@ void RigidMotion::set_progress(double s) {
   place();
 }
 
-void RigidMotion::remember(Keeper& keeper) {
-  const Keeper::Group group(keeper, "rigid body " + surface_->name);
-  bulbus::remember(keeper, "start", start_);
-  bulbus::remember(keeper, "now", now_);
+void RigidMotion::serialize(Archive& archive) {
+  const Archive::Group group(archive, "rigid body " + surface_->name);
+  bulbus::serialize(archive, "start", start_);
+  bulbus::serialize(archive, "now", now_);
   place();
 }
 

@@ -27,7 +27,7 @@ class RigidMotion {
   /// The end of the step stays.
   void freeze();
 
-  void remember(Keeper& keeper);
+  void serialize(Archive& archive);
 
   /// Where the parts are now.
   const std::vector<Pose>& poses() const { return now_; }

@@ -100,7 +100,7 @@ void SutureTerm::commit(const State& state) {
   if (!idle()) update(state);
 }
 
-void SutureTerm::remember(Keeper& keeper) {
+void SutureTerm::serialize(Archive& archive) {
   std::vector<double> values;
   const auto visit = [&](auto take) {
     for (std::size_t b = 0; b < bites_.size(); ++b) {
@@ -114,7 +114,7 @@ void SutureTerm::remember(Keeper& keeper) {
     }
   };
   visit([&](double v) { values.push_back(v); });
-  keeper.numbers(key_, values);
+  archive.numbers(key_, values);
   std::size_t i = 0;
   visit([&](double& v) { v = values.at(i++); });
 }

@@ -51,7 +51,7 @@ class SutureTerm final : public Term {
   void freeze() override;
   /// Collective.
   void commit(const State& state) override;
-  void remember(Keeper& keeper) override;
+  void serialize(Archive& archive) override;
 
  private:
   struct Patch {

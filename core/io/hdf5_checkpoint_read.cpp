@@ -93,10 +93,10 @@ void prove_whole(hid_t file) {
   if (Table(file, "sum").all<long long>().at(0) != sum.value()) throw std::runtime_error("the check sum differs");
 }
 
-class Reader final : public Keeper {
+class Reader final : public Archive {
  public:
   Reader(const std::string& path, const LocalMesh& mesh)
-      : Keeper(mesh), path_(path), file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path) {
+      : Archive(mesh), path_(path), file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path) {
     if (mesh.comm.rank() == 0) prove_whole(file_);
   }
 
@@ -146,8 +146,8 @@ class Reader final : public Keeper {
 
 }  // namespace
 
-std::unique_ptr<Keeper> open_checkpoint(const std::string& path, const LocalMesh& mesh) {
-  std::unique_ptr<Keeper> reader;
+std::unique_ptr<Archive> open_checkpoint(const std::string& path, const LocalMesh& mesh) {
+  std::unique_ptr<Archive> reader;
   mesh.comm.together([&] {
     const hdf5::Quiet quiet;
     try {

@@ -10,9 +10,9 @@ namespace {
 
 using hdf5::Handle;
 
-class Writer final : public Keeper {
+class Writer final : public Archive {
  public:
-  Writer(hid_t file, const LocalMesh& mesh) : Keeper(mesh), comm_(mesh.comm), file_(file) {}
+  Writer(hid_t file, const LocalMesh& mesh) : Archive(mesh), comm_(mesh.comm), file_(file) {}
 
   bool reading() const override { return false; }
   bool knows(const std::string&) const override { return true; }
@@ -67,9 +67,9 @@ class Writer final : public Keeper {
 };
 
 /// Keeps nothing, but adds up the bytes of this rank.
-class Measure final : public Keeper {
+class Measure final : public Archive {
  public:
-  explicit Measure(const LocalMesh& mesh) : Keeper(mesh) {}
+  explicit Measure(const LocalMesh& mesh) : Archive(mesh) {}
   bool reading() const override { return false; }
   bool knows(const std::string&) const override { return true; }
   void numbers(const std::string&, std::vector<double>& values) override {
@@ -97,12 +97,12 @@ class Measure final : public Keeper {
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const LocalMesh& mesh, const std::function<void(Keeper&)>& remember) {
+void write_checkpoint(const std::string& path, const LocalMesh& mesh, const std::function<void(Archive&)>& remember) {
   Measure measure(mesh);
-  remember(measure);
+  serialize(measure);
   hdf5::write_whole(path, mesh.comm, mesh.comm.sum(measure.bytes()), [&](hid_t file) {
     Writer writer(file, mesh);
-    remember(writer);
+    serialize(writer);
     writer.finish();
   });
 }

@@ -27,16 +27,16 @@ void DofMap::freeze() {
   moving_.clear();
 }
 
-void DofMap::remember(Keeper& keeper) {
+void DofMap::serialize(Archive& archive) {
   for (auto& [name, holds] : holds_) {
     if (moving_.contains(name)) continue;
-    Keeper::Keys nodes;
+    Archive::Keys nodes;
     std::vector<double> rows;
     for (const Hold& h : holds) {
       nodes.add(mesh_.input_node[h.node], h.node < mesh_.owned);
       rows.insert(rows.end(), {h.direction[0], h.direction[1], h.direction[2], h.value(1)});
     }
-    keeper.rows("hold " + name, nodes, 4, rows);
+    archive.rows("hold " + name, nodes, 4, rows);
     for (std::size_t i = 0; i < holds.size(); ++i)
       holds[i] = {holds[i].node, {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]}, [end = rows[4 * i + 3]](double) { return end; }};
   }

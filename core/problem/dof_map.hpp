@@ -34,7 +34,7 @@ class DofMap {
   /// From now on every hold stays where it is at s = 1.
   void freeze();
   /// What steps before the present one prescribe: direction and place of every hold. Read before the next build().
-  void remember(Keeper& keeper);
+  void serialize(Archive& archive);
   /// To be called after a change of holds. Throws InputError where two holds of one node contradict each other.
   void build();
 

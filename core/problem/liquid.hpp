@@ -4,7 +4,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/element/pressure_surface.hpp"
-#include "core/io/keeper.hpp"
+#include "core/io/archive.hpp"
 
 namespace bulbus {
 
@@ -40,7 +40,7 @@ class Liquid {
   double scale() const { return coupled_ ? V_i_ : V_scale_; }
   void set_scale(double V) { V_scale_ = V; }
   /// V_i and P_i; a given pressure comes from the steps.
-  void remember(Keeper& keeper) { keeper.scalars("liquid " + name_, coupled_, V_i_, V_start_, P_i_); }
+  void serialize(Archive& archive) { archive.scalars("liquid " + name_, coupled_, V_i_, V_start_, P_i_); }
 
  private:
   std::string name_;

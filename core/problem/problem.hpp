@@ -87,10 +87,10 @@ class Problem {
   /// where the one before leaves its sets. Then it is as new, without the terms that were added. Throws InputError. Collective.
   void rehearse(int steps);
   /// What steps and increments have left behind, terms included. Collective.
-  void remember(Keeper& keeper);
+  void serialize(Archive& archive);
   /// Goes back to the middle of a step, given its start and what `kept` gives; the problem must be new. `now` gets the pressures
   /// of that progress. Collective.
-  void resume(int step, const State& start, double s, State& now, Keeper& kept);
+  void resume(int step, const State& start, double s, State& now, Archive& kept);
   /// The least of the terms', after linearize(). Collective.
   double solve_tolerance() const;
   /// Tells the terms by how much a Newton step moves the local nodes. Collective.

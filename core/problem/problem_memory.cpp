@@ -3,13 +3,13 @@
 
 namespace bulbus {
 
-void Problem::remember(Keeper& keeper) {
-  dofs_->remember(keeper);
-  for (Liquid& l : liquids_) l.remember(keeper);
-  for (const auto& term : terms()) term->remember(keeper);
-  if (!coarser_ || !keeper.knows("coarser")) return;  // kept by a run that had no use for the coarser meshes
-  const Keeper::Group group(keeper, "coarser");
-  coarser_->remember(keeper);
+void Problem::serialize(Archive& archive) {
+  dofs_->serialize(archive);
+  for (Liquid& l : liquids_) l.serialize(archive);
+  for (const auto& term : terms()) term->serialize(archive);
+  if (!coarser_ || !archive.knows("coarser")) return;  // kept by a run that had no use for the coarser meshes
+  const Archive::Group group(archive, "coarser");
+  coarser_->serialize(archive);
 }
 
 void Problem::go_through(int steps) {
@@ -38,12 +38,12 @@ void Problem::renew() {
 }
 
 // Read twice: the step builds on what was held before it, and its begin changes what was kept later.
-void Problem::resume(int step, const State& start, double s, State& now, Keeper& kept) {
+void Problem::resume(int step, const State& start, double s, State& now, Archive& kept) {
   go_through(step);
-  remember(kept);
+  serialize(kept);
   begin_step(step, start);
   set_progress(s, now);
-  remember(kept);
+  serialize(kept);
 }
 
 }  // namespace bulbus

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/tensor.hpp"
-#include "core/io/keeper.hpp"
+#include "core/io/archive.hpp"
 
 namespace bulbus {
 
@@ -19,10 +19,10 @@ struct State {
   std::vector<double> lambda;  ///< Cauchy mean stress of the local hexahedra, MPa
   std::vector<double> P;       ///< pressure of every liquid, the same on every rank, MPa
   std::vector<Pose> bodies;    ///< the same on every rank
-  void remember(Keeper& keeper);
+  void serialize(Archive& archive);
 };
 
 /// Rotation by rows and shift, 12 numbers each.
-void remember(Keeper& keeper, const std::string& name, std::vector<Pose>& poses);
+void serialize(Archive& archive, const std::string& name, std::vector<Pose>& poses);
 
 }  // namespace bulbus

@@ -46,7 +46,7 @@ class Term {
   virtual void roll_back() {}
   /// All that the term has from increments before, but for what begin_step() and set_progress() make anew: for a checkpoint. Read
   /// after the step has begun and its progress is set. Collective.
-  virtual void remember(Keeper&) {}
+  virtual void serialize(Archive&) {}
 };
 
 }  // namespace bulbus

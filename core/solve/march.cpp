@@ -66,9 +66,9 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings) {
   return static_cast<int>(std::ceil(step.increments * settings.increments - 1e-9));
 }
 
-void MarchPlace::remember(Keeper& keeper) {
-  if (!keeper.reading() || keeper.knows("careful")) keeper.scalars("careful", careful);
-  keeper.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations, report.krylov_iterations);
+void MarchPlace::serialize(Archive& archive) {
+  if (!archive.reading() || archive.knows("careful")) archive.scalars("careful", careful);
+  archive.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations, report.krylov_iterations);
 }
 
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,

@@ -30,7 +30,7 @@ struct MarchPlace {
   double size = 1;  ///< of the next increment
   bool careful = false;  ///< has an increment of the step failed?
   MarchReport report;
-  void remember(Keeper& keeper);
+  void serialize(Archive& archive);
 };
 
 /// Receives what happens; values only.

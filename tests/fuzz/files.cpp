@@ -116,7 +116,7 @@ class Bodies final : public ReadFile {
 
 class Forgetful final : public Remembering {
  public:
-  void remember(Keeper&, const MarchPlace&) override {}
+  void serialize(Archive&, const MarchPlace&) override {}
 };
 
 class Checkpoints final : public Target {

@@ -19,13 +19,13 @@ void ProbeRecord::step_ended(int step, Snapshot& s) {
   }
 }
 
-void ProbeRecord::remember(Keeper& keeper, int ended) {
+void ProbeRecord::serialize(Archive& archive, int ended) {
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     if (probes_.since(i) < 0 || probes_.since(i) >= ended) continue;
     Start& start = starts_[probes_.since(i)];
-    const Keeper::Group group(keeper, "probe " + probes_.name(i));
-    keeper.nodes("x", start.x);
-    keeper.scalars("value", start.values[i]);
+    const Archive::Group group(archive, "probe " + probes_.name(i));
+    archive.nodes("x", start.x);
+    archive.scalars("value", start.values[i]);
   }
 }
 

@@ -20,7 +20,7 @@ class ProbeRecord {
   /// Collective.
   ProbeValues values(Snapshot& snapshot) const;
   /// `ended`: how many steps have. Collective.
-  void remember(Keeper& keeper, int ended);
+  void serialize(Archive& archive, int ended);
 
  private:
   struct Start {

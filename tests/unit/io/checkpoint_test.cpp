@@ -36,28 +36,28 @@ std::string fresh_file(const std::string& name) {
   return folder / "checkpoint.h5";
 }
 
-/// One of everything a Keeper takes.
+/// One of everything a Archive takes.
 struct Everything {
   double half = .5;
   int count = 3;
   bool flag = true;
   std::vector<double> odd{-0., 5e-324, 1 / 3., std::numeric_limits<double>::infinity()}, none, x, lambda, rows;
   std::string words = "süß: [1]\n", silence;
-  Keeper::Keys keys;
+  Archive::Keys keys;
 
   explicit Everything(const LocalMesh& mesh) : x(noise_vector(mesh.X.size(), 1)), lambda(noise_vector(mesh.hexes.size(), 2)), rows(noise_vector(6, 3)) {
     for (long long k : {7LL, 1LL << 40, 2LL}) keys.add(k, k != 2);
   }
-  void remember(Keeper& keeper) {
-    keeper.scalars("plain", half, count, flag);
-    keeper.numbers("odd", odd);
-    keeper.numbers("none", none);
-    keeper.text("words", words);
-    keeper.text("silence", silence);
-    const Keeper::Group group(keeper, "a/b");
-    keeper.nodes("x", x);
-    keeper.hexes("lambda", lambda);
-    keeper.rows("rows / and more", keys, 2, rows);
+  void serialize(Archive& archive) {
+    archive.scalars("plain", half, count, flag);
+    archive.numbers("odd", odd);
+    archive.numbers("none", none);
+    archive.text("words", words);
+    archive.text("silence", silence);
+    const Archive::Group group(archive, "a/b");
+    archive.nodes("x", x);
+    archive.hexes("lambda", lambda);
+    archive.rows("rows / and more", keys, 2, rows);
   }
 };
 
@@ -67,7 +67,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 
 void write(const std::string& path, const LocalMesh& mesh) {
   Everything e(mesh);
-  write_checkpoint(path, mesh, [&](Keeper& keeper) { e.remember(keeper); });
+  write_checkpoint(path, mesh, [&](Archive& archive) { e.serialize(archive); });
 }
 
 TEST(Checkpoint, GivesBackEveryBit) {
@@ -80,7 +80,7 @@ TEST(Checkpoint, GivesBackEveryBit) {
   read.half = 0, read.count = 0, read.flag = false, read.none = {1}, read.words = "", read.silence = "?";
   const auto reader = open_checkpoint(path, mesh);
   EXPECT_TRUE(reader->reading());
-  read.remember(*reader);
+  read.serialize(*reader);
   EXPECT_EQ(read.half, kept.half);
   EXPECT_EQ(read.count, kept.count);
   EXPECT_EQ(read.flag, kept.flag);
@@ -108,9 +108,9 @@ TEST(Checkpoint, KeepsTheOldOneWhenTheNewOneFails) {
   const LocalMesh mesh = block(2);
   const std::string path = fresh_file("kept");
   write(path, mesh);
-  EXPECT_THROW(write_checkpoint(path, mesh, [](Keeper& keeper) {
+  EXPECT_THROW(write_checkpoint(path, mesh, [](Archive& archive) {
                  double half = .25;
-                 keeper.scalars("plain", half);
+                 archive.scalars("plain", half);
                  throw std::runtime_error("the disk is full");
                }),
                std::runtime_error);
@@ -169,7 +169,7 @@ TEST(Checkpoint, RefusesAnotherMesh) {
   write(path, block(2));
   const LocalMesh larger = block(3);
   Everything e(larger);
-  EXPECT_THROW(e.remember(*open_checkpoint(path, larger)), InputError);
+  EXPECT_THROW(e.serialize(*open_checkpoint(path, larger)), InputError);
 }
 
 constexpr const char* wanted = "BULBUS_CHECKPOINT";  // the file of a process that only writes
@@ -181,9 +181,9 @@ TEST(CheckpointWriter, WritesUntilItIsKilled) {
   const LocalMesh mesh = block(24);
   for (double k = 1;; ++k) {
     std::vector<double> x(mesh.X.size(), k);
-    write_checkpoint(path, mesh, [&](Keeper& keeper) {
-      keeper.scalars("number", k);
-      keeper.nodes("x", x);
+    write_checkpoint(path, mesh, [&](Archive& archive) {
+      archive.scalars("number", k);
+      archive.nodes("x", x);
     });
   }
 }

@@ -9,9 +9,9 @@ namespace bulbus {
 struct LocalMesh;
 
 /// Keeps what is given to it under a name, or gives back what was kept: whatever has a memory says in one function
-/// `remember(Keeper&)` what that is, for writing and for reading alike. All members are collective, with the same names on every
+/// `serialize(Archive&)` what that is, for writing and for reading alike. All members are collective, with the same names on every
 /// rank.
-class Keeper {
+class Archive {
  public:
   /// What the rows of a table belong to, the same however many ranks there are. A row that several ranks hold is `mine` on one.
   struct Keys {
@@ -22,18 +22,18 @@ class Keeper {
   /// A part of the names while it lives.
   class Group {
    public:
-    Group(Keeper& keeper, const std::string& name) : keeper_(keeper), before_(keeper.prefix_) { keeper.prefix_ = keeper.path_of(name) + "/"; }
-    ~Group() { keeper_.prefix_ = before_; }
+    Group(Archive& archive, const std::string& name) : archive_(archive), before_(archive.prefix_) { archive.prefix_ = archive.path_of(name) + "/"; }
+    ~Group() { archive_.prefix_ = before_; }
     Group(const Group&) = delete;
     Group& operator=(const Group&) = delete;
 
    private:
-    Keeper& keeper_;
+    Archive& archive_;
     std::string before_;
   };
 
-  explicit Keeper(const LocalMesh& mesh);
-  virtual ~Keeper() = default;
+  explicit Archive(const LocalMesh& mesh);
+  virtual ~Archive() = default;
 
   /// Are values given back, in place of being kept?
   virtual bool reading() const = 0;

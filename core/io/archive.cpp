@@ -1,10 +1,10 @@
-#include "core/io/keeper.hpp"
+#include "core/io/archive.hpp"
 
 #include "core/mesh/distributed/local_mesh.hpp"
 
 namespace bulbus {
 
-Keeper::Keeper(const LocalMesh& mesh) {
+Archive::Archive(const LocalMesh& mesh) {
   for (int n = 0; n < mesh.nodes(); ++n) nodes_.add(mesh.input_node[n], n < mesh.owned);
   for (int h : mesh.input_hex) hexes_.add(h, true);
 }
