@@ -70,11 +70,11 @@ Scene with_materials_of(const Problem& problem, Scene scene) {
   return scene;
 }
 
-void measure_memory(const Problem& problem, const CoupledSystem& system, Meters& meters) {
-  meters.memory.set("mesh", problem.mesh().bytes());
-  meters.memory.set("solid", problem.solid().bytes());
-  meters.memory.set("operator cache", problem.solid().cache_bytes());
-  meters.memory.set("coupled system", system.bytes());
+void measure_memory(const Problem& problem, const CoupledSystem& system, Profiler& profiler) {
+  profiler.memory.set("mesh", problem.mesh().bytes());
+  profiler.memory.set("solid", problem.solid().bytes());
+  profiler.memory.set("operator cache", problem.solid().cache_bytes());
+  profiler.memory.set("coupled system", system.bytes());
 }
 
 nlohmann::json json_of(const MemoryForecast& forecast) {
@@ -129,11 +129,11 @@ void note_in_log(const ResultsFolder& folder, const std::string& fault) {
 int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene_path, const Comm& comm,
              Log::Screen screen, const std::string& checkpoint) {
   const double start = Clock::now();
-  Meters meters;
+  Profiler profiler;
   Prepared prepared;
   MemoryForecast memory;
   {
-    const auto scope = meters.clock.measure("mesh and problem");
+    const auto scope = profiler.clock.measure("mesh and problem");
     prepared = prepare(scene, comm);
     memory = forecast_memory(prepared, scene);
     comm.together([&] { refuse_what_cannot_fit(memory, scene.solver.linear); });
@@ -160,25 +160,25 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   log.info(line_of(memory));
 
   const InterruptsHeeded heeded;
-  Recorder recorder(prepared, scene, folder, log, meters, start_of_records);
+  Recorder recorder(prepared, scene, folder, log, profiler, start_of_records);
   const LinearSettings& linear = scene.solver.linear;
   CoupledSystem system(problem, settings_of_system(linear));
-  auto solver = make_solver(linear, meters);
+  auto solver = make_solver(linear, profiler);
   if (!linear.dump.empty())
     solver = make_dumping_solver(
         std::move(solver), linear.dump, folder, [&] { return recorder.increments() + 1; }, comm);
   solver->watch([&](const SolveProgress& progress) { recorder.solve_lasts(progress); });
   auto [place, step_start, state] = from ? recorder.resume(*from) : Resumed{.state = problem.initial_state()};
-  const MarchReport report = march(problem, system, *solver, state, scene.solver, meters, recorder, place);
+  const MarchReport report = march(problem, system, *solver, state, scene.solver, profiler, recorder, place);
 
   recorder.finish(state);
   for (const std::string& deep : deep_contacts(*prepared.operation, recorder.contacts())) {
     prepared.warnings.push_back(deep);
     log.warn(deep);
   }
-  measure_memory(problem, system, meters);
+  measure_memory(problem, system, profiler);
   const double seconds = Clock::now() - start;
-  auto summary = summary_of(scene.title, prepared, recorder, report, meters, seconds);
+  auto summary = summary_of(scene.title, prepared, recorder, report, profiler, seconds);
   summary["memory_mb"]["forecast"] = json_of(memory);
   const std::string diagnosis = report.converged ? "" : recorder.diagnosis(state);
   if (!diagnosis.empty()) summary["diagnosis"] = diagnosis;

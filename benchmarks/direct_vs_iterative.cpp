@@ -29,15 +29,15 @@ json run(const std::vector<std::string>& words) {
   const int refine = std::stoi(words.at(3));
   SolverSettings settings = settings_of(method, std::stod(words.at(2)));
   if (method == "iterative") settings.linear.take_mesh(refine);
-  Meters meters;
+  Profiler profiler;
   auto problem = half_eye(n, comm, refine);
   CoupledSystem system(*problem, settings.linear);
-  TimedSolver solver(make_solver(settings.linear, meters));
+  TimedSolver solver(make_solver(settings.linear, profiler));
   State state = problem->initial_state();
   json row{{"n", n}, {"refined", refine}, {"method", method}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)}};
   for (auto [step, progress] : {std::pair{0, 1.}, {1, .25}}) {
     problem->begin_step(step, state);
-    const NewtonReport report = newton(*problem, system, solver, state, progress, settings.newton, meters);
+    const NewtonReport report = newton(*problem, system, solver, state, progress, settings.newton, profiler);
     row["newton_iterations"].push_back(report.iterations.size());
     if (report.outcome != Outcome::converged) {
       row["reason"] = report.reason;
@@ -46,10 +46,10 @@ json run(const std::vector<std::string>& words) {
     for (const auto& term : problem->terms()) term->commit(state);
     if (step == 0) problem->end_step();
   }
-  meters.memory.set("mesh", problem->mesh().bytes());
-  meters.memory.set("solid", problem->solid().bytes());
-  meters.memory.set("operator cache", problem->solid().cache_bytes());
-  meters.memory.set("coupled system", system.bytes());
+  profiler.memory.set("mesh", problem->mesh().bytes());
+  profiler.memory.set("solid", problem->solid().bytes());
+  profiler.memory.set("operator cache", problem->solid().cache_bytes());
+  profiler.memory.set("coupled system", system.bytes());
   std::vector<double> whole;
   for (std::size_t i = 0; i < solver.solution.size(); ++i) whole.push_back(solver.setup[i] + solver.solution[i]);
   row["pressure_mmhg"] = state.P[0] / 1.3332236842e-4;
@@ -69,7 +69,7 @@ json run(const std::vector<std::string>& words) {
     row["estimated_gflop"] = 1e-9 * solver.factor->estimated_flops;
     row["too_large"] = solver.factor->too_large;
   }
-  for (const auto& [part, bytes] : meters.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
+  for (const auto& [part, bytes] : profiler.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
   return row;
 }
 

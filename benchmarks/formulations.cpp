@@ -73,8 +73,8 @@ void add_factor(const FactorReport& f, json& row) {
 json solved(const Variant& v, Problem& problem, const State& state, const FirstIncrement& start, double memory_mb,
             std::vector<double>& solution) {
   const SolverSettings settings = settings_of(v, memory_mb);
-  Meters meters;
-  TimedSolver solver(make_solver(settings.linear, meters));
+  Profiler profiler;
+  TimedSolver solver(make_solver(settings.linear, profiler));
   CoupledSystem system(problem, settings.linear);
   system.linearize(state, start.residual);
   reset_peak_resident();
@@ -89,7 +89,7 @@ json solved(const Variant& v, Problem& problem, const State& state, const FirstI
   const LinearReport report = solver.solve(system, system.right_hand_side(start.residual, start.held), x, tolerance);
   row.update({{"solve_s", solver.solution[0]}, {"iterations", report.iterations}, {"reduction", report.reduction},
               {"peak_mb", 1e-6 * peak_resident_bytes()}});
-  for (const auto& [part, bytes] : meters.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
+  for (const auto& [part, bytes] : profiler.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
   if (v.method == "iterative") row["mb"] = row["memory_mb"].value("preconditioner", 0.) + row["memory_mb"].value("Krylov basis", 0.);
   if (!report.ok) return row["reason"] = report.reason, row;
   const auto u = system.layout().primal(x);
@@ -101,8 +101,8 @@ json solved(const Variant& v, Problem& problem, const State& state, const FirstI
 void measure_systems(int n, double memory_mb, json& rows) {
   const Comm comm;
   auto problem = half_eye(n, comm);
-  Meters meters;
-  State state = pressurised(*problem, SolverSettings{}, meters);
+  Profiler profiler;
+  State state = pressurised(*problem, SolverSettings{}, profiler);
   const FirstIncrement start = first_increment(*problem, state);
   std::vector<double> solution;
   for (const Variant& v : variants) {
@@ -118,13 +118,13 @@ json whole_run(const std::vector<std::string>& words) {
   const int n = std::stoi(words.at(2));
   const SolverSettings settings = settings_of(v, std::stod(words.at(3)));
   const Comm comm;
-  Meters meters;
+  Profiler profiler;
   auto problem = half_eye(n, comm);
-  TimedSolver solver(make_solver(settings.linear, meters));
+  TimedSolver solver(make_solver(settings.linear, profiler));
   CoupledSystem system(*problem, settings.linear);
   State state = problem->initial_state();
   MarchObserver nobody;
-  const MarchReport report = march(*problem, system, solver, state, settings, meters, nobody);
+  const MarchReport report = march(*problem, system, solver, state, settings, profiler, nobody);
   json row{{"n", n}, {"method", v.method}, {"formulation", v.formulation}, {"hexahedra", problem->mesh().all_hexes},
            {"unknowns", unknowns(*problem)}, {"increments", report.increments}, {"cuts", report.cuts}, {"newton_iterations", report.newton_iterations},
            {"krylov_iterations", report.krylov_iterations}, {"linear_solves", solver.solution.size()}, {"setup_s", median(solver.setup)},

@@ -132,9 +132,9 @@ void solve(const std::string& path, const Options& o, json& rows) {
 std::string make_dump(int n) {
   const Comm comm;
   const SolverSettings settings;
-  Meters meters;
+  Profiler profiler;
   auto problem = half_eye(n, comm);
-  State state = pressurised(*problem, settings, meters);
+  State state = pressurised(*problem, settings, profiler);
   const auto [r, held] = first_increment(*problem, state);
   CoupledSystem system(*problem, settings.linear);
   system.linearize(state, r);

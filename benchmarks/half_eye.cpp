@@ -39,12 +39,12 @@ std::unique_ptr<Problem> half_eye(int n, const Comm& comm, int refine) {
   return std::make_unique<Problem>(refined(generate(settings), refine), half_eye_model(), comm);
 }
 
-State pressurised(Problem& problem, const SolverSettings& settings, Meters& meters) {
+State pressurised(Problem& problem, const SolverSettings& settings, Profiler& profiler) {
   CoupledSystem system(problem, settings.linear);
-  auto solver = make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters);
+  auto solver = make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, profiler), profiler);
   State state = problem.initial_state();
   problem.begin_step(0, state);
-  const NewtonReport report = newton(problem, system, *solver, state, 1, settings.newton, meters);
+  const NewtonReport report = newton(problem, system, *solver, state, 1, settings.newton, profiler);
   if (report.outcome != Outcome::converged) throw std::runtime_error("15 mmHg was not reached: " + report.reason);
   for (const auto& term : problem.terms()) term->commit(state);
   problem.end_step();

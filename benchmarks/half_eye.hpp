@@ -12,7 +12,7 @@ Model half_eye_model();
 std::unique_ptr<Problem> half_eye(int n, const Comm& comm, int refine = 0);
 
 /// 15 mmHg, reached with the default iterative solver. Throws std::runtime_error if it is not.
-State pressurised(Problem& problem, const SolverSettings& settings, Meters& meters);
+State pressurised(Problem& problem, const SolverSettings& settings, Profiler& profiler);
 
 /// What a Newton step of the first coupled increment (a quarter of step 1) starts from.
 struct FirstIncrement {

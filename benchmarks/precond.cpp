@@ -17,10 +17,10 @@ json solve_by(const std::string& method, Problem& problem, const State& state, c
   settings.displacement = method;
   if (method == "direct") settings = bench::settings_of(method, settings.memory_limit).linear;
   json row{{"displacement", method}, {"gamma", settings.gamma}, {"hexahedra", problem.mesh().all_hexes}, {"unknowns", unknowns(problem)}};
-  Meters meters;
+  Profiler profiler;
   CoupledSystem system(problem, settings);
   system.linearize(state, r);
-  auto solver = make_solver(settings, meters);
+  auto solver = make_solver(settings, profiler);
   const double start = cpu_seconds();
   const LinearReport ready = solver->prepare(system);
   const double prepared = cpu_seconds();
@@ -33,7 +33,7 @@ json solve_by(const std::string& method, Problem& problem, const State& state, c
   row["iterations"] = report.iterations;
   row["reduction"] = report.reduction;
   row["reason"] = report.ok ? "" : report.reason;
-  for (const auto& [part, bytes] : meters.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
+  for (const auto& [part, bytes] : profiler.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
   row["mb"] = row["memory_mb"].value(method == "direct" ? "factor" : "preconditioner", 0.);
   return row;
 }
@@ -57,9 +57,9 @@ int main(int argc, char** argv) {
   report["notes"] = "seconds are processor time; iterations to the tolerance in the scaled norm; mb without the Krylov basis";
   for (int n : o.sizes) {
     auto problem = half_eye(n, comm, o.refine);
-    Meters meters;
+    Profiler profiler;
     if (o.refine > 0) settings.linear.displacement = "multigrid";
-    State state = pressurised(*problem, settings, meters);
+    State state = pressurised(*problem, settings, profiler);
     const auto [r, held] = first_increment(*problem, state);
     for (const std::string& method : chosen) {
       if (method == "multigrid" && o.refine == 0) continue;

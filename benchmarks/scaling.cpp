@@ -25,14 +25,14 @@ json solve(int n, int refine, const Comm& comm) {
   const double made = Clock::now();
   LinearSettings settings;
   settings.take_mesh(refine);
-  Meters meters;
+  Profiler profiler;
   CoupledSystem system(*problem, settings);
   State state = problem->initial_state();
   problem->begin_step(0, state);
   problem->set_progress(1, state);
   const Residual r = problem->residual(state);
   system.linearize(state, r);
-  auto solver = make_solver(settings, meters);
+  auto solver = make_solver(settings, profiler);
   const double linearised = Clock::now();
   const LinearReport ready = solver->prepare(system);
   if (!ready.ok) return {{"n", n}, {"refine", refine}, {"ranks", comm.size()}, {"reason", ready.reason}};

@@ -24,11 +24,11 @@ std::vector<std::string> krylov_columns() {
 }  // namespace
 
 Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& folder, const Log& log,
-                   Meters& meters, FileStart start)
+                   Profiler& profiler, FileStart start)
     : problem_(*prepared.problem),
       log_(log),
       operation_(prepared.operation),
-      meters_(meters),
+      profiler_(profiler),
       narrator_(log, problem_, scene.solver.stepping),
       witness_(problem_, static_cast<int>(stable_pivots(problem_))),
       probes_(problem_, operation_probes(operation_)),
@@ -50,7 +50,7 @@ void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
   narrator_.step_begins(step, spec, start);
   witness_.step_begins(step, start);
   checkpoints_.step_begins(start);
-  meters_.memory.set("checkpoints", checkpoints_.bytes());
+  profiler_.memory.set("checkpoints", checkpoints_.bytes());
 }
 
 void Recorder::increment_begins(int step, double from, double to) {
@@ -102,7 +102,7 @@ void Recorder::increment_cut(const NewtonReport& report, double from, double to)
 }
 
 void Recorder::increment_done(const Increment& increment, const State& state) {
-  const auto scope = meters_.clock.measure("records");
+  const auto scope = profiler_.clock.measure("records");
   count(increment.newton);
   ++steps_.back().increments;
   unstable_increments_ += narrator_.unstable(increment.newton);
@@ -123,12 +123,12 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
 }
 
 void Recorder::rests(const MarchPlace& place, State& state, bool last) {
-  const auto scope = meters_.clock.measure("checkpoints");
+  const auto scope = profiler_.clock.measure("checkpoints");
   checkpoints_.rests(place, state, last);
 }
 
 void Recorder::interrupted(const MarchPlace& place, State& state) {
-  const auto scope = meters_.clock.measure("checkpoints");
+  const auto scope = profiler_.clock.measure("checkpoints");
   checkpoints_.interrupted(place, state);
 }
 
@@ -176,7 +176,7 @@ void Recorder::append_history(const Increment& i) {
 }
 
 void Recorder::finish(const State& state) {
-  const auto scope = meters_.clock.measure("records");
+  const auto scope = profiler_.clock.measure("records");
   Snapshot snapshot(problem_, state);
   if (!taken_) take(snapshot);
   results_.finish(snapshot);

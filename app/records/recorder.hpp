@@ -22,7 +22,7 @@ struct StepRecord {
 class Recorder final : public MarchObserver, public Remembering {
  public:
   Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& folder, const Log& log,
-           Meters& meters, FileStart start = FileStart::anew);
+           Profiler& profiler, FileStart start = FileStart::anew);
 
   void step_begins(int step, const StepSpec& spec, const State& start) override;
   void increment_begins(int step, double from, double to) override;
@@ -67,7 +67,7 @@ class Recorder final : public MarchObserver, public Remembering {
   Problem& problem_;
   const Log& log_;
   std::shared_ptr<const Operation> operation_;
-  Meters& meters_;
+  Profiler& profiler_;
   Narrator narrator_;
   Witness witness_;
   ProbeSet probes_;

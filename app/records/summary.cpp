@@ -19,16 +19,16 @@ json over_ranks(const Comm& comm, double value) {
   return {{"largest_rank", comm.max(value)}, {"all_ranks", comm.sum(value)}};
 }
 
-json memory_of(const Problem& problem, const Meters& meters) {
+json memory_of(const Problem& problem, const Profiler& profiler) {
   const Comm& comm = problem.comm();
   json parts;
-  for (const auto& [part, bytes] : meters.memory.peaks()) parts[part] = over_ranks(comm, bytes / megabyte);
+  for (const auto& [part, bytes] : profiler.memory.peaks()) parts[part] = over_ranks(comm, bytes / megabyte);
   return {{"parts", parts}, {"process_peak", over_ranks(comm, peak_resident_bytes() / megabyte)}};
 }
 
-json seconds_of(const Comm& comm, const Meters& meters, double total) {
+json seconds_of(const Comm& comm, const Profiler& profiler, double total) {
   json seconds;
-  for (const auto& [part, s] : meters.clock.seconds()) seconds[part] = comm.max(s);
+  for (const auto& [part, s] : profiler.clock.seconds()) seconds[part] = comm.max(s);
   seconds["total"] = comm.max(total);
   return seconds;
 }
@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
 }
 
 nlohmann::json summary_of(const std::string& title, const Prepared& prepared, const Recorder& recorder,
-                          const MarchReport& march, const Meters& meters, double seconds) {
+                          const MarchReport& march, const Profiler& profiler, double seconds) {
   const Problem& problem = *prepared.problem;
   const Sizes sizes = sizes_of(problem);
   json s{{"title", title},
@@ -97,8 +97,8 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
          {"unknowns", unknowns_of(sizes)},
          {"steps", steps_of(recorder.steps())},
          {"totals", totals_of(march)},
-         {"seconds", seconds_of(problem.comm(), meters, seconds)},
-         {"memory_mb", memory_of(problem, meters)},
+         {"seconds", seconds_of(problem.comm(), profiler, seconds)},
+         {"memory_mb", memory_of(problem, profiler)},
          {"ranks", problem.comm().size()}};
   s["probes"] = s["units"] = s["versions"] = json::object();
   for (std::size_t i = 0; i < recorder.probes().size(); ++i) {

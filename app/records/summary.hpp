@@ -8,7 +8,7 @@ namespace bulbus {
 
 /// The final figures of a run as summary.json holds them. Collective; the same on every rank.
 nlohmann::json summary_of(const std::string& title, const Prepared& prepared, const Recorder& recorder,
-                          const MarchReport& march, const Meters& meters, double seconds);
+                          const MarchReport& march, const Profiler& profiler, double seconds);
 
 /// Compiler, build and libraries: name and version.
 std::vector<std::pair<std::string, std::string>> versions();

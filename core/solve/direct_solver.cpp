@@ -21,13 +21,13 @@ double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
 
 class DirectSolver final : public LinearSolver {
  public:
-  DirectSolver(const LinearSettings& settings, Meters& meters)
-      : limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()), meters_(meters) {}
+  DirectSolver(const LinearSettings& settings, Profiler& profiler)
+      : limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()), profiler_(profiler) {}
 
   LinearReport prepare(CoupledSystem& system) override {
-    const auto scope = meters_.clock.measure("factorisation");
+    const auto scope = profiler_.clock.measure("factorisation");
     factor_ = factorised(system);
-    meters_.memory.set("factor", static_cast<std::size_t>(factor_.memory_max_mb * 1e6));
+    profiler_.memory.set("factor", static_cast<std::size_t>(factor_.memory_max_mb * 1e6));
     LinearReport report = so_far();
     report.ok = factor_.ok;
     if (!factor_.ok) report.reason = "MUMPS: " + factor_.reason;
@@ -35,7 +35,7 @@ class DirectSolver final : public LinearSolver {
   }
 
   LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double) override {
-    const auto scope = meters_.clock.measure("linear solve");
+    const auto scope = profiler_.clock.measure("linear solve");
     LinearReport report = so_far();
     report.ok = mumps_->solve(b, x);
     if (!report.ok) return report.reason = "MUMPS could not solve", report;
@@ -62,7 +62,7 @@ class DirectSolver final : public LinearSolver {
   LinearReport so_far() const { return {.negative_pivots = symmetric_ ? factor_.negative_pivots : -1, .factor = factor_}; }
 
   double limit_mb_;
-  Meters& meters_;
+  Profiler& profiler_;
   std::unique_ptr<Mumps> mumps_;
   FactorReport factor_;
   bool symmetric_ = true;
@@ -70,8 +70,8 @@ class DirectSolver final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Meters& meters) {
-  return std::make_unique<DirectSolver>(settings, meters);
+std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Profiler& profiler) {
+  return std::make_unique<DirectSolver>(settings, profiler);
 }
 
 }  // namespace bulbus

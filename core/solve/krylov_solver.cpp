@@ -110,17 +110,17 @@ KrylovReport joined(KrylovReport first, KrylovReport then) {
 
 class KrylovSolver final : public LinearSolver {
  public:
-  KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters)
-      : settings_(settings), factory_(std::move(factory)), meters_(meters), last_resort_(settings, meters) {}
+  KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Profiler& profiler)
+      : settings_(settings), factory_(std::move(factory)), profiler_(profiler), last_resort_(settings, profiler) {}
 
   LinearReport prepare(CoupledSystem& system) override {
     if (given_up_) return {.ok = true};
-    const auto scope = meters_.clock.measure("preconditioner set-up");
+    const auto scope = profiler_.clock.measure("preconditioner set-up");
     preconditioner_.reset();
     auto made = factory_(system, wanted());
     preconditioner_ = std::move(made.preconditioner);
     if (made.how == SetUp::anew) solves_ = 0;
-    meters_.memory.set("preconditioner", preconditioner_->bytes());
+    profiler_.memory.set("preconditioner", preconditioner_->bytes());
     const std::string fault = preconditioner_->fault();
     if (fault.empty() || !last_resort_.available(system)) return {.ok = fault.empty(), .reason = fault};
     give_up();
@@ -132,7 +132,7 @@ class KrylovSolver final : public LinearSolver {
     if (given_up_) return last_resort_.solve(system, b, x, tolerance);
     LinearReport r;
     {
-      const auto scope = meters_.clock.measure("linear solve");
+      const auto scope = profiler_.clock.measure("linear solve");
       r = solve_by_krylov(system, b, x, tolerance);
     }
     r.stale = !r.ok && solves_ > 0;
@@ -173,7 +173,7 @@ class KrylovSolver final : public LinearSolver {
     if (settings_.record_krylov)
       observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, b, iterate)); };
     const KrylovReport k = solve_in_stages(A, M, b, x, tolerance, system, observer);
-    meters_.memory.set("Krylov basis", k.basis_bytes);
+    profiler_.memory.set("Krylov basis", k.basis_bytes);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] *= s[i], b[i] /= s[i];
     LinearReport r{.ok = k.converged, .reason = k.reason, .iterations = k.iterations, .reduction = k.initial > 0 ? k.final / k.initial : 0};
     r.history = k.history;
@@ -236,12 +236,12 @@ class KrylovSolver final : public LinearSolver {
 
   void strengthen() {
     preconditioner_->strengthen();
-    meters_.memory.set("preconditioner", preconditioner_->bytes());
+    profiler_.memory.set("preconditioner", preconditioner_->bytes());
   }
 
   LinearSettings settings_;
   PreconditionerFactory factory_;
-  Meters& meters_;
+  Profiler& profiler_;
   LastResort last_resort_;
   SolveWatcher watcher_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
@@ -254,8 +254,8 @@ class KrylovSolver final : public LinearSolver {
 }  // namespace
 
 std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory,
-                                                 Meters& meters) {
-  return std::make_unique<KrylovSolver>(settings, std::move(factory), meters);
+                                                 Profiler& profiler) {
+  return std::make_unique<KrylovSolver>(settings, std::move(factory), profiler);
 }
 
 }  // namespace bulbus

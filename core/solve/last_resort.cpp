@@ -56,10 +56,10 @@ bool solve_once(const CoupledSystem& system, Mumps& mumps, std::span<const doubl
 
 }  // namespace
 
-LastResort::LastResort(const LinearSettings& settings, Meters& meters)
+LastResort::LastResort(const LinearSettings& settings, Profiler& profiler)
     : allowed_(settings.fallback == "direct"),
       limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()),
-      meters_(meters) {}
+      profiler_(profiler) {}
 
 double LastResort::room_mb(const CoupledSystem& system) const {
   return system.problem().comm().min(limit_mb_) - 1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
@@ -78,12 +78,12 @@ bool LastResort::available(const CoupledSystem& system) {
 bool LastResort::cheap(const CoupledSystem& system) const { return allowed_ && global_size(system) <= few_unknowns; }
 
 FactorReport LastResort::factorise(const CoupledSystem& system, Mumps& mumps) {
-  const auto scope = meters_.clock.measure("factorisation");
+  const auto scope = profiler_.clock.measure("factorisation");
   const bool symmetric = system.problem().symmetric();
   const FactorReport factor =
       mumps.factorise(assemble(system, false, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
   if (factor.too_large) fits_ = false;
-  meters_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
+  profiler_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
   return factor;
 }
 

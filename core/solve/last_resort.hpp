@@ -9,7 +9,7 @@ namespace bulbus {
 /// All members are collective.
 class LastResort {
  public:
-  LastResort(const LinearSettings& settings, Meters& meters);
+  LastResort(const LinearSettings& settings, Profiler& profiler);
 
   /// Is it allowed, and will it fit into memory beside what is resident now?
   bool available(const CoupledSystem& system);
@@ -27,7 +27,7 @@ class LastResort {
 
   bool allowed_;
   double limit_mb_;
-  Meters& meters_;
+  Profiler& profiler_;
   std::optional<bool> fits_;
 };
 

@@ -42,7 +42,7 @@ struct SolveProgress {
 using SolveWatcher = std::function<void(const SolveProgress&)>;
 
 /// Where a run keeps count of its seconds and bytes.
-struct Meters {
+struct Profiler {
   Clock clock;
   MemoryTally memory;
 };
@@ -92,10 +92,10 @@ struct MadePreconditioner {
 using PreconditionerFactory = std::function<MadePreconditioner(CoupledSystem&, SetUp)>;
 
 /// GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
-std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory, Meters& meters);
+std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory, Profiler& profiler);
 
 /// MUMPS on the system, augmented by its γ (0 costs nothing and changes no solution). What would not fit into the settings' memory limit
 /// is refused by its estimate.
-std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Meters& meters);
+std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Profiler& profiler);
 
 }  // namespace bulbus

@@ -72,7 +72,7 @@ void MarchPlace::serialize(Archive& archive) {
 }
 
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
-                  Meters& meters, MarchObserver& observer, MarchPlace place) {
+                  Profiler& profiler, MarchObserver& observer, MarchPlace place) {
   MarchReport& report = place.report;
   double& done = place.done;
   const auto& steps = problem.model().steps;
@@ -98,7 +98,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       observer.increment_begins(k, done, to);
       State trial = state;
       NewtonReport newton = within_memory(problem.comm(), [&] {
-        return bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, place.careful, settings.newton), meters,
+        return bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, place.careful, settings.newton), profiler,
                               [&](const NewtonIteration& i) { observer.newton_iteration(i); });
       });
       report.newton_iterations += static_cast<int>(newton.iterations.size());

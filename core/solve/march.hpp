@@ -56,6 +56,6 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings);
 /// a step on its linear solves are tight; a small system is tried once more so before the increment is cut. On return `state` is the last
 /// good one: so it is where an interrupt ends it. A `place` in the middle is one to which problem and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
-                  Meters& meters, MarchObserver& observer, MarchPlace place = {});
+                  Profiler& profiler, MarchObserver& observer, MarchPlace place = {});
 
 }  // namespace bulbus

@@ -122,7 +122,7 @@ std::string describe(Outcome outcome) {
 }
 
 NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, double progress,
-                    const NewtonSettings& settings, Meters& meters, const NewtonObserver& observer) {
+                    const NewtonSettings& settings, Profiler& profiler, const NewtonObserver& observer) {
   NewtonReport report;
   ForcingTerm forcing(settings.eta_max);
   problem.set_progress(progress, state);
@@ -139,7 +139,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   std::optional<Residual> r;
   std::optional<State> linearised;
   const auto find_residual = [&] {
-    const auto scope = meters.clock.measure("residual");
+    const auto scope = profiler.clock.measure("residual");
     r = problem.residual(state);
   };
   const auto balance = [&] {
@@ -187,7 +187,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     if (number == last) return fail(Outcome::too_many_iterations);
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     {
-      const auto scope = meters.clock.measure("linearisation");
+      const auto scope = profiler.clock.measure("linearisation");
       if (solver.counts_pivots(system)) linearised = state;
       system.linearize(linearised ? *linearised : state, *r);
     }

@@ -38,6 +38,6 @@ using NewtonObserver = std::function<void(const NewtonIteration&)>;
 /// Full steps, shortened only where an element would invert; linear tolerances by Eisenstat and Walker (choice 2) with a cap.
 /// Collective.
 NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, double progress,
-                    const NewtonSettings& settings, Meters& meters, const NewtonObserver& observer = {});
+                    const NewtonSettings& settings, Profiler& profiler, const NewtonObserver& observer = {});
 
 }  // namespace bulbus

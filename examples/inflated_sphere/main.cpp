@@ -22,12 +22,12 @@ int main(int argc, char** argv) {
   bulbus::Problem problem(mesh, model, {});
   bulbus::State state = problem.initial_state();
   bulbus::SolverSettings settings;
-  bulbus::Meters meters;
+  bulbus::Profiler profiler;
   bulbus::MarchObserver observer;
   bulbus::CoupledSystem system(problem, settings.linear);
   const auto solver = bulbus::make_krylov_solver(
-      settings.linear, bulbus::make_preconditioner_factory(settings.linear, meters), meters);
-  const bulbus::MarchReport report = bulbus::march(problem, system, *solver, state, settings, meters, observer);
+      settings.linear, bulbus::make_preconditioner_factory(settings.linear, profiler), profiler);
+  const bulbus::MarchReport report = bulbus::march(problem, system, *solver, state, settings, profiler, observer);
 
   const int node = problem.mesh().local(bulbus::nodes_of(mesh, "outer")).front();
   const double* x = &state.x[3 * node];

@@ -22,8 +22,8 @@ Solved solve(const Scene& scene, const Comm& comm) {
   CoupledSystem system(problem, settings);
   const Residual r = problem.residual(state);
   system.linearize(state, r);
-  Meters meters;
-  auto solver = make_krylov_solver(settings, make_preconditioner_factory(settings, meters), meters);
+  Profiler profiler;
+  auto solver = make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler);
   EXPECT_TRUE(solver->prepare(system).ok);
   std::vector<double> held(state.x.size()), x(system.size()), dx(state.x.size());
   problem.dofs().defect(state, .5, held);

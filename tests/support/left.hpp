@@ -29,19 +29,19 @@ class Leaving final : public MarchObserver {
 /// Solves a scene directly into a folder as a run does, which is left where `rested` (of each converged increment) throws Left, as if
 /// killed. Collective.
 inline void run_and_leave(const Scene& scene, const std::string& folder, const Comm& comm, const std::function<void(int)>& rested) {
-  Meters meters;
+  Profiler profiler;
   const Prepared prepared = prepare(scene, comm);
   ResultsFolder results(folder, record_names(scene), comm);
   results.begin();
   results.claim({log_file});
   const Log log(folder + "/run.log", comm, Log::Screen::silent);
-  Recorder recorder(prepared, scene, results, log, meters);
+  Recorder recorder(prepared, scene, results, log, profiler);
   CoupledSystem system(*prepared.problem, LinearSettings{.gamma = 0});
-  const auto solver = make_direct_solver(scene.solver.linear, meters);
+  const auto solver = make_direct_solver(scene.solver.linear, profiler);
   State state = prepared.problem->initial_state();
   Leaving leaving(recorder, rested);
   try {
-    march(*prepared.problem, system, *solver, state, scene.solver, meters, leaving);
+    march(*prepared.problem, system, *solver, state, scene.solver, profiler, leaving);
   } catch (const Left&) {
   }
 }

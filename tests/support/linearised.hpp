@@ -54,8 +54,8 @@ inline Scene cylinder() {
 inline int iterations(const Scene& scene, int refine, const std::string& displacement) {
   Linearised l(scene, refine, 0);
   l.settings.displacement = displacement;
-  Meters meters;
-  auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
+  Profiler profiler;
+  auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, profiler), profiler);
   const Residual r = l.problem.residual(l.state);
   EXPECT_TRUE(solver->prepare(l.system).ok);
   std::vector<double> held(l.state.x.size()), x(l.system.size());

@@ -32,10 +32,10 @@ struct Trial : MarchTrial {
   Trial& direct() {
     settings.linear.method = "direct";
     settings.linear.gamma = 0;
-    return with(make_direct_solver(settings.linear, meters));
+    return with(make_direct_solver(settings.linear, profiler));
   }
   Trial& iterative() {
-    return with(make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, meters), meters));
+    return with(make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, profiler), profiler));
   }
 
   double displacement(int local_node, int axis) const {

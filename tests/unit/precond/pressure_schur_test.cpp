@@ -116,8 +116,8 @@ TEST(PressureSchur, TakesWeakPatternsOutOfNoise) {
   const auto iterations = [](int after, int refine = 0) {
     Linearised l(small_eye(8), refine, 0);
     l.settings.pressures.after = after;
-    Meters meters;
-    auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
+    Profiler profiler;
+    auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, profiler), profiler);
     EXPECT_TRUE(solver->prepare(l.system).ok);
     std::vector<double> b(l.system.size()), x(b.size());
     std::ranges::copy(noise(l.system.layout().hexes, 1), l.system.layout().lambda(b).begin());

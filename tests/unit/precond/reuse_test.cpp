@@ -32,8 +32,8 @@ LinearReport solved_after(Linearised& l, double reuse, double coarse_change) {
   widen(l);
   l.settings.reuse = reuse;
   l.settings.coarse_change = coarse_change;
-  Meters meters;
-  const auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, meters), meters);
+  Profiler profiler;
+  const auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, profiler), profiler);
   solve(l, *solver);
   widen(l);
   return solve(l, *solver);
@@ -73,8 +73,8 @@ TEST(Reuse, KeepsCoarseFactorsWhileTheirMatrixHardlyChanges) {
   for (int refinements : {0, 1}) {
     Linearised l(small_eye(4), refinements, 0);
     widen(l);
-    Meters meters;
-    const auto make = make_preconditioner_factory(l.settings, meters);
+    Profiler profiler;
+    const auto make = make_preconditioner_factory(l.settings, profiler);
     EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::anew);  // there are none yet
     EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::factors_kept);
     EXPECT_EQ(make(l.system, SetUp::anew).how, SetUp::anew);
@@ -87,8 +87,8 @@ TEST(Reuse, KeepsCoarseFactorsWhileTheirMatrixHardlyChanges) {
 
 TEST(Reuse, KeepsOnlyWhatFits) {
   Linearised l(small_eye(8), 0, 0);
-  Meters meters;
-  const auto make = make_preconditioner_factory(l.settings, meters);
+  Profiler profiler;
+  const auto make = make_preconditioner_factory(l.settings, profiler);
   EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::anew);  // there is none yet
   EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::kept);
   widen(l);

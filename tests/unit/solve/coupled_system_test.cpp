@@ -191,8 +191,8 @@ TEST_P(CoupledSystemTest, DirectSolverSolvesTheSystem) {
   std::vector<double> held(s.state.x.size()), x(s.system.size());
   s.problem.dofs().defect(s.state, .7, held);
   const auto b = s.system.right_hand_side(s.residual, held);
-  Meters meters;
-  const auto solver = make_direct_solver({}, meters);
+  Profiler profiler;
+  const auto solver = make_direct_solver({}, profiler);
   ASSERT_TRUE(solver->prepare(s.system).ok);
   const LinearReport report = solver->solve(s.system, b, x, 1e-12);
   EXPECT_TRUE(report.ok);

@@ -84,8 +84,8 @@ TEST(March, WithoutMemoryEndsWithTheLastGoodState) {
   whole.go();
   ASSERT_GT(whole.increments.size(), 1u);
   const int enough = static_cast<int>(whole.increments[0].newton.iterations.size()) + 1;
-  Hungry solver(make_direct_solver(trial.settings.linear, trial.meters), enough);
-  const MarchReport report = march(trial.problem, system, solver, trial.state, trial.settings, trial.meters, trial);
+  Hungry solver(make_direct_solver(trial.settings.linear, trial.profiler), enough);
+  const MarchReport report = march(trial.problem, system, solver, trial.state, trial.settings, trial.profiler, trial);
   EXPECT_FALSE(report.converged);
   EXPECT_NE(report.reason.find("out of memory"), std::string::npos) << report.reason;
   ASSERT_EQ(trial.increments.size(), 1u);

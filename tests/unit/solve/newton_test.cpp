@@ -26,9 +26,9 @@ TEST(Newton, SolvesAgainWithANewPreconditionerWhereAnOldOneFails) {
   Trial t(stretched_block(2, "0.4"));
   t.settings.linear.gamma = 0;
   CoupledSystem system(t.problem, t.settings.linear);
-  Stale solver(make_direct_solver(t.settings.linear, t.meters));
+  Stale solver(make_direct_solver(t.settings.linear, t.profiler));
   t.problem.begin_step(0, t.state);
-  const NewtonReport r = newton(t.problem, system, solver, t.state, 1, t.settings.newton, t.meters, {});
+  const NewtonReport r = newton(t.problem, system, solver, t.state, 1, t.settings.newton, t.profiler, {});
   EXPECT_EQ(r.outcome, Outcome::converged) << r.reason;
   EXPECT_EQ(solver.renewals, 1);
   EXPECT_EQ(r.krylov_iterations, 7);  // what was spent is counted
@@ -40,11 +40,11 @@ TEST(Newton, NothingToDoTakesNoIteration) {
   Problem problem(scene.mesh, scene.model, comm);
   State state = problem.initial_state();
   problem.begin_step(0, state);
-  Meters meters;
+  Profiler profiler;
   CoupledSystem system(problem, {});
-  const auto solver = make_direct_solver({}, meters);
+  const auto solver = make_direct_solver({}, profiler);
   int seen = 0;
-  const NewtonReport r = newton(problem, system, *solver, state, 1, {}, meters, [&](const NewtonIteration&) { ++seen; });
+  const NewtonReport r = newton(problem, system, *solver, state, 1, {}, profiler, [&](const NewtonIteration&) { ++seen; });
   EXPECT_EQ(r.outcome, Outcome::converged);
   EXPECT_TRUE(r.iterations.empty());
   EXPECT_EQ(seen, 1);
@@ -57,10 +57,10 @@ TEST(Newton, NotANumberIsNoticed) {
   State state = problem.initial_state();
   problem.begin_step(0, state);
   if (!state.lambda.empty() && comm.rank() == 0) state.lambda[0] = NAN;
-  Meters meters;
+  Profiler profiler;
   CoupledSystem system(problem, {});
-  const auto solver = make_direct_solver({}, meters);
-  EXPECT_EQ(newton(problem, system, *solver, state, 1, {}, meters).outcome, Outcome::not_finite);
+  const auto solver = make_direct_solver({}, profiler);
+  EXPECT_EQ(newton(problem, system, *solver, state, 1, {}, profiler).outcome, Outcome::not_finite);
 }
 
 TEST(Newton, EveryOutcomeHasWords) {

@@ -17,7 +17,7 @@ struct Trial : MarchTrial {
   Trial& go(double gamma = 0) {
     settings.linear.gamma = gamma;
     settings.linear.op = "recompute";
-    march_with(make_direct_solver(settings.linear, meters));
+    march_with(make_direct_solver(settings.linear, profiler));
     return *this;
   }
   std::vector<int> nodes(const std::string& set) const { return MarchTrial::nodes(mesh, set); }
