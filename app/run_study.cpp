@@ -6,7 +6,7 @@
 #include "app/commands.hpp"
 #include "app/records/finished.hpp"
 #include "app/records/folder.hpp"
-#include "app/records/narrator.hpp"
+#include "app/records/progress_log.hpp"
 #include "app/prepare.hpp"
 #include "app/study/study_figure.hpp"
 #include "app/study/study_json.hpp"

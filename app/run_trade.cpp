@@ -8,7 +8,7 @@
 #include "app/commands.hpp"
 #include "app/records/finished.hpp"
 #include "app/records/folder.hpp"
-#include "app/records/narrator.hpp"
+#include "app/records/progress_log.hpp"
 #include "app/trade/trade_records.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/base/process.hpp"

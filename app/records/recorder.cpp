@@ -29,7 +29,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       log_(log),
       operation_(prepared.operation),
       profiler_(profiler),
-      narrator_(log, problem_, scene.solver.stepping),
+      progress_(log, problem_, scene.solver.stepping),
       witness_(problem_, static_cast<int>(stable_pivots(problem_))),
       probes_(problem_, operation_probes(operation_)),
       record_(probes_),
@@ -47,7 +47,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
 
 void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
   steps_.push_back({.name = spec.name});
-  narrator_.step_begins(step, spec, start);
+  progress_.step_begins(step, spec, start);
   witness_.step_begins(step, start);
   checkpoints_.step_begins(start);
   profiler_.memory.set("checkpoints", checkpoints_.bytes());
@@ -55,11 +55,11 @@ void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
 
 void Recorder::increment_begins(int step, double from, double to) {
   since_ = Clock::now();
-  narrator_.increment_begins(step, from, to);
+  progress_.increment_begins(step, from, to);
 }
 
 void Recorder::newton_iteration(const NewtonIteration& i) {
-  narrator_.newton_iteration(i);
+  progress_.newton_iteration(i);
   if (i.linear.factor) {
     factor_ = i.linear.factor;
     worst_reduction_ = std::max(worst_reduction_, i.linear.reduction);
@@ -97,7 +97,7 @@ void Recorder::increment_cut(const NewtonReport& report, double from, double to)
   count(report);
   ++steps_.back().cuts;
   ++cuts_;
-  narrator_.increment_cut(report, from, to);
+  progress_.increment_cut(report, from, to);
   witness_.increment_cut(report);
 }
 
@@ -105,15 +105,15 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   const auto scope = profiler_.clock.measure("records");
   count(increment.newton);
   ++steps_.back().increments;
-  unstable_increments_ += narrator_.unstable(increment.newton);
+  unstable_increments_ += progress_.unstable(increment.newton);
   increments_ = increment.number;
   witness_.increment_done(increment, state);
   Snapshot snapshot(problem_, state);
   if (increment.progress == 1) record_.step_ended(increment.step, snapshot);
   take(snapshot);
-  narrator_.increment_done(increment, state);
-  narrator_.contacts(operation_->contacts(), contacts_);
-  narrator_.probes(probes_, values_);
+  progress_.increment_done(increment, state);
+  progress_.contacts(operation_->contacts(), contacts_);
+  progress_.probes(probes_, values_);
   write_together(problem_.comm(), [&] {
     if (history_) append_history(increment);
     if (!fault_.empty()) throw std::runtime_error(fault_);
@@ -148,7 +148,7 @@ void Recorder::serialize(Archive& archive, const MarchPlace& place) {
 Resumed Recorder::resume(Checkpoint& checkpoint) {
   Resumed from = checkpoint.resume(problem_, *this);
   checkpoints_.resumed(from);
-  narrator_.resumes(from.place);
+  progress_.resumes(from.place);
   if (from.place.begun) witness_.step_begins(from.place.step, from.start);
   return from;
 }

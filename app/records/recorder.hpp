@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "app/records/checkpoints.hpp"
-#include "app/records/narrator.hpp"
+#include "app/records/progress_log.hpp"
 #include "app/prepare.hpp"
 #include "app/records/result_files.hpp"
 #include "app/records/witness.hpp"
@@ -29,7 +29,7 @@ class Recorder final : public MarchObserver, public Remembering {
   void newton_iteration(const NewtonIteration& iteration) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
-  void solve_lasts(const SolveProgress& progress) { narrator_.solve_lasts(progress); }
+  void solve_lasts(const SolveProgress& progress) { progress_.solve_lasts(progress); }
   void rests(const MarchPlace& place, State& state, bool last) override;
   void interrupted(const MarchPlace& place, State& state) override;
   /// After the march, with the state it ended in.
@@ -68,7 +68,7 @@ class Recorder final : public MarchObserver, public Remembering {
   const Log& log_;
   std::shared_ptr<const Operation> operation_;
   Profiler& profiler_;
-  Narrator narrator_;
+  ProgressLog progress_;
   Witness witness_;
   ProbeSet probes_;
   ProbeRecord record_;

@@ -1,4 +1,4 @@
-#include "app/records/narrator.hpp"
+#include "app/records/progress_log.hpp"
 
 #include <fmt/format.h>
 
@@ -21,29 +21,29 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
 }
 
-Narrator::Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience)
+ProgressLog::ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience)
     : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)), forecast_(stepping), patience_(patience) {}
 
-void Narrator::resumes(const MarchPlace& place) {
+void ProgressLog::resumes(const MarchPlace& place) {
   log_.info("");
   log_.info(fmt::format("goes on after increment {}: {:.4g} of step {} of {} is done", place.report.increments, place.done, place.step + 1,
                         model_.steps.size()));
 }
 
-void Narrator::step_begins(int step, const StepSpec& spec, const State&) {
+void ProgressLog::step_begins(int step, const StepSpec& spec, const State&) {
   log_.info("");
   log_.info(fmt::format("step {} of {}{}: {} increment{}", step + 1, model_.steps.size(),
                         spec.name.empty() ? "" : " '" + spec.name + "'", spec.increments,
                         spec.increments == 1 ? "" : "s"));
 }
 
-void Narrator::increment_begins(int, double from, double to) {
+void ProgressLog::increment_begins(int, double from, double to) {
   log_.info(fmt::format("  from {:.4g} to {:.4g} of the step", from, to));
   log_.info("     it  force     volume    liquid    eta      Krylov  reduced  length  elapsed");
   told_ = Clock::now();
 }
 
-void Narrator::newton_iteration(const NewtonIteration& i) {
+void ProgressLog::newton_iteration(const NewtonIteration& i) {
   std::string line = fmt::format("    {:>3}  {:.2e}  {:.2e}  {:.2e}", i.number, i.balance.force,
                                  i.balance.volume, i.balance.liquid);
   if (i.step > 0 || i.linear.ok)
@@ -56,11 +56,11 @@ void Narrator::newton_iteration(const NewtonIteration& i) {
   told_ = Clock::now();
 }
 
-bool Narrator::unstable(const NewtonReport& report) const {
+bool ProgressLog::unstable(const NewtonReport& report) const {
   return report.negative_curvature || (report.negative_pivots >= 0 && report.negative_pivots != stable_pivots_);
 }
 
-void Narrator::solve_lasts(const SolveProgress& p) {
+void ProgressLog::solve_lasts(const SolveProgress& p) {
   const double now = Clock::now();
   if (now - told_ < patience_) return;
   told_ = now;
@@ -68,12 +68,12 @@ void Narrator::solve_lasts(const SolveProgress& p) {
                         duration(elapsed())));
 }
 
-void Narrator::increment_cut(const NewtonReport& report, double from, double to) {
+void ProgressLog::increment_cut(const NewtonReport& report, double from, double to) {
   log_.info(fmt::format("  cut: {:.4g} to {:.4g} did not converge after {} iterations: {}", from, to,
                         report.iterations.size(), report.reason));
 }
 
-void Narrator::increment_done(const Increment& i, const State&) {
+void ProgressLog::increment_done(const Increment& i, const State&) {
   const double left = forecast_.after(i, model_.steps, Clock::now() - since_);
   since_ = Clock::now();
   log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}{}", i.number, i.newton.iterations.size(),
@@ -90,13 +90,13 @@ void Narrator::increment_done(const Increment& i, const State&) {
               "which counts the negative pivots.");
 }
 
-void Narrator::contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings) {
+void ProgressLog::contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings) {
   for (std::size_t k = 0; k < contacts.size(); ++k)
     log_.info(fmt::format("    contact {}: {} nodes touch, largest penetration {:.3g} mm", contacts[k].spec.name,
                           standings[k].touching, standings[k].penetration));
 }
 
-void Narrator::probes(const ProbeSet& probes, const ProbeValues& values) {
+void ProgressLog::probes(const ProbeSet& probes, const ProbeValues& values) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i]) log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), *values[i], probes.unit(i)));
 }

@@ -9,10 +9,10 @@ namespace bulbus {
 
 /// Tells the march in lines that stand by themselves, on a screen as in a file: steps, increments, one line
 /// per Newton iteration, cuts with their reason, and how long the rest may take.
-class Narrator final : public MarchObserver {
+class ProgressLog final : public MarchObserver {
  public:
   /// `patience`: seconds of a linear solve without a line.
-  Narrator(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience = 10);
+  ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience = 10);
 
   void step_begins(int step, const StepSpec& spec, const State& state) override;
   void resumes(const MarchPlace& place);
