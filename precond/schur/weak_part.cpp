@@ -7,7 +7,7 @@
 #include "core/base/memory.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 #include "precond/schur/pattern_matrix.hpp"
-#include "precond/schur/rough.hpp"
+#include "precond/schur/oscillation_filter.hpp"
 
 namespace bulbus {
 namespace {
@@ -70,7 +70,7 @@ class OnAll final : public WeakPart {
   std::size_t bytes() const override { return rough_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_); }
 
  private:
-  Rough rough_;
+  OscillationFilter rough_;
   Diagonal scale_;
   Chebyshev inverse_;
   std::vector<double> given_, correction_;

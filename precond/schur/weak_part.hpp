@@ -16,7 +16,7 @@ class WeakPart {
   virtual std::size_t bytes() const = 0;
 };
 
-/// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see Rough) but where lines carry alone. K has to outlive it.
+/// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see OscillationFilter) but where lines carry alone. K has to outlive it.
 /// Degree 0: from the mesh. Collective.
 std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree);
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "precond/schur/pattern_matrix.hpp"
-#include "precond/schur/rough.hpp"
+#include "precond/schur/oscillation_filter.hpp"
 #include "tests/support/linearised.hpp"
 #include "tests/support/small_eye.hpp"
 
@@ -45,17 +45,17 @@ std::vector<double> rough(const Scene& scene, const Comm& comm, const std::funct
       p[h] = pressure(static_cast<int>(region), mesh.input_hex[h]);
     }
   for (int h : problem.solid().rigid_hexes()) p[h] = 0;
-  Rough(problem).apply(p);
+  OscillationFilter(problem).apply(p);
   for (std::size_t h = 0; h < p.size(); ++h) all[mesh.input_hex[h]] = p[h];
   comm.sum(all);
   return all;
 }
 
-TEST(Rough, TakesWhatIsTheSameInATissue) {
+TEST(OscillationFilter, TakesWhatIsTheSameInATissue) {
   for (double v : rough(small_eye(8), Comm(), [](int region, int) { return std::pow(100., region); })) EXPECT_NEAR(v, 0, 1e-3);
 }
 
-TEST(Rough, IsTheSameOnAnyNumberOfRanks) {
+TEST(OscillationFilter, IsTheSameOnAnyNumberOfRanks) {
   for (const Scene& scene : {filled_shell("half"), small_eye(8)}) {
     const auto pressure = [](int, int hex) { return noise(hex, 1); };
     const auto alone = rough(scene, Comm(MPI_COMM_SELF), pressure), together = rough(scene, Comm(), pressure);
@@ -64,7 +64,7 @@ TEST(Rough, IsTheSameOnAnyNumberOfRanks) {
   }
 }
 
-TEST(Rough, KeepsAChessboard) {
+TEST(OscillationFilter, KeepsAChessboard) {
   const Scene block = stretched_block(4, ".1");
   const auto sign = [](int, int hex) { return (hex + hex / 4 + hex / 16) % 2 ? -1. : 1.; };  // x fastest
   const auto kept = rough(block, Comm(), sign);

@@ -1,6 +1,6 @@
 #include "precond/schur/line_pressure_stiffness.hpp"
 #include "precond/schur/pressure_schur.hpp"
-#include "precond/schur/rough.hpp"
+#include "precond/schur/oscillation_filter.hpp"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "precond/schur/rough.hpp"
+#include "precond/schur/oscillation_filter.hpp"
 
 #include <algorithm>
 
@@ -13,12 +13,12 @@ constexpr double film = 1.5;
 
 }  // namespace
 
-Rough::Rough(const Problem& problem, std::vector<char> let_through)
+OscillationFilter::OscillationFilter(const Problem& problem, std::vector<char> let_through)
     : mesh_(problem.mesh()), regions_(problem.solid().regions()), let_through_(std::move(let_through)), nodal_(2 * mesh_.nodes()) {
   let_through_.resize(mesh_.hexes.size());
 }
 
-void Rough::apply(std::span<double> p) const {
+void OscillationFilter::apply(std::span<double> p) const {
   for (const SolidRegion& r : regions_) {
     std::ranges::fill(nodal_, 0.0);  // sum and number at every node
     for (int h = r.first; h < r.first + r.count; ++h)
@@ -34,7 +34,7 @@ void Rough::apply(std::span<double> p) const {
   }
 }
 
-std::size_t Rough::bytes() const { return bytes_of(let_through_) + bytes_of(nodal_); }
+std::size_t OscillationFilter::bytes() const { return bytes_of(let_through_) + bytes_of(nodal_); }
 
 // u = L⁻¹ f of uniform loads in x, y and z, so that u·L u = u·f
 std::vector<char> carried_by_lines(const CoupledSystem& system, const LineJacobi& lines) {

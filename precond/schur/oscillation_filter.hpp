@@ -8,10 +8,10 @@ namespace bulbus {
 
 /// R p = p − E N⁻¹ Eᵀ p / 8, tissue by tissue: takes away the means over a hexahedron's nodes of the means over the hexahedra of its region
 /// around them. Chessboards have none. Symmetric. Hexahedra that are let through keep their pressure and do not count in means.
-class Rough {
+class OscillationFilter {
  public:
   /// `let_through`: of every hexahedron; empty: none.
-  explicit Rough(const Problem& problem, std::vector<char> let_through = {});
+  explicit OscillationFilter(const Problem& problem, std::vector<char> let_through = {});
   /// In place. Collective.
   void apply(std::span<double> p) const;
   std::size_t bytes() const;
