@@ -31,8 +31,8 @@ class BlockTriangular final : public CoupledPreconditioner {
   bool fixed() const override { return displacement_->fixed(); }
   std::string fault() const override { return displacement_->fault(); }
   /// The pressures' weak patterns.
-  bool holds_back() const override { return inverse_schur_.holds_back(); }
-  void strengthen() override { inverse_schur_.strengthen(); }
+  bool has_deferred_component() const override { return inverse_schur_.has_deferred_component(); }
+  void enable_deferred_component() override { inverse_schur_.enable_deferred_component(); }
   std::size_t bytes() const override;
   std::array<double, 2> displacement_spectrum() const override;
 

@@ -9,7 +9,7 @@ PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings
   return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures, displacement = DisplacementInverse(),
           parts = std::make_shared<BlockTriangular::Parts>(), &profiler](CoupledSystem& system, SetUp how) mutable {
     if (how != SetUp::kept || !displacement.inverse || !displacement.inverse->follow()) {
-      const bool own_lines = system.problem().mesh().refinements > 0;  // have the weak parts
+      const bool own_lines = system.problem().mesh().refinements > 0;  // have the corrections
       if (how == SetUp::anew || !own_lines) *parts = {};
       displacement = {};  // two would need the room of both
       displacement = factory->make(system, how != SetUp::anew);

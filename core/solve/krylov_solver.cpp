@@ -212,9 +212,9 @@ class KrylovSolver final : public LinearSolver {
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
     const int patience = std::min(settings_.pressures.after, settings_.max_iterations);
-    if (preconditioner_->holds_back()) {
+    if (preconditioner_->has_deferred_component()) {
       if (!dragged_ && -per_digit * std::log10(tolerance) <= patience) go_on(patience);
-      if (!report.converged) strengthen();
+      if (!report.converged) enable_deferred_component();
     }
     go_on(settings_.max_iterations - report.iterations);
     flexible = true;
@@ -234,8 +234,8 @@ class KrylovSolver final : public LinearSolver {
     return last_ <= std::min(much_slower * first_, hard) ? SetUp::factors_kept : SetUp::anew;
   }
 
-  void strengthen() {
-    preconditioner_->strengthen();
+  void enable_deferred_component() {
+    preconditioner_->enable_deferred_component();
     profiler_.memory.set("preconditioner", preconditioner_->bytes());
   }
 

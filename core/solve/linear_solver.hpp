@@ -72,9 +72,9 @@ class LinearSolver {
 class CoupledPreconditioner : public Preconditioner {
  public:
   /// Is there a part that is too dear for easy solves?
-  virtual bool holds_back() const = 0;
+  virtual bool has_deferred_component() const = 0;
   /// A solve drags or is bound to: takes that part up, until the next linearisation. Collective.
-  virtual void strengthen() = 0;
+  virtual void enable_deferred_component() = 0;
   /// Extreme eigenvalues of Â⁻¹ A on displacements, estimated by a few Lanczos steps. Collective.
   virtual std::array<double, 2> displacement_spectrum() const = 0;
 };

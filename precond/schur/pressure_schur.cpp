@@ -10,8 +10,8 @@ namespace bulbus {
 PressureSchur::PressureSchur(const CoupledSystem& system, const LineJacobi* lines, const PressureSettings& settings, Weak& weak)
     : system_(system), lines_(lines), settings_(settings), diagonal_(system.inverse_pressure_schur()), weak_(weak) {}
 
-void PressureSchur::strengthen() {
-  if (!holds_back()) return;
+void PressureSchur::enable_deferred_component() {
+  if (!has_deferred_component()) return;
   strong_ = true;
   if (!weak_.parts.empty()) return;
   const int refinements = system_.problem().mesh().refinements;

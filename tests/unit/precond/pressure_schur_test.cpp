@@ -45,7 +45,7 @@ TEST(PressureSchur, IsSymmetricAndPositive) {
     WithLines l(scene, refine, shake);
     PressureSchur::Weak weak;
     PressureSchur schur(l.system, &l.jacobi, {}, weak);
-    schur.strengthen();
+    schur.enable_deferred_component();
     const auto p = noise(schur.size(), 1), q = noise(schur.size(), 2);
     std::vector<double> Sp(p.size()), Sq(p.size());
     schur.apply(p, Sp);
@@ -63,7 +63,7 @@ TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
     const auto p = noise(schur.size(), 1);
     std::vector<double> before(p.size()), after(p.size());
     schur.apply(p, before);
-    schur.strengthen();
+    schur.enable_deferred_component();
     schur.apply(p, after);
     EXPECT_NE(before, after);
     ASSERT_FALSE(l.problem.solid().rigid_hexes().empty());
@@ -84,28 +84,28 @@ TEST(PressureSchur, HoldsBackUntilItIsAsked) {
   PressureSchur schur(l.system, &l.jacobi, {}, weak);
   const auto p = noise(schur.size(), 1), diagonal = l.system.inverse_pressure_schur();
   std::vector<double> z(p.size());
-  EXPECT_TRUE(schur.holds_back());
+  EXPECT_TRUE(schur.has_deferred_component());
   schur.apply(p, z);
   for (std::size_t e = 0; e < p.size(); ++e) EXPECT_EQ(z[e], diagonal[e] * p[e]);
-  schur.strengthen();
-  EXPECT_FALSE(schur.holds_back());
-  EXPECT_FALSE(PressureSchur(l.system, nullptr, {}, weak).holds_back());
+  schur.enable_deferred_component();
+  EXPECT_FALSE(schur.has_deferred_component());
+  EXPECT_FALSE(PressureSchur(l.system, nullptr, {}, weak).has_deferred_component());
 }
 
 TEST(PressureSchur, TakesUpWeakPartsThatAreThere) {
   WithLines l(filled_shell("half"), 1, shake);
   PressureSchur::Weak weak;
   PressureSchur first(l.system, &l.jacobi, {}, weak);
-  first.strengthen();
-  const WeakPart* part = weak.parts.front().get();
+  first.enable_deferred_component();
+  const SchurCorrection* part = weak.parts.front().get();
   const auto p = noise(first.size(), 1);
   std::vector<double> of_first(p.size()), before(p.size()), after(p.size());
   first.apply(p, of_first);
   PressureSchur then(l.system, &l.jacobi, {}, weak);
-  EXPECT_TRUE(then.holds_back());
+  EXPECT_TRUE(then.has_deferred_component());
   then.apply(p, before);
   EXPECT_NE(before, of_first);
-  then.strengthen();
+  then.enable_deferred_component();
   then.apply(p, after);
   EXPECT_EQ(after, of_first);
   EXPECT_EQ(weak.parts.front().get(), part);

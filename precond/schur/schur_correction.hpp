@@ -7,9 +7,9 @@
 namespace bulbus {
 
 /// Part of an approximate inverse on the weak patterns of element pressures: a fixed symmetric linear map.
-class WeakPart {
+class SchurCorrection {
  public:
-  virtual ~WeakPart() = default;
+  virtual ~SchurCorrection() = default;
   /// z += weight · part · r. Collective.
   virtual void add(std::span<const double> r, double weight, std::span<double> z) = 0;
   /// Without K.
@@ -18,14 +18,14 @@ class WeakPart {
 
 /// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see OscillationFilter) but where lines carry alone. K has to outlive it.
 /// Degree 0: from the mesh. Collective.
-std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree);
+std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree);
 
 /// P q(Pᵀ K P) Pᵀ on the chessboards (see Patterns) of hexahedra that were split once, in the product of its factors. K has to outlive it.
 /// Degree 0: 16. Collective.
-std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree);
+std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree);
 
 /// P q(Pᵀ K P) Pᵀ with the matrix of the chessboards of hexahedra that were split once or, where there are such, twice. Keeps nothing of
 /// lines. Degree 0: from the mesh. Collective.
-std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree);
+std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree);
 
 }  // namespace bulbus

@@ -1,4 +1,4 @@
-#include "precond/schur/weak_part.hpp"
+#include "precond/schur/schur_correction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * d
 // Of a block of the chessboards' matrix: a third to two fifths of them are less. Iterations are the same with 1e-3 and grow by half with 3e-3.
 constexpr double negligible = 3e-4;
 
-class OnAll final : public WeakPart {
+class OnAll final : public SchurCorrection {
  public:
   OnAll(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree)
       : rough_(system.problem(), carried_by_lines(system, lines)),
@@ -77,7 +77,7 @@ class OnAll final : public WeakPart {
 };
 
 template <class Product, class Scale>
-class OnPatterns final : public WeakPart {
+class OnPatterns final : public SchurCorrection {
  public:
   // make_product(P), make_scale(P, product)
   template <class MakeProduct, class MakeScale>
@@ -107,17 +107,17 @@ class OnPatterns final : public WeakPart {
 
 }  // namespace
 
-std::unique_ptr<WeakPart> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree) {
+std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree) {
   return std::make_unique<OnAll>(system, lines, K, degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
 }
 
-std::unique_ptr<WeakPart> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
+std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
   return std::make_unique<OnPatterns<PatternProduct, Diagonal>>(
       system.problem(), 1, degree > 0 ? degree : 16, [&](const Patterns& P) { return PatternProduct(P, K); },
       [&](const Patterns& P, const PatternProduct&) { return Diagonal(inverse_diagonal(system, P)); });
 }
 
-std::unique_ptr<WeakPart> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree) {
+std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree) {
   const Problem& problem = system.problem();
   const int refinements = std::min(2, problem.mesh().refinements);
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
