@@ -161,7 +161,7 @@ class BlockCollector {
 
 void add_contributions(const CoupledSystem& system, bool augmented, const Numbering& number, Collector& out) {
   std::vector<int> rows;
-  visit_reduced(system.problem(), system.state(), augmented ? Matrices::augmented : Matrices::plain, [&](std::span<const int> d, std::span<const double> K) {
+  for_each_condensed_matrix(system.problem(), system.state(), augmented ? Matrices::augmented : Matrices::plain, [&](std::span<const int> d, std::span<const double> K) {
     rows.clear();
     for (int i : d) rows.push_back(number.dof(i));
     for (std::size_t i = 0; i < d.size(); ++i)
@@ -238,7 +238,7 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
 Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   const LocalMesh& mesh = system.problem().mesh();
   BlockCollector out(mesh, part);
-  visit_reduced(system.problem(), system.state(), Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) { out.add(d, K); });
+  for_each_condensed_matrix(system.problem(), system.state(), Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) { out.add(d, K); });
   visit_held(system, [&](int n, const std::array<double, 9>& block) { out.add(n, block); });
   return out.take();
 }

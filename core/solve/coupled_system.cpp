@@ -216,7 +216,7 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
   const LocalMesh& mesh = problem_.mesh();
   std::vector<double> blocks(9 * static_cast<std::size_t>(mesh.nodes()));
   bodies.assign(state_->bodies.size(), {});
-  visit_reduced(problem_, *state_, Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) {
+  for_each_condensed_matrix(problem_, *state_, Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) {
     const std::size_t n = d.size();
     for (std::size_t i = 0; i < n;) {
       const bool nodal = d[i] < 3 * mesh.nodes();

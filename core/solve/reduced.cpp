@@ -52,7 +52,7 @@ Matrix transformation(const Problem& problem, const State& state, std::span<cons
 
 }  // namespace
 
-void visit_reduced(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor) {
+void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor) {
   std::vector<int> dofs;
   const auto reduce = [&](std::span<const int> nodes, std::span<const double> K) {
     if (all_free(problem.dofs(), nodes)) {

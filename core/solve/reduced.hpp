@@ -15,7 +15,7 @@ enum class Matrices { plain, augmented, mean, softened };
 
 /// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute, in reduced dofs:
 /// held directions projected out, nodes of bodies mapped to their six. Identity parts of held directions are not among it.
-void visit_reduced(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor);
+void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor);
 
 /// Contributions to the tangent besides the solid's: terms, and the liquids' pressures as followers.
 void visit_surface(const Problem& problem, const State& state, const ContributionVisitor& visitor);

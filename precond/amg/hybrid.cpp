@@ -16,7 +16,7 @@ Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan
       correction_(block_->size()) {
   if (!rigid) return;
   coarse_ = std::make_unique<RigidCoarse>(system, *rigid);
-  visit_reduced(system.problem(), system.state(), matrices_of(smoothing), [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
+  for_each_condensed_matrix(system.problem(), system.state(), matrices_of(smoothing), [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
   coarse_->factorise();
 }
 

@@ -51,7 +51,7 @@ std::array<DistributedCsr, 3> scalar_matrices(const CoupledSystem& system) {
   m[1] = m[2] = m[0];
   for (auto& matrix : m) matrix.values.assign(pattern.columns.size(), 0);
   const int nodal = 3 * mesh.nodes();
-  visit_reduced(system.problem(), system.state(), Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) {
+  for_each_condensed_matrix(system.problem(), system.state(), Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) {
     const std::size_t n = d.size();
     for (std::size_t i = 0; i < n && d[i] < nodal; i += 3)
       for (std::size_t j = 0; j < n && d[j] < nodal; j += 3) {

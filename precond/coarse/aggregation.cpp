@@ -17,7 +17,7 @@ Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, con
 // One sweep over everything that contributes, for lines and coarse matrix.
 LineJacobi Aggregation::set_up(const CoupledSystem& system, const Lines& lines, Precision precision) {
   LineBlocks blocks(system, lines);
-  visit_reduced(system.problem(), system.state(), matrices_of(precision), [&](std::span<const int> dofs, std::span<const double> K) {
+  for_each_condensed_matrix(system.problem(), system.state(), matrices_of(precision), [&](std::span<const int> dofs, std::span<const double> K) {
     blocks.add(dofs, K);
     coarse_.add(dofs, K);
   });

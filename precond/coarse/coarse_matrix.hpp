@@ -20,7 +20,7 @@ class CoarseMatrix {
 
   /// Everything zero again.
   void clear();
-  /// Adds a contribution to the reduced displacement block (see visit_reduced). `modes`: of every local node.
+  /// Adds a contribution to the reduced displacement block (see for_each_condensed_matrix). `modes`: of every local node.
   void add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs, std::span<const double> K);
   /// A single entry, by numbers of coarse unknowns.
   void add(int row, int column, double value) { block(row / 6, column / 6)[row % 6][column % 6] += value; }

@@ -18,7 +18,7 @@ struct RigidPlan {
 
 /// Galerkin correction on the rigid motions of aggregates in the current configuration: the bending and tilting that smoothers and
 /// scalar AMG cannot see. x = Z (Zᵀ A Z)⁻¹ Zᵀ b; the coarse matrix may be indefinite. Rigid bodies are coarse unknowns as they are.
-/// One per plan at a time. Usage: add() everything of visit_reduced, then factorise().
+/// One per plan at a time. Usage: add() everything of for_each_condensed_matrix, then factorise().
 class RigidCoarse final : public Preconditioner {
  public:
   /// Collective.

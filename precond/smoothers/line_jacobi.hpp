@@ -15,7 +15,7 @@ class LineBlocks {
  public:
   /// Collective.
   LineBlocks(const CoupledSystem& system, const Lines& lines);
-  /// A contribution to the reduced displacement block (see visit_reduced).
+  /// A contribution to the reduced displacement block (see for_each_condensed_matrix).
   void add(std::span<const int> dofs, std::span<const double> K);
   /// Folds what other ranks have and puts held directions on held_scale(). Collective.
   void complete();

@@ -38,7 +38,7 @@ TEST(CoarseMatrix, IsTheGalerkinProjection) {
     RigidPlan plan(l.system, 20, Precision::full);
     const RigidModes modes = rigid_modes(l.system, plan.groups);
     plan.matrix.clear();
-    visit_reduced(l.problem, l.state, Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) { plan.matrix.add(plan.groups, modes.of, d, K); });
+    for_each_condensed_matrix(l.problem, l.state, Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) { plan.matrix.add(plan.groups, modes.of, d, K); });
     const int size = 6 * plan.groups.total, owned = l.problem.mesh().owned;
     std::vector<double> c = noise_vector(size, 3), got(size), want(size), fine(l.system.layout().primal()), Af(fine);
     const int bodies = l.system.layout().bodies;

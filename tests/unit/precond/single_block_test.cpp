@@ -15,7 +15,7 @@ std::vector<double> by_matrices(const Linearised& l, const std::vector<double>& 
   const Layout& layout = l.system.layout();
   const DofMap& dofs = l.problem.dofs();
   std::vector<double> y(x.size());
-  visit_reduced(l.problem, l.state, Matrices::mean, [&](std::span<const int> d, std::span<const double> K) {
+  for_each_condensed_matrix(l.problem, l.state, Matrices::mean, [&](std::span<const int> d, std::span<const double> K) {
     for (std::size_t i = 0; i < d.size(); ++i)
       for (std::size_t j = 0; j < d.size(); ++j) y[d[i]] += K[i * d.size() + j] * x[d[j]];
   });
