@@ -38,9 +38,9 @@ double seconds(const Comm& comm, Work work) {
 
 json measure(const std::string& name, Part& p, const Comm& comm, int repetitions) {
   std::vector<double> together, copies, exchanges;
-  const auto exchange = [&] { p.mesh.halo.update(p.dx), p.mesh.halo.fold(p.force); };
+  const auto exchange = [&] { p.mesh.halo.update_ghosts(p.dx), p.mesh.halo.accumulate_ghosts(p.force); };
   const auto apply = [&] { p.solid.apply(p.dx, {}, p.force, {}); };
-  const auto shared = [&] { p.mesh.halo.update(p.dx), apply(), p.mesh.halo.fold(p.force); };
+  const auto shared = [&] { p.mesh.halo.update_ghosts(p.dx), apply(), p.mesh.halo.accumulate_ghosts(p.force); };
   for (int r = 0; r <= repetitions; ++r) {  // taken in turns; the first round warms up
     const double t = seconds(comm, shared), c = seconds(comm, apply), e = seconds(comm, exchange);
     if (r > 0) together.push_back(t), copies.push_back(c), exchanges.push_back(e);

@@ -10,7 +10,7 @@ namespace {
 void add_exchanged(const ContactTerm& term, const ContactTerm& other, const Snapshot& s, std::vector<ContactNode>& nodes) {
   std::vector<double> minus_force(s.state.x.size());
   other.add_residual(s.state, minus_force, {});
-  s.problem.mesh().halo.fold(minus_force);
+  s.problem.mesh().halo.accumulate_ghosts(minus_force);
   const SlaveSurface::Shape shape = term.slave().shape(s.state.x);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vec3<double> force = -1. * at(minus_force, nodes[i].node);

@@ -21,7 +21,7 @@ std::vector<Field> contact_fields(const Operation& operation, Snapshot& s) {
     }
   };
   for (const Operation::Contact& contact : operation.contacts()) add(nodes_of(contact, s)), add(master_nodes_of(contact, s));
-  for (Field& f : fields) s.problem.mesh().halo.update(f.values, 1);
+  for (Field& f : fields) s.problem.mesh().halo.update_ghosts(f.values, 1);
   return fields;
 }
 

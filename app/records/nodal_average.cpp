@@ -22,8 +22,8 @@ std::vector<double> sums_of_cells(const Problem& problem, std::span<const double
 
 std::vector<double> nodal_average(const Problem& problem, std::span<const double> cell_values, int width) {
   std::vector<double> sums = sums_of_cells(problem, cell_values, width);
-  problem.mesh().halo.fold(sums, width + 1);
-  problem.mesh().halo.update(sums, width + 1);
+  problem.mesh().halo.accumulate_ghosts(sums, width + 1);
+  problem.mesh().halo.update_ghosts(sums, width + 1);
   std::vector<double> average;
   for (std::size_t at = 0; at < sums.size(); at += width + 1)
     for (int c = 0; c < width; ++c)

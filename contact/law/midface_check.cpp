@@ -26,7 +26,7 @@ MidfaceCheck::MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defau
 Overlap MidfaceCheck::entered(const State& state) const {
   std::vector<double> active(state.x.size() / 3);
   for (const ContactNode& n : nodes_->nodes(state)) active[n.node] = n.active;
-  halo_.update(active, 1);
+  halo_.update_ghosts(active, 1);
   const double depth = comm_.max(nodes_->figures(state).penetration);
   return of_all_ranks(middles_.inside(state, [&](const SlavePoints::Point& p, double area) {
     const bool any = std::ranges::any_of(p.nodes, [&](int n) { return active[n] > 0; });

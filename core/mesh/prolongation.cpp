@@ -70,7 +70,7 @@ void Interpolation::apply_transposed(std::span<const double> fine, std::span<dou
   for (int n = 0; n < owned_; ++n)
     for (int k = start_[n]; k < start_[n + 1]; ++k)
       for (int c = 0; c < 3; ++c) coarse[3 * nodes_[k] + c] += weights_[k] * fine[3 * n + c];
-  coarse_halo_.fold(coarse);
+  coarse_halo_.accumulate_ghosts(coarse);
 }
 
 std::size_t Interpolation::bytes() const { return bytes_of(start_) + bytes_of(nodes_) + bytes_of(weights_); }
@@ -122,7 +122,7 @@ Interpolation Prolongation::at(std::span<const double> coarse_x, std::span<const
 void Prolongation::inject(std::span<const double> fine, std::span<double> coarse) const {
   for (int n = 0; n < coarse_.owned; ++n)
     for (int c = 0; c < 3; ++c) coarse[3 * n + c] = fine[3 * same_[n] + c];
-  coarse_.halo.update(coarse);
+  coarse_.halo.update_ghosts(coarse);
 }
 
 std::size_t Prolongation::bytes() const { return bytes_of(same_) + bytes_of(lone_start_) + bytes_of(lone_parents_); }

@@ -37,7 +37,7 @@ ConnectedParts connected_parts(const LocalMesh& mesh, const std::vector<SolidReg
   std::vector<double> theirs(parts.of_node.begin(), parts.of_node.end());
   for (double& p : theirs)
     if (p >= 0) p += static_cast<double>(first);
-  mesh.halo.update(theirs, 1);
+  mesh.halo.update_ghosts(theirs, 1);
   std::set<std::pair<long long, long long>> pairs;
   for (int n = mesh.owned; n < mesh.nodes(); ++n)
     if (parts.of_node[n] >= 0 && theirs[n] >= 0) pairs.emplace(first + parts.of_node[n], static_cast<long long>(theirs[n]));

@@ -158,7 +158,7 @@ std::vector<double> DofMap::bodies_part(std::span<const double> primal) const {
 
 void DofMap::expand(const State& state, std::span<const double> primal, std::span<double> dx) const {
   std::copy_n(primal.begin(), 3 * mesh_.owned, dx.begin());
-  mesh_.halo.update(dx);
+  mesh_.halo.update_ghosts(dx);
   project(dx);
   expand_bodies(state, primal, dx);
 }

@@ -23,7 +23,7 @@ std::vector<double> volume_gradient(const Problem& problem, const State& at) {
   std::ranges::fill(lambda, 1.0);
   solid.residual(at.x, lambda, with, defect);
   for (std::size_t i = 0; i < with.size(); ++i) with[i] -= without[i];
-  problem.mesh().halo.fold(with);
+  problem.mesh().halo.accumulate_ghosts(with);
   return with;
 }
 

@@ -158,8 +158,8 @@ Residual Problem::residual(const State& state) const {
     }
     r.liquid.push_back(l.defect(l.coupled() ? l.volume(state.x) : 0, state.P[i]));
   }
-  mesh_.halo.fold(r.force);
-  mesh_.halo.fold(r.magnitude, 1);
+  mesh_.halo.accumulate_ghosts(r.force);
+  mesh_.halo.accumulate_ghosts(r.magnitude, 1);
   for (std::size_t k = 0; k < state.bodies.size(); ++k) r.bodies.push_back(resultant(k, state, r));
   return r;
 }

@@ -49,7 +49,7 @@ void CoupledSystem::take_liquid_columns() {
     if (!liquids[i].coupled()) continue;
     std::vector<double> local(state_->x.size());
     liquids[i].surface().add_gradient(state_->x, 1, local);
-    problem_.mesh().halo.fold(local);
+    problem_.mesh().halo.accumulate_ghosts(local);
     g_[i].resize(layout_.primal());
     problem_.dofs().reduce(*state_, local, g_[i]);
     if (eliminated()) omega_[i] = 1 / compliance(static_cast<int>(i));
@@ -83,7 +83,7 @@ std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::s
     solid.apply(dx, dlambda, force, volume);
     add_surface_action(dx, force);
   }
-  problem_.mesh().halo.fold(force);
+  problem_.mesh().halo.accumulate_ghosts(force);
   return force;
 }
 
@@ -167,7 +167,7 @@ std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<
   }
   std::vector<double> augmentation(local.size());
   problem_.solid().apply_pressure(bound, augmentation);
-  problem_.mesh().halo.fold(augmentation);
+  problem_.mesh().halo.accumulate_ghosts(augmentation);
   for (std::size_t i = 0; i < local.size(); ++i) local[i] = -(local[i] + augmentation[i]);
   dofs.reduce(*state_, local, bu);
   if (g_.empty()) return b;
@@ -191,7 +191,7 @@ void CoupledSystem::add_pressure_force(std::span<const double> lambda, double fa
   auto& force = room_.force;
   force.assign(state_->x.size(), 0);
   problem_.solid().apply_pressure(lambda, force);
-  problem_.mesh().halo.fold(force);
+  problem_.mesh().halo.accumulate_ghosts(force);
   auto& projected = room_.dx;
   projected.resize(std::max<std::size_t>(force.size(), layout_.primal()));
   const auto reduced = std::span(projected).first(layout_.primal());
@@ -227,7 +227,7 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
       i += width;
     }
   });
-  mesh.halo.fold(blocks, 9);
+  mesh.halo.accumulate_ghosts(blocks, 9);
   blocks.resize(9 * static_cast<std::size_t>(mesh.owned));
   return blocks;
 }

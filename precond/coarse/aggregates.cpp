@@ -106,7 +106,7 @@ Aggregates aggregate(const CoupledSystem& system, int nodes) {
   std::vector<double> number(mesh.nodes(), -1);
   for (int n = 0; n < mesh.owned; ++n)
     if (of[n] >= 0) number[n] = a.first + of[n];
-  mesh.halo.update(number, 1);
+  mesh.halo.update_ghosts(number, 1);
   a.of.assign(number.begin(), number.end());
   return a;
 }

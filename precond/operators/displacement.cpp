@@ -47,7 +47,7 @@ Precision fitting_precision(const CoupledSystem& system, const LinearSettings& s
   visit_surface(problem, system.state(), [&](std::span<const int> nodes, std::span<const double> K) {
     for (std::size_t i = 0; i < 3 * nodes.size(); ++i) stiffness[3 * nodes[i / 3] + i % 3] += K[i * (3 * nodes.size() + 1)];
   });
-  problem.mesh().halo.fold(stiffness);
+  problem.mesh().halo.accumulate_ghosts(stiffness);
   double part = 0;
   for (int i = 0; i < system.layout().nodal; ++i) part = std::max(part, stiffness[i] * system.scaling()[i] * system.scaling()[i]);
   return problem.comm().max(part) > most ? Precision::full : chosen_precision(settings);

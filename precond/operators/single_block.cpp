@@ -27,7 +27,7 @@ void SingleBlock::apply() const {
   const LocalMesh& mesh = system_.problem().mesh();
   auto& dx = system_.room().dx;
   dx.resize(3 * static_cast<std::size_t>(mesh.nodes()));
-  mesh.halo.update(d_.nodal);
+  mesh.halo.update_ghosts(d_.nodal);
   for (int n : touched_)
     for (int c = 0; c < 3; ++c) dx[3 * n + c] = d_.nodal[n][c];
   dofs_.expand_bodies(system_.state(), d_.bodies, dx);
@@ -60,7 +60,7 @@ void SingleBlock::act(std::span<const double> dx) const {
   for (int n : touched_) std::fill_n(&force[3 * n], 3, 0);
   system_.add_surface_action(dx, force);
   for (int n : touched_) z_.nodal[n] += rounded(&force[3 * n]);
-  problem.mesh().halo.fold(z_.nodal);
+  problem.mesh().halo.accumulate_ghosts(z_.nodal);
   for (const RigidBody& b : dofs_.bodies())
     for (int n : b.nodes())
       for (int c = 0; c < 3; ++c) force[3 * n + c] = z_.nodal[n][c];

@@ -14,10 +14,10 @@ void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q
   const Halo& halo = problem_.mesh().halo;
   std::ranges::fill(nodal_, NodeSingle{});
   solid.apply_pressure_single(p, nodal_);
-  halo.fold(nodal_);
+  halo.accumulate_ghosts(nodal_);
   problem_.dofs().project(nodal_);
   lines_.apply(nodal_);
-  halo.update(nodal_);
+  halo.update_ghosts(nodal_);
   solid.volume_change_single(nodal_, q);
   for (int h : solid.rigid_hexes()) q[h] = 0;
 }

@@ -24,10 +24,10 @@ void OscillationFilter::apply(std::span<double> p) const {
     for (int h = r.first; h < r.first + r.count; ++h)
       if (!let_through_[h])
         for (int n : mesh_.hexes[h]) nodal_[2 * n] += p[h], nodal_[2 * n + 1] += 1;
-    mesh_.halo.fold(nodal_, 2);
+    mesh_.halo.accumulate_ghosts(nodal_, 2);
     for (int n = 0; n < mesh_.owned; ++n)
       if (nodal_[2 * n + 1] > 0) nodal_[2 * n] /= 8 * nodal_[2 * n + 1];
-    mesh_.halo.update(nodal_, 2);
+    mesh_.halo.update_ghosts(nodal_, 2);
     for (int h = r.first; h < r.first + r.count; ++h)
       if (!let_through_[h])
         for (int n : mesh_.hexes[h]) p[h] -= nodal_[2 * n];
@@ -52,7 +52,7 @@ std::vector<char> carried_by_lines(const CoupledSystem& system, const LineJacobi
     for (int n = 0; n < mesh.owned; ++n)
       for (int i = 3 * n; i < 3 * n + 3; ++i) surplus[n] += u[i] * (Au[i] - film * f[i]);
   }
-  mesh.halo.update(surplus, 1);
+  mesh.halo.update_ghosts(surplus, 1);
   std::vector<char> carried(mesh.hexes.size());
   for (std::size_t h = 0; h < carried.size(); ++h) {
     double sum = 0;

@@ -85,7 +85,7 @@ void PatternMatrix::apply(std::span<const double> x, std::span<double> y) const 
   halo_->update(exchanged_, patterns_.count());
   if (patterns_.count() == 4) multiply<4>(exchanged_);
   else multiply<10>(exchanged_);
-  halo_->fold(exchanged_, patterns_.count());
+  halo_->accumulate_ghosts(exchanged_, patterns_.count());
   std::copy_n(exchanged_.begin(), size(), y.begin());
 }
 
@@ -94,7 +94,7 @@ std::vector<double> PatternMatrix::diagonal() const {
   std::vector<double> sum(numbers * in_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     if (pairs_[k].row == pairs_[k].column) std::copy_n(&blocks_[numbers * k], numbers, &sum[numbers * pairs_[k].row]);
-  halo_->fold(sum, numbers);
+  halo_->accumulate_ghosts(sum, numbers);
   sum.resize(numbers * patterns_.coarser());
   return sum;
 }

@@ -18,7 +18,7 @@ std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
   std::vector<double> number(mesh.nodes(), -1);
   for (int n = 0; n < mesh.owned; ++n)
     if (next[n] >= 0) number[n] = static_cast<double>(mesh.number[next[n]]);
-  mesh.halo.update(number, 1);
+  mesh.halo.update_ghosts(number, 1);
   std::unordered_map<long long, int> ghost;
   for (int n = mesh.owned; n < mesh.nodes(); ++n) ghost[mesh.number[n]] = n;
   for (int n = mesh.owned; n < mesh.nodes(); ++n)
@@ -69,8 +69,8 @@ void LineBlocks::add(std::span<const int> d, std::span<const double> K) {
 }
 
 void LineBlocks::complete() {
-  mesh_.halo.fold(diagonal_, 9);
-  mesh_.halo.fold(ahead_, 9);
+  mesh_.halo.accumulate_ghosts(diagonal_, 9);
+  mesh_.halo.accumulate_ghosts(ahead_, 9);
   system_.add_held_blocks(diagonal_);
 }
 

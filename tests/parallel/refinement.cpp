@@ -215,7 +215,7 @@ std::array<double, 2> figures(Problem& problem, const Operation& operation) {
   problem.set_progress(1, const_cast<State&>(state));
   std::vector<double> force(state.x.size()), magnitude(problem.mesh().nodes());
   operation.suture("string", "").add_residual(state, force, magnitude);
-  problem.mesh().halo.fold(force);
+  problem.mesh().halo.accumulate_ghosts(force);
   std::array<double, 2> sums{};
   for (int n = 0; n < problem.mesh().owned; ++n)
     for (int c = 0; c < 3; ++c) {

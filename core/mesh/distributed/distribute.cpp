@@ -91,7 +91,7 @@ void number_nodes(LocalMesh& m) {
   m.all_nodes = m.comm.sum(static_cast<long long>(m.owned));
   std::vector<double> number(m.nodes());  // exact up to 2⁵³
   std::iota(number.begin(), number.begin() + m.owned, static_cast<double>(m.first_node));
-  m.halo.update(number, 1);
+  m.halo.update_ghosts(number, 1);
   m.number.assign(number.begin(), number.end());
 }
 

@@ -59,9 +59,9 @@ void fold_ghosts(const Comm& comm, const std::vector<Halo::Neighbour>& neighbour
 
 }  // namespace
 
-void Halo::update(std::span<double> v, int width) const { update_ghosts(comm_, neighbours_, v, width); }
-void Halo::fold(std::span<double> v, int width) const { fold_ghosts(comm_, neighbours_, v, width); }
-void Halo::update(std::span<NodeSingle> v) const { update_ghosts(comm_, neighbours_, numbers(v), 4); }
-void Halo::fold(std::span<NodeSingle> v) const { fold_ghosts(comm_, neighbours_, numbers(v), 4); }
+void Halo::update_ghosts(std::span<double> v, int width) const { update_ghosts(comm_, neighbours_, v, width); }
+void Halo::accumulate_ghosts(std::span<double> v, int width) const { fold_ghosts(comm_, neighbours_, v, width); }
+void Halo::update_ghosts(std::span<NodeSingle> v) const { update_ghosts(comm_, neighbours_, numbers(v), 4); }
+void Halo::accumulate_ghosts(std::span<NodeSingle> v) const { fold_ghosts(comm_, neighbours_, numbers(v), 4); }
 
 }  // namespace bulbus

@@ -19,11 +19,11 @@ class Halo {
   Halo(const Comm& comm, std::vector<Neighbour> neighbours) : comm_(comm), neighbours_(std::move(neighbours)) {}
 
   /// Ghosts take the owners' values. Collective.
-  void update(std::span<double> v, int width = 3) const;
+  void update_ghosts(std::span<double> v, int width = 3) const;
   /// Ghosts' values are added to the owners'; the ghosts' are left as they are. Collective.
-  void fold(std::span<double> v, int width = 3) const;
-  void update(std::span<NodeSingle> v) const;
-  void fold(std::span<NodeSingle> v) const;
+  void accumulate_ghosts(std::span<double> v, int width = 3) const;
+  void update_ghosts(std::span<NodeSingle> v) const;
+  void accumulate_ghosts(std::span<NodeSingle> v) const;
   const std::vector<Neighbour>& neighbours() const { return neighbours_; }
 
  private:

@@ -165,7 +165,7 @@ TEST_F(DofMapTest, ReduceIsTheTransposeOfExpand) {
     EXPECT_LT(largest(plus(std::span(again).first(3 * local.owned), -1, std::span(r).first(3 * local.owned))), 1e-14);
     // ghosts move as their owners do
     std::vector<double> owners = dx;
-    local.halo.update(owners);
+    local.halo.update_ghosts(owners);
     EXPECT_LT(largest(plus(owners, -1, dx)), 1e-14);
   }
 }
