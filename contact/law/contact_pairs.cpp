@@ -10,7 +10,7 @@ namespace {
 
 FaceGap face_gap(const MasterSurface& master, const Vec3<double>& x, const Pair& flat, int triangle) {
   if (master.normals.empty()) return {flat.gap, flat.normal};
-  return curved_gap(x, flat, master.corners(triangle), master.normals[triangle]);
+  return smoothed_gap(x, flat, master.corners(triangle), master.normals[triangle]);
 }
 
 // How far the foot of a point lies beside a triangle.

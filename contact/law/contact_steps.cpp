@@ -167,7 +167,7 @@ std::vector<double> ContactTerm::outermost(std::span<const double> x,
                                            const SlaveSurface::Shape& shape) const {
   std::vector<double> places = points_.places(x);
   for (int i = 0; i < points_.size(); ++i)
-    for (int c = 0; c < 3; ++c) places[3 * i + c] += points_[i].bulge * shape.normals[i][c];
+    for (int c = 0; c < 3; ++c) places[3 * i + c] += points_[i].chordal_offset * shape.normals[i][c];
   return places;
 }
 

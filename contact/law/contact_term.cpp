@@ -38,7 +38,7 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
       limits_{spec.depth > 0 ? spec.depth : defaults.depth, defaults.reach},
       search_(0, 0) {
   master_.mirror(mirrored(sides.X, master_.nodes(), sides.symmetry));
-  points_.bulge(sides.X, sides.slave, sides.symmetry);
+  points_.chordal_offset(sides.X, sides.slave, sides.symmetry);
   limits_.reach = std::max(limits_.reach, 2 * limits_.depth);
   search_ = GlobalSearch(limits_.reach, limits_.reach / 2, points_.of_a_face());
   if (master_.smooth()) {

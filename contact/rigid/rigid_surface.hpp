@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 #include "contact/surfaces/facets.hpp"
 #include "core/problem/state.hpp"
 

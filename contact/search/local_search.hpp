@@ -3,7 +3,7 @@
 
 #include "contact/surfaces/facets.hpp"
 #include "contact/surfaces/pair.hpp"
-#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 
 namespace bulbus {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 
 namespace bulbus {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 #include "contact/search/local_search.hpp"
 #include "contact/surfaces/meridians.hpp"
 

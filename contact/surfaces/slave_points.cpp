@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 
 namespace bulbus {
 namespace {
@@ -45,7 +45,7 @@ std::vector<long long> SlavePoints::keys(const SlaveSurface& surface) const {
   return keys;
 }
 
-void SlavePoints::bulge(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry) {
+void SlavePoints::chordal_offset(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry) {
   if (!on_faces()) return;
   const SlaveSurface whole(X, static_cast<int>(X.size() / 3), all, {}, symmetry);
   const auto normals = whole.shape(X).normals, own = shape(X).normals;
@@ -56,9 +56,9 @@ void SlavePoints::bulge(std::span<const double> X, std::span<const Quad> all, st
     for (int k = 0; k < 4; ++k) {
       const Vec3<double>& n = normals[std::ranges::lower_bound(whole.nodes(), p.nodes[k]) - whole.nodes().begin()];
       smooth = smooth && dot(n, own[i]) > smooth_edge;
-      for (int c = 0; c < 3; ++c) p.bulge += p.weights[k] * n[c] * (X[3 * p.nodes[k] + c] - at[3 * i + c]) / 2;
+      for (int c = 0; c < 3; ++c) p.chordal_offset += p.weights[k] * n[c] * (X[3 * p.nodes[k] + c] - at[3 * i + c]) / 2;
     }
-    if (!smooth) p.bulge = 0;
+    if (!smooth) p.chordal_offset = 0;
   }
 }
 
@@ -102,14 +102,14 @@ std::array<Vec3<double>, 4> SlavePoints::shares(int i, std::span<const double> x
   std::array<Vec3<double>, 4> g;
   for (int k = 0; k < 4; ++k)
     for (int c = 0; c < 3; ++c) g[k][c] = p.weights[k] * m[c];
-  if (p.bulge == 0) return g;
+  if (p.chordal_offset == 0) return g;
   const Tangents t = tangents(p, x);
   const Vec3<double> n = cross(t.a, t.b);
   const double j = norm(n), along = dot(m, n) / (j * j);
   const Vec3<double> across{m[0] - along * n[0], m[1] - along * n[1], m[2] - along * n[2]};
   const Vec3<double> u = cross(t.b, across), v = cross(across, t.a);
   for (int k = 0; k < 4; ++k)
-    for (int c = 0; c < 3; ++c) g[k][c] += p.bulge / j * (t.xi[k] * u[c] + t.eta[k] * v[c]);
+    for (int c = 0; c < 3; ++c) g[k][c] += p.chordal_offset / j * (t.xi[k] * u[c] + t.eta[k] * v[c]);
   return g;
 }
 

@@ -13,15 +13,15 @@ class SlavePoints {
     std::array<double, 4> weights;
     int carriers;   ///< how many of the four
     bool mine;      ///< this rank gives its force; points of others' faces are followed so that the owned nodes' sums are whole
-    double bulge;   ///< how far the curved surface that the faces stand for is outside of x, mm
+    double chordal_offset;   ///< how far the curved surface that the faces stand for is outside of x, mm
   };
 
   /// `divisions`: m; 0: the nodes. Faces with a node in `excluded` (ascending) have no points.
   SlavePoints(const SlaveSurface& surface, int owned, std::span<const int> excluded, int divisions);
   /// Lets the points stand for the curved surface whose normals n_i at the nodes are the means over the faces (`all` of the surface):
-  ///     bulge = ½ Σ w_i n_i·(X_i − X),  of second order exact on a circle
+  ///     chordal_offset = ½ Σ w_i n_i·(X_i − X),  of second order exact on a circle
   /// A face with a corner where the normals differ by more than 30 degrees stays flat.
-  void bulge(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry);
+  void chordal_offset(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry);
 
   int size() const { return static_cast<int>(points_.size()); }
   /// Of each point a number that is its own on every rank, provided that all faces of the surface were given in the same order.
@@ -29,7 +29,7 @@ class SlavePoints {
   const Point& operator[](int i) const { return points_[i]; }
   /// 3 per point, mm.
   std::vector<double> places(std::span<const double> x) const;
-  /// What a gradient m at x + bulge N is to the carriers: ∂(m·(x + bulge N))/∂x_i, m held.
+  /// What a gradient m at x + chordal_offset N is to the carriers: ∂(m·(x + chordal_offset N))/∂x_i, m held.
   std::array<Vec3<double>, 4> shares(int i, std::span<const double> x, const Vec3<double>& m) const;
   bool on_faces() const { return divisions_ > 0; }
   /// Points of one face, which follow one another; 1 where they are the nodes.

@@ -1,4 +1,4 @@
-#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ RigidSurface ball(double radius) {
 
 FaceGap gap_at(const RigidSurface& body, int t, const Vec3<double>& x) {
   const Triangle c = corners_of(body, t);
-  return curved_gap(x, project(x, c), c, body.normals[t]);
+  return smoothed_gap(x, project(x, c), c, body.normals[t]);
 }
 
 // A place above triangle t: its weights, then the height.

@@ -31,7 +31,7 @@ TEST(SlavePoints, ShareOutAllOfTheArea) {
 
 TEST(SlavePoints, BulgeToTheSphere) {
   Cap cap;
-  cap.points.bulge(cap.sheets.X, cap.faces, {});
+  cap.points.chordal_offset(cap.sheets.X, cap.faces, {});
   const auto places = cap.points.places(cap.sheets.X);
   const auto normals = cap.points.shape(cap.sheets.X).normals;
   double flat = 0, curved = 0;
@@ -40,7 +40,7 @@ TEST(SlavePoints, BulgeToTheSphere) {
     for (int i = 16 * f; i < 16 * f + 16; ++i) {
       Vec3<double> x = at(places, i);
       flat = std::max(flat, 1 - norm(x));
-      for (int c = 0; c < 3; ++c) x[c] += cap.points[i].bulge * normals[i][c];
+      for (int c = 0; c < 3; ++c) x[c] += cap.points[i].chordal_offset * normals[i][c];
       curved = std::max(curved, std::abs(1 - norm(x)));
     }
   }
@@ -53,17 +53,17 @@ TEST(SlavePoints, DoNotBulgeAcrossSharpEdges) {
   const auto faces = s.add(2, 2, [](double u, double v) { return Vec3<double>{u, std::min(v, .5), std::min(0., .5 - v)}; });
   const SlaveSurface surface(s.X, s.nodes(), faces, {}, {});
   SlavePoints points(surface, s.nodes(), {}, 3);
-  points.bulge(s.X, faces, {});
-  for (int i = 0; i < points.size(); ++i) EXPECT_EQ(points[i].bulge, 0);
+  points.chordal_offset(s.X, faces, {});
+  for (int i = 0; i < points.size(); ++i) EXPECT_EQ(points[i].chordal_offset, 0);
 }
 
 TEST(SlavePoints, SharesAreTheDerivativeOfThePlace) {
   Cap cap;
-  cap.points.bulge(cap.sheets.X, cap.faces, {});
+  cap.points.chordal_offset(cap.sheets.X, cap.faces, {});
   const Vec3<double> m{.3, -.5, .8};
   const auto along = [&](int i, std::span<const double> x) {
     const auto p = at(cap.points.places(x), i), n = cap.points.shape(x).normals[i];
-    return dot(m, p) + cap.points[i].bulge * dot(m, n);
+    return dot(m, p) + cap.points[i].chordal_offset * dot(m, n);
   };
   for (int i : {130, 200, 301}) {
     const auto g = cap.points.shares(i, cap.sheets.X, m);
@@ -109,7 +109,7 @@ TEST_F(OnABall, ActionIsTheDerivativeOfTheForce) {
   t.linearize(state);
   std::vector<double> f(d.size());
   t.add_action(d, f);
-  EXPECT_LT(relative_difference(f, derivative(force, state.x, d, 1e-6)), 2e-3);  // second derivatives of the bulge are left out: pressure times bulge
+  EXPECT_LT(relative_difference(f, derivative(force, state.x, d, 1e-6)), 2e-3);  // second derivatives of the chordal_offset are left out: pressure times chordal_offset
 }
 
 // The normal of interpolated normals is the gradient of the gap to second order in the angle of a facet.

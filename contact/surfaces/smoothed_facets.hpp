@@ -37,7 +37,7 @@ std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Pair& 
 ///     G = g |n| − Σ_{i<j} s_ij L_i L_j,  s_ij = ½ (n_i − n_j)·(x_i − x_j)
 /// Exact to second order on a circle; n/|n| is ∇G to second order in the angle between the corners' normals, the
 /// bend the symmetric part of its derivative: positive where the surface is convex. Flat where there is no such foot.
-FaceGap curved_gap(const Vec3<double>& x, const Pair& flat, const Triangle& corners, const CornerNormals& normals);
+FaceGap smoothed_gap(const Vec3<double>& x, const Pair& flat, const Triangle& corners, const CornerNormals& normals);
 
 /// No gap is farther from that to the flat triangles than this, mm.
 double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals);

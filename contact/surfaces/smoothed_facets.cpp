@@ -1,4 +1,4 @@
-#include "contact/surfaces/curved_facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Pair& 
 }
 
 // The normal's change is (d2 (J⁻¹)_1 + d3 (J⁻¹)_2) δx.
-FaceGap curved_gap(const Vec3<double>& x, const Pair& flat, const Triangle& v, const CornerNormals& n) {
+FaceGap smoothed_gap(const Vec3<double>& x, const Pair& flat, const Triangle& v, const CornerNormals& n) {
   const auto foot = foot_along_normals(x, flat, v, n);
   if (!foot) return {flat.gap, flat.normal};
   const double length = norm(foot->normal);
