@@ -7,7 +7,7 @@
 namespace bulbus {
 
 /// R p = p − E N⁻¹ Eᵀ p / 8, tissue by tissue: takes away the means over a hexahedron's nodes of the means over the hexahedra of its region
-/// around them. Chessboards have none. Symmetric. Hexahedra that are let through keep their pressure and do not count in means.
+/// around them. Checkerboard modes have none. Symmetric. Hexahedra that are let through keep their pressure and do not count in means.
 class OscillationFilter {
  public:
   /// `let_through`: of every hexahedron; empty: none.

@@ -11,12 +11,12 @@ namespace bulbus {
 ///
 ///     Ŝ⁻¹ = (1 + γ) μ_e/V0_e + θ Σ corrections
 ///
-/// The first part is right for pressures that strain the tissue. Chessboards of pressure along a layer hardly do: Q1/P0 leaves them
+/// The first part is right for pressures that strain the tissue. Checkerboard modes of pressure along a layer hardly do: Q1/P0 leaves them
 /// almost free, and what holds them goes through the layer's thickness, so that K, the Schur complement with the lines of the
 /// displacement block, knows of it and nodal blocks do not. The corrections invert K by polynomials, as fixed linear maps, and leave smooth
 /// pressures alone. On refined meshes K is that of lines with a tenth of the augmentation: lines carry it without the neighbours that undo
-/// it in a chessboard's displacement, and make K up to eleven times too soft. K's least eigenvalues fall with the square of a hexahedron's
-/// size, but a refined mesh knows its chessboards, and the slow ones among them are few. Taken up when a solve drags, or at once.
+/// it in a checkerboard mode's displacement, and make K up to eleven times too soft. K's least eigenvalues fall with the square of a hexahedron's
+/// size, but a refined mesh knows its checkerboard modes, and the slow ones among them are few. Taken up when a solve drags, or at once.
 class PressureSchur final : public Preconditioner {
  public:
   /// The corrections and what they are made of.

@@ -6,7 +6,7 @@
 
 #include "core/base/memory.hpp"
 #include "precond/smoothers/chebyshev.hpp"
-#include "precond/schur/pattern_matrix.hpp"
+#include "precond/schur/checkerboard_matrix.hpp"
 #include "precond/schur/oscillation_filter.hpp"
 
 namespace bulbus {
@@ -20,7 +20,7 @@ std::vector<double> inverse_diagonal(const CoupledSystem& system) {
 }
 
 // Of the four patterns of eight hexahedra: an eighth of the mean of theirs, for columns of P are as long as √8.
-std::vector<double> inverse_diagonal(const CoupledSystem& system, const Patterns& patterns) {
+std::vector<double> inverse_diagonal(const CoupledSystem& system, const CheckerboardModes& patterns) {
   const auto of_hexes = inverse_diagonal(system);
   std::vector<double> values(patterns.size());
   for (std::size_t h = 0; h < of_hexes.size(); ++h)
@@ -49,7 +49,7 @@ int degree_for(double hexes, double part) { return std::max(16, static_cast<int>
 // A polynomial of degree d inverts eigenvalues above so much of the largest one to within a third.
 double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * degree); }
 
-// Of a block of the chessboards' matrix: a third to two fifths of them are less. Iterations are the same with 1e-3 and grow by half with 3e-3.
+// Of a block of the checkerboard modes' matrix: a third to two fifths of them are less. Iterations are the same with 1e-3 and grow by half with 3e-3.
 constexpr double negligible = 3e-4;
 
 class OnAll final : public SchurCorrection {
@@ -98,7 +98,7 @@ class OnPatterns final : public SchurCorrection {
   }
 
  private:
-  Patterns patterns_;
+  CheckerboardModes patterns_;
   Product K_;
   Scale scale_;
   Chebyshev inverse_;
@@ -112,22 +112,22 @@ std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const L
 }
 
 std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
-  return std::make_unique<OnPatterns<PatternProduct, Diagonal>>(
-      system.problem(), 1, degree > 0 ? degree : 16, [&](const Patterns& P) { return PatternProduct(P, K); },
-      [&](const Patterns& P, const PatternProduct&) { return Diagonal(inverse_diagonal(system, P)); });
+  return std::make_unique<OnPatterns<CheckerboardProduct, Diagonal>>(
+      system.problem(), 1, degree > 0 ? degree : 16, [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },
+      [&](const CheckerboardModes& P, const CheckerboardProduct&) { return Diagonal(inverse_diagonal(system, P)); });
 }
 
 std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree) {
   const Problem& problem = system.problem();
   const int refinements = std::min(2, problem.mesh().refinements);
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
-  return std::make_unique<OnPatterns<PatternMatrix, PatternJacobi>>(
-      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2), [&](const Patterns& P) {
-        PatternMatrix matrix(problem, P, lines);
+  return std::make_unique<OnPatterns<CheckerboardMatrix, PatternJacobi>>(
+      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2), [&](const CheckerboardModes& P) {
+        CheckerboardMatrix matrix(problem, P, lines);
         matrix.drop(negligible);
         return matrix;
       },
-      [](const Patterns&, const PatternMatrix& matrix) { return PatternJacobi(matrix); });
+      [](const CheckerboardModes&, const CheckerboardMatrix& matrix) { return PatternJacobi(matrix); });
 }
 
 }  // namespace bulbus

@@ -1,7 +1,7 @@
 // Parts of the weak pressure patterns are the same whichever ranks their hexahedra are on.
 #include <gtest/gtest.h>
 
-#include "precond/schur/pattern_matrix.hpp"
+#include "precond/schur/checkerboard_matrix.hpp"
 #include "precond/schur/oscillation_filter.hpp"
 #include "tests/support/linearised.hpp"
 #include "tests/support/small_eye.hpp"
@@ -12,7 +12,7 @@ namespace {
 // Of a hexahedron of the whole mesh: the same on all ranks.
 double noise(int hex, int k) { return std::sin(12.9898 * hex + 78.233 * k); }
 
-std::vector<double> noise(const Patterns& patterns) {
+std::vector<double> noise(const CheckerboardModes& patterns) {
   std::vector<double> c(patterns.size());
   for (int i = 0; i < patterns.size(); ++i) c[i] = noise(patterns.labels()[i / patterns.count()], i % patterns.count());
   return c;
@@ -21,9 +21,9 @@ std::vector<double> noise(const Patterns& patterns) {
 void expect_product(const Scene& scene, int refinements) {
   const WithLines l(scene, refinements, 0);
   const LinePressureStiffness K(l.system, l.jacobi);
-  const Patterns patterns(l.problem, refinements);
-  const PatternMatrix matrix(l.problem, patterns, l.jacobi);
-  const PatternProduct product(patterns, K);
+  const CheckerboardModes patterns(l.problem, refinements);
+  const CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
+  const CheckerboardProduct product(patterns, K);
   const auto c = noise(patterns);
   std::vector<double> found(c.size(), std::nan("")), expected(c.size());
   matrix.apply(c, found);
@@ -79,20 +79,20 @@ TEST(CarriedByLines, AFilmIsOnAnyNumberOfRanks) {
   EXPECT_EQ(std::ranges::count(carried, 1), std::ssize(carried));
 }
 
-TEST(PatternMatrix, IsTheProductOfABlock) {
+TEST(CheckerboardMatrix, IsTheProductOfABlock) {
   for (int refinements : {1, 2}) expect_product(stretched_block(4, ".1"), refinements);
 }
 
-TEST(PatternMatrix, IsTheProductOfAShellWithARigidCap) {
+TEST(CheckerboardMatrix, IsTheProductOfAShellWithARigidCap) {
   for (int refinements : {1, 2}) expect_product(filled_shell("half"), refinements);
 }
 
-TEST(PatternMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8), 1); }
+TEST(CheckerboardMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8), 1); }
 
-TEST(PatternMatrix, DropsWhatHardlyCouples) {
+TEST(CheckerboardMatrix, DropsWhatHardlyCouples) {
   const WithLines l(small_eye(8), 1, 0);
-  const Patterns patterns(l.problem, 1);
-  PatternMatrix matrix(l.problem, patterns, l.jacobi);
+  const CheckerboardModes patterns(l.problem, 1);
+  CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
   const auto c = noise(patterns);
   std::vector<double> whole(c.size()), kept(c.size()), back(c.size());
   matrix.apply(c, whole);

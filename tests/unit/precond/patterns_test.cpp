@@ -1,6 +1,6 @@
-#include "precond/schur/patterns.hpp"
+#include "precond/schur/checkerboard_modes.hpp"
 
-#include "precond/schur/pattern_matrix.hpp"
+#include "precond/schur/checkerboard_matrix.hpp"
 #include "tests/support/linearised.hpp"
 
 namespace bulbus {
@@ -12,10 +12,10 @@ Scene one_hexahedron() {
   return scene;
 }
 
-TEST(Patterns, AreOrthogonal) {
+TEST(CheckerboardModes, AreOrthogonal) {
   for (int refinements : {1, 2}) {
     const Linearised l(one_hexahedron(), refinements, 0);
-    const Patterns patterns(l.problem, refinements);
+    const CheckerboardModes patterns(l.problem, refinements);
     ASSERT_EQ(patterns.coarser(), 1);
     const int hexes = 1 << (3 * refinements), n = patterns.count();
     EXPECT_EQ(n, refinements == 1 ? 4 : 10);
@@ -30,10 +30,10 @@ TEST(Patterns, AreOrthogonal) {
 }
 
 // Within a hexahedron that was split no node feels them: the defect of Q1/P0.
-TEST(Patterns, PushNoNodeWithinTheHexahedron) {
+TEST(CheckerboardModes, PushNoNodeWithinTheHexahedron) {
   for (int refinements : {1, 2}) {
     const Linearised l(one_hexahedron(), refinements, 0);
-    const Patterns patterns(l.problem, refinements);
+    const CheckerboardModes patterns(l.problem, refinements);
     const auto& X = l.problem.mesh().X;
     for (int k = 0; k < patterns.count(); ++k) {
       std::vector<double> c(patterns.size()), p(l.problem.mesh().hexes.size()), force(l.system.layout().primal());
@@ -52,9 +52,9 @@ TEST(Patterns, PushNoNodeWithinTheHexahedron) {
   }
 }
 
-TEST(Patterns, AreNoneOfRigidHexahedra) {
+TEST(CheckerboardModes, AreNoneOfRigidHexahedra) {
   const Linearised l(filled_shell("half"), 1, 0);
-  const Patterns patterns(l.problem, 1);
+  const CheckerboardModes patterns(l.problem, 1);
   ASSERT_FALSE(l.problem.solid().rigid_hexes().empty());
   for (int h : l.problem.solid().rigid_hexes()) EXPECT_EQ(patterns.coarser_of(h), -1);
   std::vector<double> c(patterns.size(), 1), p(l.problem.mesh().hexes.size());
@@ -64,8 +64,8 @@ TEST(Patterns, AreNoneOfRigidHexahedra) {
 
 TEST(PatternJacobi, InvertsDiagonalBlocks) {
   const WithLines l(one_hexahedron(), 2, 0);
-  const Patterns patterns(l.problem, 2);
-  const PatternMatrix matrix(l.problem, patterns, l.jacobi);
+  const CheckerboardModes patterns(l.problem, 2);
+  const CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
   const PatternJacobi inverse(matrix);
   std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);

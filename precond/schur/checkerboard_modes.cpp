@@ -1,4 +1,4 @@
-#include "precond/schur/patterns.hpp"
+#include "precond/schur/checkerboard_modes.hpp"
 
 #include <algorithm>
 
@@ -14,9 +14,9 @@ float side(int child, int d) {
 }
 
 // f(k) of four: 1, the signs of parents, those of parents and children; the signs of children make xyz, the same in all directions.
-Patterns::Row row(int part, int refinements) {
+CheckerboardModes::Row row(int part, int refinements) {
   const int child = part & 7, parent = part >> 3;
-  Patterns::Row r(refinements > 1 ? 10 : 4);
+  CheckerboardModes::Row r(refinements > 1 ? 10 : 4);
   r[0] = side(child, 0) * side(child, 1) * side(child, 2);
   for (int z = 0, k = 1; z < 3; ++z) {
     const float board = side(child, (z + 1) % 3) * side(child, (z + 2) % 3);
@@ -30,7 +30,7 @@ Patterns::Row row(int part, int refinements) {
 
 }  // namespace
 
-Patterns::Patterns(const Problem& problem, int refinements) {
+CheckerboardModes::CheckerboardModes(const Problem& problem, int refinements) {
   const LocalMesh& mesh = problem.mesh();
   const int shift = 3 * refinements, hexes = static_cast<int>(mesh.hexes.size());
   for (int part = 0; part < 1 << shift; ++part) rows_.push_back(bulbus::row(part, refinements));
@@ -49,7 +49,7 @@ Patterns::Patterns(const Problem& problem, int refinements) {
   }
 }
 
-void Patterns::restrict_pressures(std::span<const double> p, std::span<double> c) const {
+void CheckerboardModes::restrict_pressures(std::span<const double> p, std::span<double> c) const {
   std::ranges::fill(c, 0.0);
   const int n = count();
   for (std::size_t h = 0; h < of_.size(); ++h)
@@ -57,13 +57,13 @@ void Patterns::restrict_pressures(std::span<const double> p, std::span<double> c
       for (int k = 0; k < n; ++k) c[n * of_[h] + k] += rows_[part_[h]][k] * p[h];
 }
 
-void Patterns::add_prolonged(std::span<const double> c, double weight, std::span<double> p) const {
+void CheckerboardModes::add_prolonged(std::span<const double> c, double weight, std::span<double> p) const {
   const int n = count();
   for (std::size_t h = 0; h < of_.size(); ++h)
     if (of_[h] >= 0)
       for (int k = 0; k < n; ++k) p[h] += weight * rows_[part_[h]][k] * c[n * of_[h] + k];
 }
 
-std::size_t Patterns::bytes() const { return bytes_of(label_) + bytes_of(of_) + bytes_of(part_); }
+std::size_t CheckerboardModes::bytes() const { return bytes_of(label_) + bytes_of(of_) + bytes_of(part_); }
 
 }  // namespace bulbus

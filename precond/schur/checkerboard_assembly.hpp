@@ -1,21 +1,21 @@
 #pragma once
 #include "core/mesh/corners.hpp"
-#include "precond/schur/pattern_matrix.hpp"
+#include "precond/schur/checkerboard_matrix.hpp"
 
 namespace bulbus {
 
 /// Adds up Σ Fᵀ (L D Lᵀ)⁻¹ F over lines; F: the rows of B P of a line's nodes.
-class PatternMatrix::Assembly {
+class CheckerboardMatrix::Assembly {
  public:
   /// Tells the owners of nodes what hexahedra of this rank do to them; coarser hexahedra of other ranks become ghosts. Collective.
-  Assembly(const Problem& problem, PatternMatrix& to);
+  Assembly(const Problem& problem, CheckerboardMatrix& to);
   /// All lines. A first pass finds what they couple, so that no block is ever moved.
   void add_lines(const LineJacobi& lines);
   /// Of this rank, and ghosts.
   int coarser() const { return coarser_; }
 
  private:
-  using Force = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::ColMajor, 3, Patterns::most>;
+  using Force = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::ColMajor, 3, CheckerboardModes::most>;
   // of a coarser hexahedron's patterns on a node
   struct NodeForce {
     int node, coarse;
@@ -32,7 +32,7 @@ class PatternMatrix::Assembly {
   void hold(int node, Eigen::Index row);
 
   const Problem& problem_;
-  PatternMatrix& to_;
+  CheckerboardMatrix& to_;
   int count_, coarser_;  // patterns, coarser hexahedra
   Corners corners_;
   std::vector<std::array<float, 24>> constraints_;  // of every hexahedron: ∂V_e/∂u at its corners

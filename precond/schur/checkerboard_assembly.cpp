@@ -1,4 +1,4 @@
-#include "precond/schur/pattern_assembly.hpp"
+#include "precond/schur/checkerboard_assembly.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <numeric>
 
 namespace bulbus {
-PatternMatrix::Assembly::Assembly(const Problem& problem, PatternMatrix& to)
+CheckerboardMatrix::Assembly::Assembly(const Problem& problem, CheckerboardMatrix& to)
     : problem_(problem),
       to_(to),
       count_(to.patterns_.count()),
@@ -24,7 +24,7 @@ PatternMatrix::Assembly::Assembly(const Problem& problem, PatternMatrix& to)
 
 // use(coarser hexahedron, force) of every hexahedron around a node; force() makes the force on it
 template <class Use>
-void PatternMatrix::Assembly::visit(int node, Use use) const {
+void CheckerboardMatrix::Assembly::visit(int node, Use use) const {
   for (const auto c : corners_.at(node))
     if (const int hex = c.hex(), coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
       use(coarser, [&] { return Force(Eigen::Vector3f::Map(&constraints_[hex][3 * c.corner()]) * to_.patterns_.row(hex)); });
@@ -32,7 +32,7 @@ void PatternMatrix::Assembly::visit(int node, Use use) const {
     use(f->coarse, [&]() -> const Force& { return f->force; });
 }
 
-void PatternMatrix::Assembly::add_lines(const LineJacobi& lines) {
+void CheckerboardMatrix::Assembly::add_lines(const LineJacobi& lines) {
   row_.resize(coarser_);
   for (int line = 0; line < lines.count(); ++line) {
     find_columns(lines.nodes(line));
@@ -48,14 +48,14 @@ void PatternMatrix::Assembly::add_lines(const LineJacobi& lines) {
   for (int line = 0; line < lines.count(); ++line) add(line, lines);
 }
 
-void PatternMatrix::Assembly::find_columns(std::span<const int> nodes) {
+void CheckerboardMatrix::Assembly::find_columns(std::span<const int> nodes) {
   columns_.clear();
   for (int n : nodes) visit(n, [&](int coarse, const auto&) { columns_.push_back(coarse); });
   std::ranges::sort(columns_);
   columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
 }
 
-void PatternMatrix::Assembly::couple() {
+void CheckerboardMatrix::Assembly::couple() {
   std::vector<int> both;
   for (std::size_t a = 0; a < columns_.size(); ++a) {
     auto& row = row_[columns_[a]];
@@ -67,7 +67,7 @@ void PatternMatrix::Assembly::couple() {
   }
 }
 
-void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
+void CheckerboardMatrix::Assembly::add(int line, const LineJacobi& lines) {
   const auto nodes = lines.nodes(line);
   find_columns(nodes);
   F_.setZero(3 * nodes.size(), count_ * columns_.size());
@@ -87,7 +87,7 @@ void PatternMatrix::Assembly::add(int line, const LineJacobi& lines) {
   }
 }
 
-void PatternMatrix::Assembly::hold(int node, Eigen::Index row) {
+void CheckerboardMatrix::Assembly::hold(int node, Eigen::Index row) {
   const Mat3<double> given = problem_.dofs().projector(node);
   Eigen::Matrix3f projector;
   for (int i = 0; i < 3; ++i)
@@ -96,7 +96,7 @@ void PatternMatrix::Assembly::hold(int node, Eigen::Index row) {
 }
 
 // One for each coarser hexahedron that acts on a node.
-std::vector<PatternMatrix::Assembly::NodeForce> PatternMatrix::Assembly::sums(int node) const {
+std::vector<CheckerboardMatrix::Assembly::NodeForce> CheckerboardMatrix::Assembly::sums(int node) const {
   std::vector<NodeForce> all;
   visit(node, [&](int coarse, const auto& force) {
     const auto at = std::ranges::find(all, coarse, &NodeForce::coarse);
@@ -107,7 +107,7 @@ std::vector<PatternMatrix::Assembly::NodeForce> PatternMatrix::Assembly::sums(in
 }
 
 // Of every force: the node's place in the halo, the coarser hexahedron, the numbers.
-void PatternMatrix::Assembly::exchange() {
+void CheckerboardMatrix::Assembly::exchange() {
   const LocalMesh& mesh = problem_.mesh();
   std::vector<std::vector<long long>> out(mesh.comm.size());
   std::vector<Halo::Neighbour> neighbours;
@@ -131,7 +131,7 @@ void PatternMatrix::Assembly::exchange() {
 }
 
 // Both sides have coarser hexahedra in the order of their labels.
-void PatternMatrix::Assembly::receive(std::span<const long long> data, std::span<const int> nodes, std::vector<int>& ghosts) {
+void CheckerboardMatrix::Assembly::receive(std::span<const long long> data, std::span<const int> nodes, std::vector<int>& ghosts) {
   const std::size_t size = 2 + 3 * count_;
   std::vector<long long> labels;
   for (std::size_t i = 0; i < data.size(); i += size) labels.push_back(data[i + 1]);

@@ -6,15 +6,15 @@
 #include "core/mesh/distributed/halo.hpp"
 #include "core/solve/linear_operator.hpp"
 #include "precond/schur/line_pressure_stiffness.hpp"
-#include "precond/schur/patterns.hpp"
+#include "precond/schur/checkerboard_modes.hpp"
 
 namespace bulbus {
 
 /// Pᵀ K P, blocks of pairs of coarser hexahedra; stored in single precision.
-class PatternMatrix final : public LinearOperator {
+class CheckerboardMatrix final : public LinearOperator {
  public:
   /// Collective. Nothing but `patterns` has to outlive it.
-  PatternMatrix(const Problem& problem, const Patterns& patterns, const LineJacobi& lines);
+  CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns, const LineJacobi& lines);
   int size() const override { return patterns_.size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
@@ -37,7 +37,7 @@ class PatternMatrix final : public LinearOperator {
   template <int N>
   void add_products() const;
 
-  const Patterns& patterns_;
+  const CheckerboardModes& patterns_;
   std::vector<Pair> pairs_;     // ascending
   std::vector<float> blocks_;   // of the pairs, by rows
   std::unique_ptr<Halo> halo_;  // of coarser hexahedra, ghosts behind this rank's
@@ -45,11 +45,11 @@ class PatternMatrix final : public LinearOperator {
   mutable std::vector<double> exchanged_;
 };
 
-/// Inverses of a PatternMatrix's diagonal blocks; zero where nothing moves.
+/// Inverses of a CheckerboardMatrix's diagonal blocks; zero where nothing moves.
 class PatternJacobi final : public Preconditioner {
  public:
   /// Collective.
-  explicit PatternJacobi(const PatternMatrix& matrix);
+  explicit PatternJacobi(const CheckerboardMatrix& matrix);
   int size() const override { return size_; }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return true; }
@@ -61,16 +61,16 @@ class PatternJacobi final : public Preconditioner {
 };
 
 /// Pᵀ K P as the product of its factors.
-class PatternProduct final : public LinearOperator {
+class CheckerboardProduct final : public LinearOperator {
  public:
-  PatternProduct(const Patterns& patterns, const LinePressureStiffness& K) : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
+  CheckerboardProduct(const CheckerboardModes& patterns, const LinePressureStiffness& K) : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
   int size() const override { return patterns_.size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
   std::size_t bytes() const;
 
  private:
-  const Patterns& patterns_;
+  const CheckerboardModes& patterns_;
   const LinePressureStiffness& K_;
   mutable std::vector<double> p_, q_;
 };

@@ -7,16 +7,16 @@
 
 namespace bulbus {
 
-/// Chessboards of the hexahedra that one of a coarser mesh was split into, in its own directions x, y, z: (−1)^(i+j) f(k), and the same
+/// Checkerboard modes of the hexahedra that one of a coarser mesh was split into, in its own directions x, y, z: (−1)^(i+j) f(k), and the same
 /// of yz and zx. Whatever f is, Q1/P0 hardly feels them. There are 3m − 2 of m³ hexahedra: xy, yz, zx and xyz of a mesh refined once, ten
 /// of one refined twice. A vector on patterns has them one coarser hexahedron after the other; P takes it to element pressures.
-class Patterns {
+class CheckerboardModes {
  public:
   static constexpr int most = 10;
   using Row = Eigen::Matrix<float, 1, Eigen::Dynamic, Eigen::RowMajor, 1, most>;
 
   /// Of hexahedra refined so often (1 or 2) before.
-  Patterns(const Problem& problem, int refinements);
+  CheckerboardModes(const Problem& problem, int refinements);
   int count() const { return static_cast<int>(rows_.front().size()); }
   /// Coarser hexahedra of this rank.
   int coarser() const { return static_cast<int>(label_.size()); }

@@ -1,4 +1,4 @@
-#include "precond/schur/pattern_matrix.hpp"
+#include "precond/schur/checkerboard_matrix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/base/memory.hpp"
 #include "precond/smoothers/block_jacobi.hpp"
-#include "precond/schur/pattern_assembly.hpp"
+#include "precond/schur/checkerboard_assembly.hpp"
 
 namespace bulbus {
 namespace {
@@ -21,7 +21,7 @@ Vector load_vector(const float* from) {
 
 }  // namespace
 
-PatternMatrix::PatternMatrix(const Problem& problem, const Patterns& patterns, const LineJacobi& lines) : patterns_(patterns) {
+CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns, const LineJacobi& lines) : patterns_(patterns) {
   Assembly assembly(problem, *this);
   assembly.add_lines(lines);
   in_.resize(assembly.coarser());
@@ -32,7 +32,7 @@ PatternMatrix::PatternMatrix(const Problem& problem, const Patterns& patterns, c
 // A block is one vector, b00 b01 b02 b03 b10 ...; it meets the four numbers of x side by side four times, and what it does to its column stays
 // apart by rows until all are done.
 template <>
-void PatternMatrix::add_products<4>() const {
+void CheckerboardMatrix::add_products<4>() const {
   for (std::size_t k = 0; k < pairs_.size();) {
     const int row = pairs_[k].row;
     Vector x, sums{};
@@ -51,7 +51,7 @@ void PatternMatrix::add_products<4>() const {
 
 // A row of ten is loaded with six numbers behind it, which meet zeros of x or end in lanes that nobody reads.
 template <>
-void PatternMatrix::add_products<10>() const {
+void CheckerboardMatrix::add_products<10>() const {
   for (std::size_t k = 0; k < pairs_.size();) {
     const int row = pairs_[k].row;
     Vector sums[10]{};
@@ -71,7 +71,7 @@ void PatternMatrix::add_products<10>() const {
 }
 
 template <int N>
-void PatternMatrix::multiply(std::span<double> x) const {
+void CheckerboardMatrix::multiply(std::span<double> x) const {
   for (std::size_t c = 0; c < in_.size(); ++c)
     for (int i = 0; i < (N == 4 ? 16 : N); ++i) in_[c][i] = static_cast<float>(x[N * c + i % N]);
   std::ranges::fill(out_, Vector{});
@@ -80,7 +80,7 @@ void PatternMatrix::multiply(std::span<double> x) const {
     for (int i = 0; i < N; ++i) x[N * c + i] = out_[c][i];
 }
 
-void PatternMatrix::apply(std::span<const double> x, std::span<double> y) const {
+void CheckerboardMatrix::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::copy(x, exchanged_.begin());
   halo_->update(exchanged_, patterns_.count());
   if (patterns_.count() == 4) multiply<4>(exchanged_);
@@ -89,7 +89,7 @@ void PatternMatrix::apply(std::span<const double> x, std::span<double> y) const 
   std::copy_n(exchanged_.begin(), size(), y.begin());
 }
 
-std::vector<double> PatternMatrix::diagonal() const {
+std::vector<double> CheckerboardMatrix::diagonal() const {
   const int numbers = patterns_.count() * patterns_.count();
   std::vector<double> sum(numbers * in_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k)
@@ -99,7 +99,7 @@ std::vector<double> PatternMatrix::diagonal() const {
   return sum;
 }
 
-void PatternMatrix::drop(double part) {
+void CheckerboardMatrix::drop(double part) {
   const std::size_t numbers = patterns_.count() * patterns_.count();
   const auto own = diagonal();
   std::vector<double> norm(in_.size());
@@ -119,9 +119,9 @@ void PatternMatrix::drop(double part) {
   pairs_.shrink_to_fit();
 }
 
-std::size_t PatternMatrix::bytes() const { return bytes_of(pairs_) + bytes_of(blocks_) + bytes_of(in_) + bytes_of(out_) + bytes_of(exchanged_); }
+std::size_t CheckerboardMatrix::bytes() const { return bytes_of(pairs_) + bytes_of(blocks_) + bytes_of(in_) + bytes_of(out_) + bytes_of(exchanged_); }
 
-PatternJacobi::PatternJacobi(const PatternMatrix& matrix) : patterns_(matrix.patterns()), size_(matrix.size()) {
+PatternJacobi::PatternJacobi(const CheckerboardMatrix& matrix) : patterns_(matrix.patterns()), size_(matrix.size()) {
   const int patterns = patterns_;
   const auto diagonal = matrix.diagonal();
   inverse_.resize(diagonal.size());
@@ -143,13 +143,13 @@ void PatternJacobi::apply(std::span<const double> r, std::span<double> z) const 
 
 std::size_t PatternJacobi::bytes() const { return bytes_of(inverse_); }
 
-void PatternProduct::apply(std::span<const double> x, std::span<double> y) const {
+void CheckerboardProduct::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::fill(p_, 0.0);
   patterns_.add_prolonged(x, 1, p_);
   K_.apply(p_, q_);
   patterns_.restrict_pressures(q_, y);
 }
 
-std::size_t PatternProduct::bytes() const { return bytes_of(p_) + bytes_of(q_); }
+std::size_t CheckerboardProduct::bytes() const { return bytes_of(p_) + bytes_of(q_); }
 
 }  // namespace bulbus
