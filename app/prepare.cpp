@@ -3,7 +3,7 @@
 #include "app/scene/contact_limits.hpp"
 #include "app/records/record_names.hpp"
 #include "app/scene/size_limits.hpp"
-#include "contact/operation_probes.hpp"
+#include "contact/interaction_probes.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/tissues.hpp"
@@ -48,8 +48,8 @@ void keep_finest(std::vector<MeshLevel>& levels) {
 }
 
 void rehearse(Problem& problem, const Mesh& base) {
-  const auto operation = Operation::attach(problem, base);
-  const ProbeSet probes(problem, operation_probes(operation));
+  const auto operation = Interactions::attach(problem, base);
+  const ProbeSet probes(problem, interaction_probes(interactions));
   problem.rehearse(static_cast<int>(problem.model().steps.size()));
 }
 
@@ -71,8 +71,8 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   prepared.warnings = warnings_of(meshes.base, model);
   const auto& of_steps = prepared.problem->warnings();
   prepared.warnings.insert(prepared.warnings.end(), of_steps.begin(), of_steps.end());
-  prepared.operation = Operation::attach(*prepared.problem, meshes.base);
-  for (const auto& [name, body] : prepared.operation->bodies())
+  prepared.interactions = Interactions::attach(*prepared.problem, meshes.base);
+  for (const auto& [name, body] : prepared.interactions->bodies())
     prepared.warnings.insert(prepared.warnings.end(), body->warnings.begin(), body->warnings.end());
   return prepared;
 }

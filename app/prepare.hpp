@@ -4,7 +4,7 @@
 
 #include "app/scene/input_files.hpp"
 #include "app/scene/scene.hpp"
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/problem/problem.hpp"
 
@@ -13,7 +13,7 @@ namespace bulbus {
 /// A problem that is ready to march, and what is known of its mesh.
 struct Prepared {
   std::unique_ptr<Problem> problem;
-  std::shared_ptr<const Operation> operation;
+  std::shared_ptr<const Interactions> interactions;
   std::vector<RegionQuality> quality;
   std::vector<std::string> warnings;  ///< of mesh and model, the same on every rank
   std::vector<InputFile> inputs;      ///< as they were read

@@ -172,7 +172,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   const MarchReport report = march(problem, system, *solver, state, scene.solver, profiler, recorder, place);
 
   recorder.finish(state);
-  for (const std::string& deep : deep_contacts(*prepared.operation, recorder.contacts())) {
+  for (const std::string& deep : deep_contacts(*prepared.interactions, recorder.contacts())) {
     prepared.warnings.push_back(deep);
     log.warn(deep);
   }

@@ -14,7 +14,7 @@ double resident(const Comm& comm) {
   return comm.sum(static_cast<double>(resident_bytes()));
 }
 
-double contact_points(const Operation& operation) {
+double contact_points(const Interactions& interactions) {
   double points = 0;
   for (const auto& c : operation.contacts())
     points += static_cast<double>(c.term->points().size() + (c.exchanged ? c.exchanged->points().size() : 0) + (c.middles ? c.middles->points() : 0));
@@ -26,7 +26,7 @@ RunSize size_of(const Prepared& prepared) {
   RunSize size{.liquids = static_cast<double>(problem.liquids().size()),
                .refinements = problem.mesh().refinements,
                .ranks = problem.comm().size()};
-  size.contact_points = problem.comm().sum(contact_points(*prepared.operation));
+  size.contact_points = problem.comm().sum(contact_points(*prepared.interactions));
   for (const Problem* p = &problem; p; p = p->coarser()) {
     std::array<double, 2> sums{static_cast<double>(p->mesh().nodes()),
                                static_cast<double>(p->mesh().hexes.size())};

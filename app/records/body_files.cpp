@@ -5,12 +5,12 @@
 namespace bulbus {
 
 void BodyFiles::save(int number) const {
-  if (operation_->bodies().empty()) return;
+  if (interactions_->bodies().empty()) return;
   std::vector<double> points;
   std::vector<std::array<int, 3>> triangles;
   Field body{"body", 1, {}}, part{"part", 1, {}};
   int bodies = 0;
-  for (const auto& [name, surface] : operation_->bodies()) {
+  for (const auto& [name, surface] : interactions_->bodies()) {
     const int first = static_cast<int>(points.size() / 3);
     points.insert(points.end(), surface->places.begin(), surface->places.end());
     for (auto t : surface->facets.triangles) {
@@ -25,7 +25,7 @@ void BodyFiles::save(int number) const {
 }
 
 void BodyFiles::list(int number, double time) {
-  if (!operation_->bodies().empty()) index_.add(bodies_file(number), time);
+  if (!interactions_->bodies().empty()) index_.add(bodies_file(number), time);
 }
 
 }  // namespace bulbus

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/records/record_names.hpp"
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "core/io/vtp.hpp"
 
 namespace bulbus {
@@ -9,8 +9,8 @@ namespace bulbus {
 /// triangles carry the number of their body (by name) and of its part. Not collective: for one rank.
 class BodyFiles {
  public:
-  BodyFiles(std::shared_ptr<const Operation> operation, const std::string& folder)
-      : operation_(std::move(operation)), folder_(folder), index_(folder + "/" + bodies_index) {}
+  BodyFiles(std::shared_ptr<const Interactions> interactions, const std::string& folder)
+      : interactions_(std::move(interactions)), folder_(folder), index_(folder + "/" + bodies_index) {}
 
   /// Nothing if there are no bodies. Throws std::runtime_error.
   void save(int number) const;
@@ -18,7 +18,7 @@ class BodyFiles {
   void list(int number, double time);
 
  private:
-  std::shared_ptr<const Operation> operation_;
+  std::shared_ptr<const Interactions> interactions_;
   std::string folder_;
   Collection index_;
 };

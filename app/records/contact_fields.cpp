@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "contact/operation_figures.hpp"
+#include "contact/interaction_figures.hpp"
 
 namespace bulbus {
 
-std::vector<Field> contact_fields(const Operation& operation, Snapshot& s) {
-  if (operation.contacts().empty()) return {};
+std::vector<Field> contact_fields(const Interactions& interactions, Snapshot& s) {
+  if (interactions.contacts().empty()) return {};
   const std::size_t nodes = s.problem.mesh().nodes();
   std::vector<Field> fields{{"gap", 1, std::vector<double>(nodes, operation.contacts().front().farthest)},
                             {"contact_pressure", 1, std::vector<double>(nodes)},
@@ -20,7 +20,7 @@ std::vector<Field> contact_fields(const Operation& operation, Snapshot& s) {
       if (n.active) status[n.node] = 1;
     }
   };
-  for (const Operation::Contact& contact : operation.contacts()) add(nodes_of(contact, s)), add(master_nodes_of(contact, s));
+  for (const Interactions::Contact& contact : operation.contacts()) add(nodes_of(contact, s)), add(master_nodes_of(contact, s));
   for (Field& f : fields) s.problem.mesh().halo.update_ghosts(f.values, 1);
   return fields;
 }

@@ -15,7 +15,7 @@ void add(Wrench& sum, const Wrench& w) {
 
 }  // namespace
 
-json contacts_summary(const Operation& operation, const std::vector<ContactStanding>& standings) {
+json contacts_summary(const Interactions& interactions, const std::vector<ContactStanding>& standings) {
   json all = json::object();
   for (std::size_t k = 0; k < operation.contacts().size(); ++k) {
     const auto& contact = operation.contacts()[k];
@@ -34,7 +34,7 @@ json contacts_summary(const Operation& operation, const std::vector<ContactStand
   return all;
 }
 
-std::vector<std::string> deep_contacts(const Operation& operation, const std::vector<ContactStanding>& standings) {
+std::vector<std::string> deep_contacts(const Interactions& interactions, const std::vector<ContactStanding>& standings) {
   constexpr double deep = 0.1;
   std::vector<std::string> sentences;
   for (std::size_t k = 0; k < standings.size(); ++k) {
@@ -48,13 +48,13 @@ std::vector<std::string> deep_contacts(const Operation& operation, const std::ve
   return sentences;
 }
 
-json bodies_summary(const Problem& problem, const Operation& operation, const std::vector<ContactStanding>& standings) {
+json bodies_summary(const Problem& problem, const Interactions& interactions, const std::vector<ContactStanding>& standings) {
   json all = json::object();
   for (const auto& [name, body] : operation.bodies()) {
     std::vector<Wrench> parts(body->parts.size());
     Wrench sum;
     for (std::size_t k = 0; k < operation.contacts().size(); ++k)
-      if (operation.contacts()[k].body == body)
+      if (interactions.contacts()[k].body == body)
         for (std::size_t p = 0; p < parts.size(); ++p) {
           add(parts[p], standings[k].on_master[p]);
           add(sum, standings[k].on_master[p]);

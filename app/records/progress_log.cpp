@@ -90,7 +90,7 @@ void ProgressLog::increment_done(const Increment& i, const State&) {
               "which counts the negative pivots.");
 }
 
-void ProgressLog::contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings) {
+void ProgressLog::contacts(const std::vector<Interactions::Contact>& contacts, const std::vector<ContactStanding>& standings) {
   for (std::size_t k = 0; k < contacts.size(); ++k)
     log_.info(fmt::format("    contact {}: {} nodes touch, largest penetration {:.3g} mm", contacts[k].spec.name,
                           standings[k].touching, standings[k].penetration));

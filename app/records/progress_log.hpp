@@ -1,6 +1,6 @@
 #pragma once
 #include "app/records/forecast.hpp"
-#include "contact/operation_figures.hpp"
+#include "contact/interaction_figures.hpp"
 #include "core/io/log.hpp"
 #include "core/problem/probes/probe_record.hpp"
 #include "core/solve/march.hpp"
@@ -24,7 +24,7 @@ class ProgressLog final : public MarchObserver {
   bool unstable(const NewtonReport& report) const;
   /// A line if none has been written for a while.
   void solve_lasts(const SolveProgress& progress);
-  void contacts(const std::vector<Operation::Contact>& contacts, const std::vector<ContactStanding>& standings);
+  void contacts(const std::vector<Interactions::Contact>& contacts, const std::vector<ContactStanding>& standings);
   void probes(const ProbeSet& probes, const ProbeValues& values);
 
  private:

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/memory/sizes.hpp"
-#include "contact/operation_probes.hpp"
+#include "contact/interaction_probes.hpp"
 #include "core/io/output.hpp"
 
 namespace bulbus {
@@ -27,11 +27,11 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
                    Profiler& profiler, FileStart start)
     : problem_(*prepared.problem),
       log_(log),
-      operation_(prepared.operation),
+      interactions_(prepared.interactions),
       profiler_(profiler),
       progress_(log, problem_, scene.solver.stepping),
       witness_(problem_, static_cast<int>(stable_pivots(problem_))),
-      probes_(problem_, operation_probes(operation_)),
+      probes_(problem_, interaction_probes(interactions_)),
       record_(probes_),
       results_(scene.output, operation_, folder),
       checkpoints_(scene, prepared, *this, folder) {
@@ -112,7 +112,7 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   if (increment.progress == 1) record_.step_ended(increment.step, snapshot);
   take(snapshot);
   progress_.increment_done(increment, state);
-  progress_.contacts(operation_->contacts(), contacts_);
+  progress_.contacts(interactions_->contacts(), contacts_);
   progress_.probes(probes_, values_);
   write_together(problem_.comm(), [&] {
     if (history_) append_history(increment);
@@ -162,7 +162,7 @@ void Recorder::take(Snapshot& snapshot) {
   taken_ = true;
   values_ = record_.values(snapshot);
   contacts_.clear();
-  for (const Operation::Contact& contact : operation_->contacts()) contacts_.push_back(standing(contact, snapshot));
+  for (const Interactions::Contact& contact : interactions_->contacts()) contacts_.push_back(standing(contact, snapshot));
 }
 
 void Recorder::append_history(const Increment& i) {

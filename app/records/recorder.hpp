@@ -66,7 +66,7 @@ class Recorder final : public MarchObserver, public Remembering {
 
   Problem& problem_;
   const Log& log_;
-  std::shared_ptr<const Operation> operation_;
+  std::shared_ptr<const Interactions> interactions_;
   Profiler& profiler_;
   ProgressLog progress_;
   Witness witness_;

@@ -66,7 +66,7 @@ void add_both(const Problem& problem, Field cells, Piece& piece) {
   piece.cell_fields.push_back(std::move(cells));
 }
 
-Piece piece_of(Snapshot& s, const Operation& operation, const OutputSettings& settings,
+Piece piece_of(Snapshot& s, const Interactions& interactions, const OutputSettings& settings,
                const std::vector<Point>& points) {
   const auto wanted = [&](const std::string& name) { return std::ranges::count(settings.fields, name) > 0; };
   Piece piece{points, s.problem.mesh().hexes, {}, {}};
@@ -76,20 +76,20 @@ Piece piece_of(Snapshot& s, const Operation& operation, const OutputSettings& se
   if (wanted("pressure")) piece.cell_fields.push_back(pressure(s));
   if (wanted("pressure")) piece.cell_fields.push_back(volume_ratio(s));
   if (wanted("region")) piece.cell_fields.push_back(region(s));
-  for (Field& f : contact_fields(operation, s))
+  for (Field& f : contact_fields(interactions, s))
     if (wanted(f.name)) piece.point_fields.push_back(std::move(f));
   return piece;
 }
 
 }  // namespace
 
-ResultFiles::ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation,
+ResultFiles::ResultFiles(const OutputSettings& settings, std::shared_ptr<const Interactions> interactions,
                          ResultsFolder& folder)
     : settings_(settings),
-      operation_(operation),
+      interactions_(interactions),
       folder_(folder),
       series_(folder.path() + "/" + series_file),
-      bodies_(operation, folder.path()) {}
+      bodies_(interactions, folder.path()) {}
 
 void ResultFiles::increment_done(int number, double time, Snapshot& snapshot) {
   last_ = number;
@@ -105,7 +105,7 @@ void ResultFiles::save(Snapshot& s) {
   if (!settings_.vtk) return;
   const std::string file = result_file(last_);
   claim_indices();
-  folder_.claim(operation_->bodies().empty() ? std::vector{file} : std::vector{file, bodies_file(last_)});
+  folder_.claim(interactions_->bodies().empty() ? std::vector{file} : std::vector{file, bodies_file(last_)});
   const auto points = reference_points(s.problem.mesh());
   write_vtkhdf(folder_.path() + "/" + file, piece_of(s, *operation_, settings_, points), s.problem.comm());
   write_together(s.problem.comm(), [&] {
@@ -117,7 +117,7 @@ void ResultFiles::save(Snapshot& s) {
 }
 
 void ResultFiles::claim_indices() {
-  folder_.claim(operation_->bodies().empty() ? std::vector<std::string>{series_file}
+  folder_.claim(interactions_->bodies().empty() ? std::vector<std::string>{series_file}
                                              : std::vector<std::string>{series_file, bodies_index});
 }
 

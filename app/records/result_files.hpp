@@ -13,7 +13,7 @@ namespace bulbus {
 /// last.
 class ResultFiles {
  public:
-  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Operation> operation,
+  ResultFiles(const OutputSettings& settings, std::shared_ptr<const Interactions> interactions,
               ResultsFolder& folder);
 
   /// Saves if it is this increment's turn. Collective. Throws std::runtime_error.
@@ -29,7 +29,7 @@ class ResultFiles {
   void list(int number, double time);
 
   OutputSettings settings_;
-  std::shared_ptr<const Operation> operation_;
+  std::shared_ptr<const Interactions> interactions_;
   ResultsFolder& folder_;
   Series series_;
   BodyFiles bodies_;

@@ -106,8 +106,8 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
     s["probes"][recorder.probes().name(i)] = value ? json(*value) : json();
     s["units"][recorder.probes().name(i)] = recorder.probes().unit(i);
   }
-  s["contacts"] = contacts_summary(*prepared.operation, recorder.contacts());
-  s["rigid_bodies"] = bodies_summary(problem, *prepared.operation, recorder.contacts());
+  s["contacts"] = contacts_summary(*prepared.interactions, recorder.contacts());
+  s["rigid_bodies"] = bodies_summary(problem, *prepared.interactions, recorder.contacts());
   if (recorder.negative_pivots() >= 0) {
     s["negative_pivots"] = recorder.negative_pivots();
     s["negative_pivots_if_stable"] = stable_pivots(problem);

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "app/records/diagnosis.hpp"
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "core/solve/march.hpp"
 
 namespace bulbus {

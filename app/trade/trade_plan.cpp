@@ -45,14 +45,14 @@ Settings joined(Settings a, const Settings& b) {
 // Every contact's penalty, that of the scene times a factor.
 Settings penalties(const Prepared& prepared, double factor) {
   Settings set;
-  for (const auto& contact : prepared.operation->contacts())
+  for (const auto& contact : prepared.interactions->contacts())
     set.push_back(fmt::format("contacts.{}.penalty={:.6g}", contact.spec.name, factor * contact.penalty));
   return set;
 }
 
 Settings augmentation(const Prepared& prepared, const char* tolerance) {
   Settings set;
-  for (const auto& contact : prepared.operation->contacts())
+  for (const auto& contact : prepared.interactions->contacts())
     set.push_back(fmt::format("contacts.{}.tolerance={}", contact.spec.name, tolerance));
   return set;
 }

@@ -12,7 +12,7 @@ Scene on_a_stiff_block(double penalty) {
   return scene;
 }
 
-double default_penalty(const Scene& scene) { return ContactTrial(scene).operation->contact("joint", "").penalty; }
+double default_penalty(const Scene& scene) { return ContactTrial(scene).interactions->contact("joint", "").penalty; }
 
 /// Nominal stress of the upper block, 0.5 high and pressed by 0.1, where the penalty lets it sink in by g: α g = −P(0.8 + 2 g).
 double on_springs(double alpha) {

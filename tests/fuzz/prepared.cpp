@@ -19,7 +19,7 @@ void require_finite(const Prepared& prepared) {
   require_finite(problem.mesh().X, "places of nodes");
   for (const Liquid& l : problem.liquids())
     require_finite(std::array{l.volume(problem.mesh().X)}, "volume of liquid " + l.name());
-  for (const auto& [name, body] : prepared.operation->bodies()) {
+  for (const auto& [name, body] : prepared.interactions->bodies()) {
     require_finite(body->places, "places of body " + name);
     for (const auto& corners : body->normals)
       for (const auto& n : corners) require_finite(n, "normals of body " + name);

@@ -1,5 +1,5 @@
 // Contacts press the same nodes with the same force however many ranks hold them.
-#include "contact/operation_figures.hpp"
+#include "contact/interaction_figures.hpp"
 #include "core/base/error.hpp"
 #include "tests/verify/two_blocks.hpp"
 
@@ -64,10 +64,10 @@ TEST(Contact, OfBothWaysIsTheSameOnAnyNumberOfRanks) {
   ContactTrial alone(scene, Comm(MPI_COMM_SELF)), together(scene);
   alone.direct(), together.direct();
   Snapshot one(alone.problem, alone.state), many(together.problem, together.state);
-  const ContactStanding expected = standing(alone.operation->contact("blocks", ""), one), found = standing(together.operation->contact("blocks", ""), many);
+  const ContactStanding expected = standing(alone.interactions->contact("blocks", ""), one), found = standing(together.interactions->contact("blocks", ""), many);
   EXPECT_EQ(found.touching, expected.touching);
   EXPECT_LT(relative(found.pressure, expected.pressure), 1e-6);
-  const Vec3<double> push = probes::total(together.problem, on_master(together.operation->contact("blocks", ""), many), "whole").force;
+  const Vec3<double> push = probes::total(together.problem, on_master(together.interactions->contact("blocks", ""), many), "whole").force;
   EXPECT_LT(relative(-push[2], std::abs(ProbeSet(alone.problem).values(alone.problem, alone.state)[0])), 1e-6) << "held from below";
 }
 
@@ -94,7 +94,7 @@ TEST(Contact, CountsAnOverlapAtTheStartOverAllRanks) {
     if (p[2] >= .52) p[2] -= .03 + .01 * (p[0] + p[1]);
   const auto refusal = [&](const Comm& comm) -> std::string {
     Problem problem(scene.mesh, scene.model, comm);
-    const auto operation = Operation::attach(problem, scene.mesh);
+    const auto operation = Interactions::attach(problem, scene.mesh);
     try {
       problem.begin_step(0, problem.initial_state());
     } catch (const InputError& fault) {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "app/records/contact_fields.hpp"
-#include "contact/operation_figures.hpp"
-#include "contact/operation_probes.hpp"
+#include "contact/interaction_figures.hpp"
+#include "contact/interaction_probes.hpp"
 #include "tests/support/models.hpp"
 
 namespace bulbus {
@@ -36,12 +36,12 @@ Scene bar() {
 
 struct Trial {
   Problem problem;
-  std::shared_ptr<Operation> operation;
+  std::shared_ptr<Interactions> interactions;
   State state;
   Snapshot snapshot;
   Trial(const Scene& scene, const Comm& comm)
       : problem(scene.mesh, scene.model, comm),
-        operation(Operation::attach(problem, scene.mesh)),
+        operation(Interactions::attach(problem, scene.mesh)),
         state(problem.initial_state()),
         snapshot(problem, state) {
     for (std::size_t n = 0; n < state.x.size(); n += 3) state.x[n + 1] *= 1 + .02 * state.x[n];
@@ -51,15 +51,15 @@ struct Trial {
 TEST(ContactFigures, DoNotDependOnTheRanks) {
   const Scene scene = bar();
   Trial alone(scene, Comm(MPI_COMM_SELF)), together(scene, Comm());
-  const ProbeSet probes(alone.problem, operation_probes(alone.operation));
+  const ProbeSet probes(alone.problem, interaction_probes(alone.operation));
   const auto expected = probes.values(alone.snapshot),
-             found = ProbeSet(together.problem, operation_probes(together.operation)).values(together.snapshot);
+             found = ProbeSet(together.problem, interaction_probes(together.operation)).values(together.snapshot);
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], expected[i], 1e-10 * (1 + std::abs(expected[i]))) << probes.name(i);
     EXPECT_NE(expected[i], 0) << probes.name(i);
   }
-  const auto one = standing(alone.operation->contacts()[0], alone.snapshot),
-             all = standing(together.operation->contacts()[0], together.snapshot);
+  const auto one = standing(alone.interactions->contacts()[0], alone.snapshot),
+             all = standing(together.interactions->contacts()[0], together.snapshot);
   EXPECT_EQ(all.touching, one.touching);
   EXPECT_NEAR(all.on_master[0].force[0], one.on_master[0].force[0], 1e-10);
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/eye/eye.hpp"
 #include "core/mesh/distributed/mesh_levels.hpp"
@@ -209,7 +209,7 @@ Scene sewn_shell() {
 }
 
 // Sum over all nodes of what the suture does, told apart by the nodes' places.
-std::array<double, 2> figures(Problem& problem, const Operation& operation) {
+std::array<double, 2> figures(Problem& problem, const Interactions& interactions) {
   const State state = problem.initial_state();
   problem.begin_step(0, state);
   problem.set_progress(1, const_cast<State&>(state));
@@ -231,7 +231,7 @@ TEST(Refinement, OperationsAreThoseOnTheWholeMesh) {
   Problem parts(refined(scene.mesh, 1), scene.model, Comm());
   const Mesh fine = refine(scene.mesh).mesh;
   Problem whole(fine, scene.model, Comm(MPI_COMM_SELF));
-  const auto found = Operation::attach(parts, scene.mesh), wanted = Operation::attach(whole, fine);
+  const auto found = Interactions::attach(parts, scene.mesh), wanted = Interactions::attach(whole, fine);
   EXPECT_EQ(found->contacts()[0].thickness, wanted->contacts()[0].thickness);
   EXPECT_EQ(found->contacts()[0].penalty, wanted->contacts()[0].penalty);
   EXPECT_EQ(found->contacts()[0].farthest, wanted->contacts()[0].farthest);
@@ -247,13 +247,13 @@ TEST(Refinement, ARehearsedProblemIsAsNew) {
   const auto figures_of = [&](bool rehearsed) {
     Problem problem(refined(scene.mesh, 1), scene.model, Comm());
     if (rehearsed) {
-      const auto operation = Operation::attach(problem, scene.mesh);
+      const auto operation = Interactions::attach(problem, scene.mesh);
       problem.rehearse(1);
       EXPECT_TRUE(problem.added().empty());
       EXPECT_EQ(problem.progress(), 0);
     }
-    const auto operation = Operation::attach(problem, scene.mesh);
-    return figures(problem, *operation);
+    const auto operation = Interactions::attach(problem, scene.mesh);
+    return figures(problem, *interactions);
   };
   EXPECT_EQ(figures_of(true), figures_of(false));
 }

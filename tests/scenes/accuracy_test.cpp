@@ -22,7 +22,7 @@ const std::vector<std::string> coarse{"--set", "mesh.eye.n=8", "--set", "output.
 
 json probes_with(const std::vector<std::string>& settings) {
   const fs::path out = fs::temp_directory_path() / ("bulbus_accuracy_" + std::to_string(getpid()));
-  std::vector<std::string> arguments{"run", operation, "-o", out};
+  std::vector<std::string> arguments{"run", interactions, "-o", out};
   arguments.insert(arguments.end(), coarse.begin(), coarse.end());
   for (const std::string& s : settings) arguments.insert(arguments.end(), {"--set", s});
   std::ostringstream said, faults;
@@ -39,7 +39,7 @@ const json& tight() {
 }
 
 void expect_within(const json& got, const json& right, double promised) {
-  for (const ProbeSpec& probe : read_scene(operation).model.probes) {
+  for (const ProbeSpec& probe : read_scene(interactions).model.probes) {
     const double value = got[probe.name], wanted = right[probe.name];
     EXPECT_LE(relative_error(value, wanted, least_of(probe)), promised) << probe.name << " " << value << " instead of " << wanted;
   }

@@ -1,16 +1,16 @@
 #pragma once
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "tests/verify/run.hpp"
 
 namespace bulbus {
 
 /// A trial with rigid bodies, contacts and sutures.
 struct ContactTrial : Trial {
-  std::shared_ptr<Operation> operation;
-  explicit ContactTrial(const Scene& scene, const Comm& c = {}) : Trial(scene, c), operation(Operation::attach(problem, scene.mesh)) {
+  std::shared_ptr<Interactions> interactions;
+  explicit ContactTrial(const Scene& scene, const Comm& c = {}) : Trial(scene, c), operation(Interactions::attach(problem, scene.mesh)) {
     settings.newton = tight(1e-10);
   }
-  const ContactTerm& contact(const std::string& name) const { return *operation->contact(name, "").term; }
+  const ContactTerm& contact(const std::string& name) const { return *interactions->contact(name, "").term; }
   int pairs(const std::string& name) const { return comm.sum(contact(name).figures(state).pairs); }
   /// On the master, of the model as it is drawn, N.
   Vec3<double> force(const std::string& name) const {

@@ -1,5 +1,5 @@
 // What a scene leaves out costs nothing: no term, no unknown, no allocation, no search, no hexahedron in the kernels.
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "tests/support/allocations.hpp"
 #include "tests/verify/run.hpp"
 
@@ -91,11 +91,11 @@ TEST(OnlyRequired, RigidHexahedraAreNotInTheKernels) {
 /// Allocations of a whole march; `asked`: the contact floor is asked for what the model says of it.
 long long march_allocations(const Scene& scene, bool asked) {
   Trial run(scene);
-  std::shared_ptr<Operation> operation;
-  if (asked) operation = Operation::attach(run.problem, scene.mesh);
+  std::shared_ptr<Interactions> interactions;
+  if (asked) operation = Interactions::attach(run.problem, scene.mesh);
   const long long made = allocated([&] { run.iterative(); });
   EXPECT_TRUE(run.report.converged);
-  EXPECT_TRUE(!asked || (operation->contacts().empty() && operation->sutures().empty() && operation->bodies().empty()));
+  EXPECT_TRUE(!asked || (interactions->contacts().empty() && interactions->sutures().empty() && interactions->bodies().empty()));
   return made;
 }
 
@@ -128,7 +128,7 @@ Scene blocks(bool both, double distance) {
 TEST(OnlyRequired, WithoutContactsNothingIsSearchedAndWithOneOnlyWhatMoves) {
   const Scene alone = blocks(false, 0), both = blocks(true, .05);
   Trial without(alone), with(both);
-  const auto none = Operation::attach(without.problem, alone.mesh), one = Operation::attach(with.problem, both.mesh);
+  const auto none = Interactions::attach(without.problem, alone.mesh), one = Interactions::attach(with.problem, both.mesh);
   without.direct(), with.direct();
   ASSERT_TRUE(without.report.converged && with.report.converged);
   EXPECT_TRUE(none->contacts().empty());

@@ -1,4 +1,4 @@
-#include "contact/operation_probes.hpp"
+#include "contact/interaction_probes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,13 +44,13 @@ using Map = std::function<Vec3<double>(const Vec3<double>&)>;
 std::vector<double> figures(Scene scene, const std::vector<ProbeSpec>& probes, const Map& map = {}) {
   scene.model.probes = probes;
   Problem problem(scene.mesh, scene.model, Comm());
-  const auto operation = Operation::attach(problem, scene.mesh);
+  const auto operation = Interactions::attach(problem, scene.mesh);
   State state = problem.initial_state();
   for (int n = 0; map && n < problem.mesh().nodes(); ++n) {
     const Vec3<double> x = map({state.x[3 * n], state.x[3 * n + 1], state.x[3 * n + 2]});
     std::copy(x.begin(), x.end(), state.x.begin() + 3 * n);
   }
-  return ProbeSet(problem, operation_probes(operation)).values(problem, state);
+  return ProbeSet(problem, interaction_probes(interactions)).values(problem, state);
 }
 
 /// Pressed in by .01 everywhere: the pressure is .2 MPa on 4 mm². Of the slave nodes' areas a half lies at y = 0.
@@ -106,12 +106,12 @@ TEST(OperationProbes, MeasureSutures) {
   least.percentile = 0;
   scene.model.probes = {probe("suture_force"), probe("suture_mises"), least};
   Problem problem(scene.mesh, scene.model, Comm());
-  const auto operation = Operation::attach(problem, scene.mesh);
+  const auto operation = Interactions::attach(problem, scene.mesh);
   State state = problem.initial_state();
   problem.begin_step(0, state);
   problem.set_progress(.5, state);
   for (std::size_t n = 0; n < state.x.size(); n += 3) state.x[n] += .05 * state.x[n] * state.x[n] * (3 + state.x[n + 1]);
-  const auto v = ProbeSet(problem, operation_probes(operation)).values(problem, state);
+  const auto v = ProbeSet(problem, interaction_probes(interactions)).values(problem, state);
   double most = 0;
   for (const CellStress& c : problem.solid().stresses(state.x, state.lambda)) most = std::max(most, c.mises);
   EXPECT_NEAR(v[0], .1, 1e-14);

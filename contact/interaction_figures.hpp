@@ -1,16 +1,16 @@
 #pragma once
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "core/problem/probes/probe_figures.hpp"
 
 namespace bulbus {
 
 /// The slave nodes that this rank owns, gaps up to Contact::farthest, forces of both ways; found once per snapshot. Collective.
-const std::vector<ContactNode>& nodes_of(const Operation::Contact& contact, Snapshot& snapshot);
+const std::vector<ContactNode>& nodes_of(const Interactions::Contact& contact, Snapshot& snapshot);
 /// The same of the master's nodes, where the contact goes both ways; else none. Collective.
-const std::vector<ContactNode>& master_nodes_of(const Operation::Contact& contact, Snapshot& snapshot);
+const std::vector<ContactNode>& master_nodes_of(const Interactions::Contact& contact, Snapshot& snapshot);
 
 /// What the slave nodes of this rank do to the master.
-probes::Resultant on_master(const Operation::Contact& contact, Snapshot& snapshot);
+probes::Resultant on_master(const Interactions::Contact& contact, Snapshot& snapshot);
 
 /// How a contact stands, on all ranks.
 struct ContactStanding {
@@ -22,6 +22,6 @@ struct ContactStanding {
   Augmentation augmentation;      ///< of the last increment
 };
 /// Collective.
-ContactStanding standing(const Operation::Contact& contact, Snapshot& snapshot);
+ContactStanding standing(const Interactions::Contact& contact, Snapshot& snapshot);
 
 }  // namespace bulbus

@@ -1,20 +1,20 @@
-#include "contact/operation_probes.hpp"
+#include "contact/interaction_probes.hpp"
 
 #include <algorithm>
 
-#include "contact/operation_figures.hpp"
+#include "contact/interaction_figures.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus {
 namespace {
 
-using Contact = Operation::Contact;
+using Contact = Interactions::Contact;
 
 // A figure of how one contact stands.
 template <class Number>
-auto of_contact(std::shared_ptr<const Operation> operation, Number number) {
+auto of_contact(std::shared_ptr<const Interactions> interactions, Number number) {
   return [=](const Problem&, const ProbeSpec& spec) -> ProbeSet::Figure {
-    return [operation, number, &contact = operation->contact(spec.contact, "contact")](Snapshot& s) {
+    return [operation, number, &contact = interactions->contact(spec.contact, "contact")](Snapshot& s) {
       return number(standing(contact, s));
     };
   };
@@ -50,44 +50,44 @@ probes::Resultant on_body(const std::vector<const Contact*>& contacts, const std
 
 }  // namespace
 
-ProbeSet::Kinds operation_probes(std::shared_ptr<const Operation> operation) {
+ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interactions) {
   using Q = Quantity;
   using Figure = ProbeSet::Figure;
   ProbeSet::Kinds kinds;
-  kinds["contact_area"] = {Q::area, of_contact(operation, [](const ContactStanding& c) { return c.area; })};
-  kinds["contact_pressure"] = {Q::stress, of_contact(operation, [](const ContactStanding& c) { return c.pressure; })};
-  kinds["penetration"] = {Q::length, of_contact(operation, [](const ContactStanding& c) { return c.penetration; })};
+  kinds["contact_area"] = {Q::area, of_contact(interactions, [](const ContactStanding& c) { return c.area; })};
+  kinds["contact_pressure"] = {Q::stress, of_contact(interactions, [](const ContactStanding& c) { return c.pressure; })};
+  kinds["penetration"] = {Q::length, of_contact(interactions, [](const ContactStanding& c) { return c.penetration; })};
   kinds["contact_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, contact = &operation->contact(spec.contact, "contact"), c = spec.component, of = spec.of](Snapshot& s) {
+    return [operation, contact = &interactions->contact(spec.contact, "contact"), c = spec.component, of = spec.of](Snapshot& s) {
       return on_body({contact}, of, s).component(c);
     };
   }};
   kinds["gap"] = {Q::length, [=](const Problem& problem, const ProbeSpec& spec) {
-    return over_slaves(problem, operation->contact(spec.contact, "contact"), spec.set, spec.statistic,
+    return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set, spec.statistic,
                        [operation](const ContactNode& n) { return n.gap; });
   }};
   kinds["closed_fraction"] = {Q::number, [=](const Problem& problem, const ProbeSpec& spec) {
-    return over_slaves(problem, operation->contact(spec.contact, "contact"), spec.set, "mean",
+    return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set, "mean",
                        [operation, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
   }};
   kinds["body_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
+    return [operation, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
       return on_body(on, of, s).component(c);
     };
   }};
   kinds["body_moment"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, on = operation->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
+    return [operation, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
       return probes::component_of(on_body(on, of, s).moment, c);
     };
   }, " mm"};
   kinds["suture_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, &suture = operation->suture(spec.suture, "suture")](Snapshot&) {
+    return [operation, &suture = interactions->suture(spec.suture, "suture")](Snapshot&) {
       return suture.strings().front().force;
     };
   }};
   kinds["suture_mises"] = {Q::stress, [=](const Problem& problem, const ProbeSpec& spec) {
-    operation->suture(spec.suture, "suture");
-    return probes::mises_around(problem, spec, operation->bites(spec.suture));
+    interactions->suture(spec.suture, "suture");
+    return probes::mises_around(problem, spec, interactions->bites(spec.suture));
   }};
   return kinds;
 }

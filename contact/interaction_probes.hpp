@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 #include "core/problem/probes/probes.hpp"
 
 namespace bulbus {
@@ -11,6 +11,6 @@ namespace bulbus {
 ///     body_force, body_moment   of all contacts on a rigid body, about the origin
 ///     suture_force              of one string
 ///     suture_mises              around the points of a suture
-ProbeSet::Kinds operation_probes(std::shared_ptr<const Operation> operation);
+ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interactions);
 
 }  // namespace bulbus

@@ -14,7 +14,7 @@ namespace bulbus {
 
 /// What a model says of rigid bodies, contacts and sutures, attached to its problem. Itself the first of their terms, without
 /// forces: in each step it moves the bodies and hands the sutures their force.
-class Operation final : public Term {
+class Interactions final : public Term {
  public:
   struct Contact {
     ContactSpec spec;
@@ -28,7 +28,7 @@ class Operation final : public Term {
 
   /// Adds its terms to the problem; a model without any of the three has none. `base`: the mesh that was read or generated. Throws
   /// InputError. Collective.
-  static std::shared_ptr<Operation> attach(Problem& problem, const Mesh& base);
+  static std::shared_ptr<Interactions> attach(Problem& problem, const Mesh& base);
 
   const std::vector<Contact>& contacts() const { return contacts_; }
   const std::map<std::string, std::shared_ptr<SutureTerm>>& sutures() const { return sutures_; }
@@ -51,7 +51,7 @@ class Operation final : public Term {
   void serialize(Archive& archive) override;
 
  private:
-  Operation(Problem& problem, const Mesh& base);
+  Interactions(Problem& problem, const Mesh& base);
   void add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key);
   ContactSides sides_of(const ContactSpec& spec) const;
   std::shared_ptr<ContactTerm> make_term(const ContactSpec& spec, const ContactDefaults& defaults, const std::string& key) const;

@@ -1,4 +1,4 @@
-#include "contact/operation.hpp"
+#include "contact/interactions.hpp"
 
 #include <fmt/format.h>
 
@@ -77,19 +77,19 @@ void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& mo
 
 }  // namespace
 
-std::shared_ptr<Operation> Operation::attach(Problem& problem, const Mesh& base) {
-  std::shared_ptr<Operation> operation(new Operation(problem, base));
-  if (!operation->bodies_.empty() || !operation->contacts_.empty()) problem.add(operation);
-  for (const Contact& c : operation->contacts_) {
+std::shared_ptr<Interactions> Interactions::attach(Problem& problem, const Mesh& base) {
+  std::shared_ptr<Interactions> operation(new Interactions(problem, base));
+  if (!interactions->bodies_.empty() || !interactions->contacts_.empty()) problem.add(interactions);
+  for (const Contact& c : interactions->contacts_) {
     problem.add(c.term);
     if (c.exchanged) problem.add(c.exchanged);
     if (c.middles) problem.add(c.middles);
   }
-  for (const auto& [name, suture] : operation->sutures_) problem.add(suture);
+  for (const auto& [name, suture] : interactions->sutures_) problem.add(suture);
   return operation;
 }
 
-Operation::Operation(Problem& problem, const Mesh& base) : problem_(problem) {
+Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(problem) {
   const Model& model = problem.model();
   const double farthest = out_of_sight * diagonal(problem.mesh());
   problem.comm().together([&] {
@@ -128,7 +128,7 @@ Operation::Operation(Problem& problem, const Mesh& base) : problem_(problem) {
   }
 }
 
-void Operation::add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key) {
+void Interactions::add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key) {
   const LocalMesh& local = problem_.mesh();
   const Model& model = problem_.model();
   for (const Contact& other : contacts_)
@@ -162,14 +162,14 @@ void Operation::add_contact(const Mesh& base, const ContactSpec& spec, const std
   contacts_.push_back(std::move(c));
 }
 
-ContactSides Operation::sides_of(const ContactSpec& spec) const {
+ContactSides Interactions::sides_of(const ContactSpec& spec) const {
   const LocalMesh& local = problem_.mesh();
   const auto body = bodies_.find(spec.master);
   return {local.X, local.owned, local.shared.at(spec.slave),
           body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second), problem_.model().symmetry};
 }
 
-std::shared_ptr<ContactTerm> Operation::make_term(const ContactSpec& spec, const ContactDefaults& defaults, const std::string& key) const {
+std::shared_ptr<ContactTerm> Interactions::make_term(const ContactSpec& spec, const ContactDefaults& defaults, const std::string& key) const {
   const auto term = std::make_shared<ContactTerm>(spec, defaults, sides_of(spec), problem_.comm());
   if (problem_.comm().sum(static_cast<int>(term->slave().nodes().size())) == 0)
     throw scene_error(key + ".slave", "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave + "' are nodes of '" + spec.master + "' too",
@@ -177,7 +177,7 @@ std::shared_ptr<ContactTerm> Operation::make_term(const ContactSpec& spec, const
   return term;
 }
 
-void Operation::add_suture(const std::string& name, const SutureSpec& spec) {
+void Interactions::add_suture(const std::string& name, const SutureSpec& spec) {
   const std::string key = "sutures." + name;
   const auto body = bodies_.find(spec.body);
   if (body == bodies_.end())
@@ -192,7 +192,7 @@ void Operation::add_suture(const std::string& name, const SutureSpec& spec) {
   sutures_[name] = std::make_shared<SutureTerm>(problem_.mesh(), points, body->second, spec, key);
 }
 
-const Operation::Contact& Operation::contact(const std::string& name, const std::string& key) const {
+const Interactions::Contact& Interactions::contact(const std::string& name, const std::string& key) const {
   std::vector<std::string> names;
   for (const Contact& c : contacts_) {
     if (c.spec.name == name) return c;
@@ -201,12 +201,12 @@ const Operation::Contact& Operation::contact(const std::string& name, const std:
   throw scene_error(key, "there is no contact '" + name + "'", known(name, names, "Describe it under `contacts`."));
 }
 
-const SutureTerm& Operation::suture(const std::string& name, const std::string& key) const {
+const SutureTerm& Interactions::suture(const std::string& name, const std::string& key) const {
   if (const auto found = sutures_.find(name); found != sutures_.end()) return *found->second;
   throw scene_error(key, "there is no suture '" + name + "'", known(name, keys(sutures_), "Describe it under `sutures`."));
 }
 
-std::vector<const Operation::Contact*> Operation::contacts_on(const std::string& body, const std::string& key) const {
+std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::string& body, const std::string& key) const {
   if (!bodies_.contains(body))
     throw scene_error(key, "there is no rigid body '" + body + "'", known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
   std::vector<const Contact*> found;
@@ -218,7 +218,7 @@ std::vector<const Operation::Contact*> Operation::contacts_on(const std::string&
 }
 
 // Current places of all points that may touch a body, of all ranks.
-std::vector<double> Operation::slaves_of(const std::string& body, const State& state) const {
+std::vector<double> Interactions::slaves_of(const std::string& body, const State& state) const {
   std::vector<double> mine;
   for (const Contact& c : contacts_)
     if (c.spec.master == body)
@@ -226,7 +226,7 @@ std::vector<double> Operation::slaves_of(const std::string& body, const State& s
   return problem_.comm().gather(std::span<const double>(mine));
 }
 
-void Operation::start_contacts(const State& start) {
+void Interactions::start_contacts(const State& start) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const Contact& c = contacts_[i];
     if (c.spec.start == "resolve") {
@@ -245,7 +245,7 @@ void Operation::start_contacts(const State& start) {
   }
 }
 
-void Operation::begin_step(int step, const State& start) {
+void Interactions::begin_step(int step, const State& start) {
   const StepSpec& spec = problem_.model().steps.at(step);
   for (std::size_t i = 0; i < spec.move.size(); ++i) {
     const auto slaves = slaves_of(spec.move[i].body, start);
@@ -256,15 +256,15 @@ void Operation::begin_step(int step, const State& start) {
   if (step == 0) start_contacts(start);
 }
 
-void Operation::set_progress(double s) {
+void Interactions::set_progress(double s) {
   for (auto& [name, motion] : motions_) motion.set_progress(s);
 }
 
-void Operation::freeze() {
+void Interactions::freeze() {
   for (auto& [name, motion] : motions_) motion.freeze();
 }
 
-void Operation::serialize(Archive& archive) {
+void Interactions::serialize(Archive& archive) {
   for (auto& [name, motion] : motions_) motion.serialize(archive);
 }
 

@@ -1,4 +1,4 @@
-#include "contact/operation_figures.hpp"
+#include "contact/interaction_figures.hpp"
 
 #include <algorithm>
 
@@ -28,17 +28,17 @@ std::vector<ContactNode> nodes_of(const ContactTerm& term, const ContactTerm* ot
 
 }  // namespace
 
-const std::vector<ContactNode>& nodes_of(const Operation::Contact& c, Snapshot& s) {
+const std::vector<ContactNode>& nodes_of(const Interactions::Contact& c, Snapshot& s) {
   return s.derived(c.term.get(), [&] { return nodes_of(*c.term, c.exchanged.get(), c.farthest, s); });
 }
 
-const std::vector<ContactNode>& master_nodes_of(const Operation::Contact& c, Snapshot& s) {
+const std::vector<ContactNode>& master_nodes_of(const Interactions::Contact& c, Snapshot& s) {
   static const std::vector<ContactNode> none;
   if (!c.exchanged) return none;
   return s.derived(c.exchanged.get(), [&] { return nodes_of(*c.exchanged, c.term.get(), c.farthest, s); });
 }
 
-probes::Resultant on_master(const Operation::Contact& contact, Snapshot& s) {
+probes::Resultant on_master(const Interactions::Contact& contact, Snapshot& s) {
   probes::Resultant sum;
   for (const ContactNode& n : nodes_of(contact, s)) {
     const double* x = &s.state.x[3 * n.node];
@@ -47,7 +47,7 @@ probes::Resultant on_master(const Operation::Contact& contact, Snapshot& s) {
   return sum;
 }
 
-ContactStanding standing(const Operation::Contact& contact, Snapshot& s) {
+ContactStanding standing(const Interactions::Contact& contact, Snapshot& s) {
   const Comm& comm = s.problem.comm();
   const ContactFigures own = contact.term->figures(s.state);
   ContactStanding all{.augmentation = contact.term->augmentation()};
