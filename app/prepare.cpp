@@ -48,7 +48,7 @@ void keep_finest(std::vector<MeshLevel>& levels) {
 }
 
 void rehearse(Problem& problem, const Mesh& base) {
-  const auto operation = Interactions::attach(problem, base);
+  const auto interactions = Interactions::attach(problem, base);
   const ProbeSet probes(problem, interaction_probes(interactions));
   problem.rehearse(static_cast<int>(problem.model().steps.size()));
 }

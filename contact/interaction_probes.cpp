@@ -14,7 +14,7 @@ using Contact = Interactions::Contact;
 template <class Number>
 auto of_contact(std::shared_ptr<const Interactions> interactions, Number number) {
   return [=](const Problem&, const ProbeSpec& spec) -> ProbeSet::Figure {
-    return [operation, number, &contact = interactions->contact(spec.contact, "contact")](Snapshot& s) {
+    return [interactions, number, &contact = interactions->contact(spec.contact, "contact")](Snapshot& s) {
       return number(standing(contact, s));
     };
   };
@@ -58,30 +58,30 @@ ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interacti
   kinds["contact_pressure"] = {Q::stress, of_contact(interactions, [](const ContactStanding& c) { return c.pressure; })};
   kinds["penetration"] = {Q::length, of_contact(interactions, [](const ContactStanding& c) { return c.penetration; })};
   kinds["contact_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, contact = &interactions->contact(spec.contact, "contact"), c = spec.component, of = spec.of](Snapshot& s) {
+    return [interactions, contact = &interactions->contact(spec.contact, "contact"), c = spec.component, of = spec.of](Snapshot& s) {
       return on_body({contact}, of, s).component(c);
     };
   }};
   kinds["gap"] = {Q::length, [=](const Problem& problem, const ProbeSpec& spec) {
     return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set, spec.statistic,
-                       [operation](const ContactNode& n) { return n.gap; });
+                       [interactions](const ContactNode& n) { return n.gap; });
   }};
   kinds["closed_fraction"] = {Q::number, [=](const Problem& problem, const ProbeSpec& spec) {
     return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set, "mean",
-                       [operation, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
+                       [interactions, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
   }};
   kinds["body_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
+    return [interactions, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
       return on_body(on, of, s).component(c);
     };
   }};
   kinds["body_moment"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
+    return [interactions, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
       return probes::component_of(on_body(on, of, s).moment, c);
     };
   }, " mm"};
   kinds["suture_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [operation, &suture = interactions->suture(spec.suture, "suture")](Snapshot&) {
+    return [interactions, &suture = interactions->suture(spec.suture, "suture")](Snapshot&) {
       return suture.strings().front().force;
     };
   }};

@@ -78,7 +78,7 @@ void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& mo
 }  // namespace
 
 std::shared_ptr<Interactions> Interactions::attach(Problem& problem, const Mesh& base) {
-  std::shared_ptr<Interactions> operation(new Interactions(problem, base));
+  std::shared_ptr<Interactions> interactions(new Interactions(problem, base));
   if (!interactions->bodies_.empty() || !interactions->contacts_.empty()) problem.add(interactions);
   for (const Contact& c : interactions->contacts_) {
     problem.add(c.term);
@@ -86,7 +86,7 @@ std::shared_ptr<Interactions> Interactions::attach(Problem& problem, const Mesh&
     if (c.middles) problem.add(c.middles);
   }
   for (const auto& [name, suture] : interactions->sutures_) problem.add(suture);
-  return operation;
+  return interactions;
 }
 
 Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(problem) {

@@ -16,7 +16,7 @@ double resident(const Comm& comm) {
 
 double contact_points(const Interactions& interactions) {
   double points = 0;
-  for (const auto& c : operation.contacts())
+  for (const auto& c : interactions.contacts())
     points += static_cast<double>(c.term->points().size() + (c.exchanged ? c.exchanged->points().size() : 0) + (c.middles ? c.middles->points() : 0));
   return points;
 }

@@ -17,8 +17,8 @@ void add(Wrench& sum, const Wrench& w) {
 
 json contacts_summary(const Interactions& interactions, const std::vector<ContactStanding>& standings) {
   json all = json::object();
-  for (std::size_t k = 0; k < operation.contacts().size(); ++k) {
-    const auto& contact = operation.contacts()[k];
+  for (std::size_t k = 0; k < interactions.contacts().size(); ++k) {
+    const auto& contact = interactions.contacts()[k];
     const ContactStanding& now = standings[k];
     json& one = all[contact.spec.name] = {{"penalty", contact.penalty},
                                           {"thickness", contact.thickness},
@@ -38,7 +38,7 @@ std::vector<std::string> deep_contacts(const Interactions& interactions, const s
   constexpr double deep = 0.1;
   std::vector<std::string> sentences;
   for (std::size_t k = 0; k < standings.size(); ++k) {
-    const auto& contact = operation.contacts()[k];
+    const auto& contact = interactions.contacts()[k];
     if (standings[k].penetration > deep * contact.thickness)
       sentences.push_back(fmt::format(
           "contact '{}' lets its slave in by {:.3g} mm, {:.0f} % of the thinner layer: its force depends on the penalty. Give a `penalty` larger than {:.3g} MPa/mm{}",
@@ -50,10 +50,10 @@ std::vector<std::string> deep_contacts(const Interactions& interactions, const s
 
 json bodies_summary(const Problem& problem, const Interactions& interactions, const std::vector<ContactStanding>& standings) {
   json all = json::object();
-  for (const auto& [name, body] : operation.bodies()) {
+  for (const auto& [name, body] : interactions.bodies()) {
     std::vector<Wrench> parts(body->parts.size());
     Wrench sum;
-    for (std::size_t k = 0; k < operation.contacts().size(); ++k)
+    for (std::size_t k = 0; k < interactions.contacts().size(); ++k)
       if (interactions.contacts()[k].body == body)
         for (std::size_t p = 0; p < parts.size(); ++p) {
           add(parts[p], standings[k].on_master[p]);

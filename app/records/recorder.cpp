@@ -33,7 +33,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       witness_(problem_, static_cast<int>(stable_pivots(problem_))),
       probes_(problem_, interaction_probes(interactions_)),
       record_(probes_),
-      results_(scene.output, operation_, folder),
+      results_(scene.output, interactions_, folder),
       checkpoints_(scene, prepared, *this, folder) {
   const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
   folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file}

@@ -92,7 +92,7 @@ class ContactTerm final : public Term {
   const ContactMemory& memory() const { return committed_; }
   int searches() const { return search_.searches(); }
 
-  /// Current places of the slave points, their chordal_offset added along the normal; 3 each, mm.
+  /// Current places of the slave points, their chordal offset added along the normal; 3 each, mm.
   std::vector<double> outermost(const State& state) const { return outermost(state.x, shape(state.x)); }
   /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;

@@ -36,7 +36,7 @@ struct ContactStiffness {
   double area, penalty, pressure;  ///< A φ, mm²; −∂p/∂G, MPa/mm; p, MPa
 };
 /// K += ∂(force)/∂x of all columns by all columns, 3k × 3k by rows; not symmetric. The slave point's own
-/// normal, where it has a chordal_offset, is held.
+/// normal, where it has a chordal offset, is held.
 void add_tangent(const NormalProjection& at, const CornerNormals& normals,
                  std::span<const ContactColumn> columns, const ContactStiffness& stiffness,
                  std::span<double> K);

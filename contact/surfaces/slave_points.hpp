@@ -19,7 +19,7 @@ class SlavePoints {
   /// `divisions`: m; 0: the nodes. Faces with a node in `excluded` (ascending) have no points.
   SlavePoints(const SlaveSurface& surface, int owned, std::span<const int> excluded, int divisions);
   /// Lets the points stand for the curved surface whose normals n_i at the nodes are the means over the faces (`all` of the surface):
-  ///     chordal_offset = ½ Σ w_i n_i·(X_i − X),  of second order exact on a circle
+  ///     chordal offset = ½ Σ w_i n_i·(X_i − X),  of second order exact on a circle
   /// A face with a corner where the normals differ by more than 30 degrees stays flat.
   void chordal_offset(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry);
 
@@ -29,7 +29,7 @@ class SlavePoints {
   const Point& operator[](int i) const { return points_[i]; }
   /// 3 per point, mm.
   std::vector<double> places(std::span<const double> x) const;
-  /// What a gradient m at x + chordal_offset N is to the carriers: ∂(m·(x + chordal_offset N))/∂x_i, m held.
+  /// What a gradient m at x + chordal offset N is to the carriers: ∂(m·(x + chordal offset N))/∂x_i, m held.
   std::array<Vec3<double>, 4> shares(int i, std::span<const double> x, const Vec3<double>& m) const;
   bool on_faces() const { return divisions_ > 0; }
   /// Points of one face, which follow one another; 1 where they are the nodes.

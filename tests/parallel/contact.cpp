@@ -94,7 +94,7 @@ TEST(Contact, CountsAnOverlapAtTheStartOverAllRanks) {
     if (p[2] >= .52) p[2] -= .03 + .01 * (p[0] + p[1]);
   const auto refusal = [&](const Comm& comm) -> std::string {
     Problem problem(scene.mesh, scene.model, comm);
-    const auto operation = Interactions::attach(problem, scene.mesh);
+    const auto interactions = Interactions::attach(problem, scene.mesh);
     try {
       problem.begin_step(0, problem.initial_state());
     } catch (const InputError& fault) {

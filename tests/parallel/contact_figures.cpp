@@ -41,7 +41,7 @@ struct Trial {
   Snapshot snapshot;
   Trial(const Scene& scene, const Comm& comm)
       : problem(scene.mesh, scene.model, comm),
-        operation(Interactions::attach(problem, scene.mesh)),
+        interactions(Interactions::attach(problem, scene.mesh)),
         state(problem.initial_state()),
         snapshot(problem, state) {
     for (std::size_t n = 0; n < state.x.size(); n += 3) state.x[n + 1] *= 1 + .02 * state.x[n];
@@ -51,9 +51,9 @@ struct Trial {
 TEST(ContactFigures, DoNotDependOnTheRanks) {
   const Scene scene = bar();
   Trial alone(scene, Comm(MPI_COMM_SELF)), together(scene, Comm());
-  const ProbeSet probes(alone.problem, interaction_probes(alone.operation));
+  const ProbeSet probes(alone.problem, interaction_probes(alone.interactions));
   const auto expected = probes.values(alone.snapshot),
-             found = ProbeSet(together.problem, interaction_probes(together.operation)).values(together.snapshot);
+             found = ProbeSet(together.problem, interaction_probes(together.interactions)).values(together.snapshot);
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], expected[i], 1e-10 * (1 + std::abs(expected[i]))) << probes.name(i);
     EXPECT_NE(expected[i], 0) << probes.name(i);
@@ -68,7 +68,7 @@ TEST(ContactFigures, DoNotDependOnTheRanks) {
 TEST(ContactFields, DoNotDependOnTheRanks) {
   const Scene scene = bar();
   Trial alone(scene, Comm(MPI_COMM_SELF)), together(scene, Comm());
-  const auto expected = contact_fields(*alone.operation, alone.snapshot), found = contact_fields(*together.operation, together.snapshot);
+  const auto expected = contact_fields(*alone.interactions, alone.snapshot), found = contact_fields(*together.interactions, together.snapshot);
   ASSERT_EQ(found.size(), 3u);
   std::vector<int> local(alone.problem.mesh().nodes());
   for (std::size_t n = 0; n < local.size(); ++n) local[alone.problem.mesh().input_node[n]] = static_cast<int>(n);

@@ -214,7 +214,7 @@ std::array<double, 2> figures(Problem& problem, const Interactions& interactions
   problem.begin_step(0, state);
   problem.set_progress(1, const_cast<State&>(state));
   std::vector<double> force(state.x.size()), magnitude(problem.mesh().nodes());
-  operation.suture("string", "").add_residual(state, force, magnitude);
+  interactions.suture("string", "").add_residual(state, force, magnitude);
   problem.mesh().halo.accumulate_ghosts(force);
   std::array<double, 2> sums{};
   for (int n = 0; n < problem.mesh().owned; ++n)
@@ -247,12 +247,12 @@ TEST(Refinement, ARehearsedProblemIsAsNew) {
   const auto figures_of = [&](bool rehearsed) {
     Problem problem(refined(scene.mesh, 1), scene.model, Comm());
     if (rehearsed) {
-      const auto operation = Interactions::attach(problem, scene.mesh);
+      const auto interactions = Interactions::attach(problem, scene.mesh);
       problem.rehearse(1);
       EXPECT_TRUE(problem.added().empty());
       EXPECT_EQ(problem.progress(), 0);
     }
-    const auto operation = Interactions::attach(problem, scene.mesh);
+    const auto interactions = Interactions::attach(problem, scene.mesh);
     return figures(problem, *interactions);
   };
   EXPECT_EQ(figures_of(true), figures_of(false));

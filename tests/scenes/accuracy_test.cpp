@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string operation = std::string(BULBUS_DATA) + "/scenes/encircling.yaml";
+const std::string interactions = std::string(BULBUS_DATA) + "/scenes/encircling.yaml";
 const std::vector<std::string> coarse{"--set", "mesh.eye.n=8", "--set", "output.vtk=false"};
 
 json probes_with(const std::vector<std::string>& settings) {

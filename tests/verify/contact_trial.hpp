@@ -7,7 +7,7 @@ namespace bulbus {
 /// A trial with rigid bodies, contacts and sutures.
 struct ContactTrial : Trial {
   std::shared_ptr<Interactions> interactions;
-  explicit ContactTrial(const Scene& scene, const Comm& c = {}) : Trial(scene, c), operation(Interactions::attach(problem, scene.mesh)) {
+  explicit ContactTrial(const Scene& scene, const Comm& c = {}) : Trial(scene, c), interactions(Interactions::attach(problem, scene.mesh)) {
     settings.newton = tight(1e-10);
   }
   const ContactTerm& contact(const std::string& name) const { return *interactions->contact(name, "").term; }

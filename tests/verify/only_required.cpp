@@ -92,7 +92,7 @@ TEST(OnlyRequired, RigidHexahedraAreNotInTheKernels) {
 long long march_allocations(const Scene& scene, bool asked) {
   Trial run(scene);
   std::shared_ptr<Interactions> interactions;
-  if (asked) operation = Interactions::attach(run.problem, scene.mesh);
+  if (asked) interactions = Interactions::attach(run.problem, scene.mesh);
   const long long made = allocated([&] { run.iterative(); });
   EXPECT_TRUE(run.report.converged);
   EXPECT_TRUE(!asked || (interactions->contacts().empty() && interactions->sutures().empty() && interactions->bodies().empty()));

@@ -44,7 +44,7 @@ using Map = std::function<Vec3<double>(const Vec3<double>&)>;
 std::vector<double> figures(Scene scene, const std::vector<ProbeSpec>& probes, const Map& map = {}) {
   scene.model.probes = probes;
   Problem problem(scene.mesh, scene.model, Comm());
-  const auto operation = Interactions::attach(problem, scene.mesh);
+  const auto interactions = Interactions::attach(problem, scene.mesh);
   State state = problem.initial_state();
   for (int n = 0; map && n < problem.mesh().nodes(); ++n) {
     const Vec3<double> x = map({state.x[3 * n], state.x[3 * n + 1], state.x[3 * n + 2]});
@@ -106,7 +106,7 @@ TEST(OperationProbes, MeasureSutures) {
   least.percentile = 0;
   scene.model.probes = {probe("suture_force"), probe("suture_mises"), least};
   Problem problem(scene.mesh, scene.model, Comm());
-  const auto operation = Interactions::attach(problem, scene.mesh);
+  const auto interactions = Interactions::attach(problem, scene.mesh);
   State state = problem.initial_state();
   problem.begin_step(0, state);
   problem.set_progress(.5, state);

@@ -109,7 +109,7 @@ TEST_F(OnABall, ActionIsTheDerivativeOfTheForce) {
   t.linearize(state);
   std::vector<double> f(d.size());
   t.add_action(d, f);
-  EXPECT_LT(relative_difference(f, derivative(force, state.x, d, 1e-6)), 2e-3);  // second derivatives of the chordal_offset are left out: pressure times chordal_offset
+  EXPECT_LT(relative_difference(f, derivative(force, state.x, d, 1e-6)), 2e-3);  // second derivatives of the chordal offset are left out: pressure times chordal offset
 }
 
 // The normal of interpolated normals is the gradient of the gap to second order in the angle of a facet.
