@@ -1,7 +1,7 @@
 #include "app/commands.hpp"
 #include "app/memory/memory_forecast.hpp"
-#include "app/prepare.hpp"
 #include "app/memory/sizes.hpp"
+#include "app/prepare.hpp"
 #include "core/io/log.hpp"
 
 namespace bulbus {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
-#include "app/prepare.hpp"
 #include "app/memory/sizes.hpp"
+#include "app/prepare.hpp"
 #include "app/study/study_design.hpp"
 
 namespace bulbus {

@@ -1,7 +1,7 @@
 #include "app/command_line.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/records/checkpoints.hpp"
 #include "app/commands.hpp"
+#include "app/records/checkpoints.hpp"
 #include "app/scene/help.hpp"
 #include "app/version.hpp"
 #include "core/base/error.hpp"
@@ -33,10 +33,14 @@ struct Parser {
   CLI::App app{"Bulbus: finite strains of the eye, with enclosed liquids", "bulbus"};
   CLI::App* run = app.add_subcommand("run", "solve a scene");
   CLI::App* study = app.add_subcommand("study", "solve a scene for all values of some of its keys");
-  CLI::App* trade = app.add_subcommand("trade", "solve a scene with one setting after the other changed: what each costs, and how accurate it is");
-  CLI::App* check = app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
+  CLI::App* trade = app.add_subcommand(
+      "trade",
+      "solve a scene with one setting after the other changed: what each costs, and how accurate it is");
+  CLI::App* check =
+      app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
-  CLI::App* help = app.add_subcommand("help", "every key of a scene or a study, or the JSON schema of a scene");
+  CLI::App* help =
+      app.add_subcommand("help", "every key of a scene or a study, or the JSON schema of a scene");
 
   CLI::Option* restart = nullptr;
 
@@ -50,11 +54,17 @@ struct Parser {
     study->add_option("STUDY", given.scene, "study file (YAML)")->required();
     add_set(study);
     for (CLI::App* command : {run, study, trade})
-      command->add_option("-o", given.out, "folder of the results (default: results/ and the file's name)")->type_name("DIR");
-    trade->add_option("--repeat", given.repeat, "times that every run is made; the least processor time counts")->check(CLI::Range(1, 100));
-    restart = run->add_option("--restart", given.restart, "go on from the checkpoint of the results' folder, or of another folder or file")
-                  ->type_name("[FROM]")
-                  ->expected(0, 1);
+      command->add_option("-o", given.out, "folder of the results (default: results/ and the file's name)")
+          ->type_name("DIR");
+    trade
+        ->add_option("--repeat", given.repeat,
+                     "times that every run is made; the least processor time counts")
+        ->check(CLI::Range(1, 100));
+    restart =
+        run->add_option("--restart", given.restart,
+                        "go on from the checkpoint of the results' folder, or of another folder or file")
+            ->type_name("[FROM]")
+            ->expected(0, 1);
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
     mesh->add_flag("--text", given.text, "write MSH 2.2 text instead");
     help->add_option("TOPIC", given.topic, "scene, study or schema")
@@ -64,7 +74,8 @@ struct Parser {
 
  private:
   void add_set(CLI::App* command) {
-    command->add_option("--set", given.set, "overrides, such as solver.linear.gamma=20 or steps.0.increments=4")
+    command
+        ->add_option("--set", given.set, "overrides, such as solver.linear.gamma=20 or steps.0.increments=4")
         ->type_name("PATH=VALUE ...")
         ->allow_extra_args(false);
   }
@@ -86,7 +97,8 @@ std::vector<std::string> one_set_each(const std::vector<std::string>& arguments)
 // `--restart SCENE` becomes `SCENE --restart`: CLI11 would take the scene for the checkpoint.
 std::vector<std::string> scene_before_restart(std::vector<std::string> arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i)
-    if (arguments[i] == "--restart" && (arguments[i + 1].ends_with(".yaml") || arguments[i + 1].ends_with(".yml")))
+    if (arguments[i] == "--restart" &&
+        (arguments[i + 1].ends_with(".yaml") || arguments[i + 1].ends_with(".yml")))
       std::swap(arguments[i], arguments[i + 1]);
   return arguments;
 }
@@ -124,9 +136,12 @@ std::pair<std::string, std::string> places_of(const Parser& parser) {
   namespace fs = std::filesystem;
   const Arguments& given = parser.given;
   const bool named = !given.restart.empty();
-  const std::string checkpoint = named && fs::is_directory(given.restart) ? checkpoint_in(given.restart) : given.restart;
+  const std::string checkpoint =
+      named && fs::is_directory(given.restart) ? checkpoint_in(given.restart) : given.restart;
   std::string out = given.out;
-  if (out.empty()) out = named ? fs::path(checkpoint).parent_path().string() : results_of(given.scene) + (*parser.trade ? "_trade" : "");
+  if (out.empty())
+    out = named ? fs::path(checkpoint).parent_path().string()
+                : results_of(given.scene) + (*parser.trade ? "_trade" : "");
   if (out.empty()) out = ".";
   return {out, *parser.restart && !named ? checkpoint_in(out) : checkpoint};
 }
@@ -136,7 +151,8 @@ bool is_a_study(const std::string& path, const std::vector<std::string>&) { retu
 void expect_fitting(const Parser& parser, bool of_a_study) {
   const std::string& file = parser.given.scene;
   if (*parser.study && !of_a_study)
-    throw input_error(file, 0, "is no study: it has neither 'scene' nor 'vary'", "'bulbus help study' tells what it needs");
+    throw input_error(file, 0, "is no study: it has neither 'scene' nor 'vary'",
+                      "'bulbus help study' tells what it needs");
   if (of_a_study && (*parser.run || *parser.trade || *parser.mesh))
     throw input_error(file, 0, "is a study, not a scene", "solve it with 'bulbus study'");
 }
@@ -177,7 +193,8 @@ int out_of_memory(const Parser& parser, const Comm& comm, std::ostream& faults) 
   const std::string text = fmt::format(
       "{}: out of memory at {:.0f} MB; {:.0f} MB is what this machine, its control groups and ulimit allow\n"
       "  Take a coarser mesh, or a machine with more memory; 'bulbus check' tells what a run will need.",
-      parser.given.scene, 1e-6 * static_cast<double>(peak_resident_bytes()), 1e-6 * static_cast<double>(machine_bytes()));
+      parser.given.scene, 1e-6 * static_cast<double>(peak_resident_bytes()),
+      1e-6 * static_cast<double>(machine_bytes()));
   if (comm.size() > 1) throw std::runtime_error(text);
   faults << text << std::endl;
   return *parser.check ? 2 : 1;

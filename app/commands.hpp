@@ -18,9 +18,9 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
 /// Prints sizes, mesh quality and a memory estimate; solves nothing. Collective. Throws InputError.
 int check(const Scene& scene, const Comm& comm);
 
-/// Runs every scene of the study into out_dir/run_001 and so on, but those that are there already, and writes table,
-/// trends and figure. Returns the exit status: 0 all converged, 1 not all. Collective. Throws InputError before the
-/// first run.
+/// Runs every scene of the study into out_dir/run_001 and so on, but those that are there already, and writes
+/// table, trends and figure. Returns the exit status: 0 all converged, 1 not all. Collective. Throws
+/// InputError before the first run.
 int run_study(const Study& study, const std::string& out_dir, const Comm& comm);
 
 /// Validates every scene of the study and prints what would be run. Collective. Throws InputError.
@@ -32,11 +32,12 @@ struct TradeOptions {
   int repeat = 1;       ///< times that every run is made; the least processor time counts
 };
 
-/// Solves the scene with one setting after the other changed, each as a process of its own, into out_dir/run_001 and so on, but for what
-/// is there already, and writes what each costs and how accurate it is. Returns the exit status: 0 the reference converged, 1 it did not.
-/// For one rank. Throws InputError before the first run.
-int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir, const TradeOptions& options,
-              const Comm& comm);
+/// Solves the scene with one setting after the other changed, each as a process of its own, into
+/// out_dir/run_001 and so on, but for what is there already, and writes what each costs and how accurate it
+/// is. Returns the exit status: 0 the reference converged, 1 it did not. For one rank. Throws InputError
+/// before the first run.
+int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir,
+              const TradeOptions& options, const Comm& comm);
 
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);

@@ -1,7 +1,7 @@
 #include "app/prepare.hpp"
 
-#include "app/scene/contact_limits.hpp"
 #include "app/records/record_names.hpp"
+#include "app/scene/contact_limits.hpp"
 #include "app/scene/size_limits.hpp"
 #include "contact/interaction_probes.hpp"
 #include "core/base/error.hpp"

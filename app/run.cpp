@@ -4,21 +4,21 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/memory/memory_forecast.hpp"
+#include "app/memory/sizes.hpp"
+#include "app/prepare.hpp"
 #include "app/records/contact_summary.hpp"
 #include "app/records/dumping_solver.hpp"
 #include "app/records/folder.hpp"
-#include "app/memory/memory_forecast.hpp"
-#include "app/prepare.hpp"
 #include "app/records/recorder.hpp"
-#include "app/memory/sizes.hpp"
 #include "app/records/summary.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/io/disk_file.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
-#include "precond/operators/displacement.hpp"
 #include "precond/make_preconditioner.hpp"
+#include "precond/operators/displacement.hpp"
 
 namespace bulbus {
 namespace {
@@ -32,7 +32,9 @@ LinearSettings settings_of_system(LinearSettings linear) {
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
   const std::string liquids = l.formulation == "eliminated" ? ", liquid pressures eliminated" : "";
   if (l.method == "direct") return "direct (MUMPS)" + liquids;
-  const std::string why = l.displacement != "auto" ? "" : problem.coarser() ? " (the mesh is refined)" : " (the mesh is not refined)";
+  const std::string why = l.displacement != "auto" ? ""
+                          : problem.coarser()      ? " (the mesh is refined)"
+                                                   : " (the mesh is not refined)";
   return fmt::format("GMRES({}), displacement block by {}{}, operator {}, gamma {:g}{}", l.restart,
                      chosen_displacement(l, problem), why, l.op, l.gamma, liquids);
 }
@@ -40,7 +42,8 @@ std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
 std::vector<std::string> lines_of_levels(const Problem& problem) {
   std::vector<std::string> lines;
   for (const Problem* p = problem.coarser(); p; p = p->coarser())
-    lines.push_back(fmt::format("coarser level: {} hexahedra, {} nodes", p->mesh().all_hexes, p->mesh().all_nodes));
+    lines.push_back(
+        fmt::format("coarser level: {} hexahedra, {} nodes", p->mesh().all_hexes, p->mesh().all_nodes));
   return lines;
 }
 
@@ -98,16 +101,17 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
       log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *value,
                            model.probes[i].tolerance));
   if (march.signal)
-    log.warn(fmt::format("interrupted by {} after increment {}: 'bulbus run' with --restart goes on from there", name_of_interrupt(march.signal),
-                         march.increments));
+    log.warn(
+        fmt::format("interrupted by {} after increment {}: 'bulbus run' with --restart goes on from there",
+                    name_of_interrupt(march.signal), march.increments));
   else if (!march.converged)
     log.error("not converged: " + march.reason);
   if (!diagnosis.empty() && !march.signal) log.error("diagnosis: " + diagnosis);
   log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
                        march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
   if (recorder.direct_solves() > 0)
-    log.info(fmt::format("{} linear system{} solved by MUMPS, where GMRES did not converge", recorder.direct_solves(),
-                         recorder.direct_solves() == 1 ? " was" : "s were"));
+    log.info(fmt::format("{} linear system{} solved by MUMPS, where GMRES did not converge",
+                         recorder.direct_solves(), recorder.direct_solves() == 1 ? " was" : "s were"));
   log.info("results in " + folder);
 }
 
@@ -146,8 +150,8 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   else
     folder.begin();
   if (comm.any(comm.rank() == 0 && !folder.held()))
-    prepared.warnings.push_back(folder.path() +
-                                ": its file system has no locks: nothing keeps a second run out of this folder");
+    prepared.warnings.push_back(
+        folder.path() + ": its file system has no locks: nothing keeps a second run out of this folder");
   const auto path_of = [&](const char* file) { return folder.path() + "/" + file; };
   folder.claim({resolved_file, log_file, summary_file});
   write_together(comm, [&] {

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/prepare.hpp"
 #include "app/records/finished.hpp"
 #include "app/records/folder.hpp"
 #include "app/records/progress_log.hpp"
-#include "app/prepare.hpp"
 #include "app/study/study_figure.hpp"
 #include "app/study/study_json.hpp"
 #include "core/base/interrupt.hpp"
@@ -68,7 +68,8 @@ class StudyRunner {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       failures += solve(i, log);
       if (const int signal = interrupt(comm_)) {
-        log.warn(fmt::format("interrupted by {}: the same command goes on with {}", name_of_interrupt(signal), runs_[i].name));
+        log.warn(fmt::format("interrupted by {}: the same command goes on with {}", name_of_interrupt(signal),
+                             runs_[i].name));
         return 128 + signal;
       }
     }

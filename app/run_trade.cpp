@@ -35,7 +35,8 @@ TradeResults nothing_yet(const Trade& trade) {
   return results;
 }
 
-/// Runs every scene of a trade as often as wanted, each as a process of its own, and keeps the records up to date.
+/// Runs every scene of a trade as often as wanted, each as a process of its own, and keeps the records up to
+/// date.
 class TradeRunner {
  public:
   TradeRunner(Trade trade, std::string folder, const TradeOptions& options, const Comm& comm)
@@ -52,7 +53,8 @@ class TradeRunner {
       for (int run = 0; run < static_cast<int>(trade_.runs.size()); ++run) {
         solve(run, round);
         if (const int signal = interrupt_here()) {
-          log_.warn(fmt::format("interrupted by {}: the same command goes on with {}", name_of_interrupt(signal), trade_.runs[run].name));
+          log_.warn(fmt::format("interrupted by {}: the same command goes on with {}",
+                                name_of_interrupt(signal), trade_.runs[run].name));
           return 128 + signal;
         }
       }
@@ -100,7 +102,8 @@ class TradeRunner {
 
   void note(int run, double seconds, bool finished, const std::string& reason) {
     if (!finished) {
-      results_.rows[run] = StudyRow{.reason = reason, .values = std::vector<std::optional<double>>(results_.figures.size())};
+      results_.rows[run] =
+          StudyRow{.reason = reason, .values = std::vector<std::optional<double>>(results_.figures.size())};
     } else {
       const json summary = summary_in(folder_of(run));
       take(results_, run, summary);
@@ -114,9 +117,12 @@ class TradeRunner {
     const StudyRow& row = *results_.rows[run];
     const TradeRun& of = trade_.runs[run];
     std::string end = row.converged ? "" : "; not converged: " + row.reason;
-    if (const auto error = mesh_error(trade_, results_, run)) end = fmt::format(", error {:.2g} %", 100 * error->value);
-    log_.info(fmt::format("{} of {}: {} {}: {}{}, {} Newton and {} Krylov iterations{}", of.name, trade_.runs.size(), of.knob, of.value,
-                          duration(row.seconds), there ? " (there already)" : "", row.newton_iterations, row.krylov_iterations, end));
+    if (const auto error = mesh_error(trade_, results_, run))
+      end = fmt::format(", error {:.2g} %", 100 * error->value);
+    log_.info(fmt::format("{} of {}: {} {}: {}{}, {} Newton and {} Krylov iterations{}", of.name,
+                          trade_.runs.size(), of.knob, of.value, duration(row.seconds),
+                          there ? " (there already)" : "", row.newton_iterations, row.krylov_iterations,
+                          end));
   }
 
   void write() const {
@@ -136,11 +142,13 @@ class TradeRunner {
 
 }  // namespace
 
-int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir, const TradeOptions& options,
-              const Comm& comm) {
-  if (comm.size() > 1) throw input_error("a trade runs processes of its own, one after the other", "start it without mpirun");
+int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir,
+              const TradeOptions& options, const Comm& comm) {
+  if (comm.size() > 1)
+    throw input_error("a trade runs processes of its own, one after the other", "start it without mpirun");
   const Scene given = read_scene(scene, overrides);
-  if (given.model.probes.empty()) throw input_error(scene, 0, "has no probes: there is nothing to be accurate about", "add `probes`");
+  if (given.model.probes.empty())
+    throw input_error(scene, 0, "has no probes: there is nothing to be accurate about", "add `probes`");
   const RecordNames records{{"trade.log", "trade.csv", "trade.svg"}};
   ResultsFolder folder(out_dir, records, comm);
   Trade trade = plan_trade(scene, overrides, prepare(given, comm));

@@ -1,4 +1,5 @@
-// The tangent as it is applied on the fly against products with its stored matrix, on a deformed block of n³ hexahedra.
+// The tangent as it is applied on the fly against products with its stored matrix, on a deformed block of n³
+// hexahedra.
 #include <cmath>
 #include <cstdio>
 
@@ -14,16 +15,20 @@ using namespace bulbus::bench;
 
 namespace {
 
-// Operations of one hexahedron, a fused multiply-add counted as two, read off solid_kernel.hpp and q1.hpp: modes (3 × 34) and gradients
-// (9 × 17) of two or three fields, b and what it gives (90 × 1.4, 18 × 2 × 2), 8 points, the transpose (9 × 7 + 3 × 4, 3 × 31), the
-// scatter (24).
-constexpr double flops_gradient = 3 * 34 + 9 * 17, flops_volume = 2 * 63 + 2 * 36, flops_transposed = 9 * 7 + 3 * 4 + 3 * 31, flops_scatter = 24;
-constexpr double flops_kinematics = 27 + 5 + 45 + 4;  // cofactor, determinant, l det, 1/det and the weights
+// Operations of one hexahedron, a fused multiply-add counted as two, read off solid_kernel.hpp and q1.hpp:
+// modes (3 × 34) and gradients (9 × 17) of two or three fields, b and what it gives (90 × 1.4, 18 × 2 × 2), 8
+// points, the transpose (9 × 7 + 3 × 4, 3 × 31), the scatter (24).
+constexpr double flops_gradient = 3 * 34 + 9 * 17, flops_volume = 2 * 63 + 2 * 36,
+                 flops_transposed = 9 * 7 + 3 * 4 + 3 * 31, flops_scatter = 24;
+constexpr double flops_kinematics = 27 + 5 + 45 + 4;    // cofactor, determinant, l det, 1/det and the weights
 constexpr double flops_strain = 27 + 5 + 45 + 36 + 23;  // cofactor, determinant, F, b, J^(-2/3)
-constexpr double flops_stress = 7 + 3 + 45 + 30 + 54;  // neo-Hookean tangent: weighted b, (l − e I), product, the rest; flux
-constexpr double flops_cache = 2 * flops_gradient + flops_volume + 8 * (flops_kinematics + flops_stress) + flops_transposed + flops_scatter;
+constexpr double flops_stress =
+    7 + 3 + 45 + 30 + 54;  // neo-Hookean tangent: weighted b, (l − e I), product, the rest; flux
+constexpr double flops_cache = 2 * flops_gradient + flops_volume + 8 * (flops_kinematics + flops_stress) +
+                               flops_transposed + flops_scatter;
 constexpr double flops_recompute = flops_cache + flops_gradient + 8 * flops_strain;
-constexpr double flops_mean = 2 * 3 * 34 + flops_volume + 2 * (2 * 63 + 18) + 2 * 216 + 12 + 3 * 31 + flops_scatter;
+constexpr double flops_mean =
+    2 * 3 * 34 + flops_volume + 2 * (2 * 63 + 18) + 2 * 216 + 12 + 3 * 31 + flops_scatter;
 
 struct Case {
   Mesh mesh;
@@ -47,7 +52,8 @@ Case deformed_block(int n) {
 
 struct Variant {
   std::string name;
-  double stored, traffic, flops;  // bytes, bytes read and written per application, operations per hexahedron (0: not counted)
+  double stored, traffic,
+      flops;  // bytes, bytes read and written per application, operations per hexahedron (0: not counted)
   std::function<void(std::span<double>)> apply;
   std::vector<double> seconds;
   double difference = 0;
@@ -63,7 +69,8 @@ void measure(int n, const Options& o, double triad, double peak, json& rows) {
   const Case c = deformed_block(n);
   const int hexes = static_cast<int>(c.mesh.hexes.size()), nodes = static_cast<int>(c.mesh.points.size());
   const std::vector<SolidRegion> region{{"block", NeoHooke{.5}, 0, hexes}};
-  Solid recompute(c.X, c.mesh.hexes, region), cache(c.X, c.mesh.hexes, region), mean(c.X, c.mesh.hexes, region);
+  Solid recompute(c.X, c.mesh.hexes, region), cache(c.X, c.mesh.hexes, region),
+      mean(c.X, c.mesh.hexes, region);
   recompute.linearize(c.x, c.lambda, 5, StrainSource::recompute);
   cache.linearize(c.x, c.lambda, 5, StrainSource::cache);
   mean.linearize(c.x, c.lambda, 5, StrainSource::recompute);
@@ -77,14 +84,36 @@ void measure(int n, const Options& o, double triad, double peak, json& rows) {
   const double places = 3. * nodes * sizeof(double), vectors = 3 * places;  // dx read, force read and written
   std::vector<double> change(hexes);
   const double lean = recompute.bytes() + places + 8. * hexes;  // with x and λ
-  std::vector<Variant> variants{
-      {"recompute", lean, lean + vectors, flops_recompute, [&](std::span<double> y) { recompute.apply(c.dx, {}, y, change); }, {}},
-      {"cache", lean + cache.cache_bytes(), lean - places + cache.cache_bytes() + vectors, flops_cache,
-       [&](std::span<double> y) { cache.apply(c.dx, {}, y, change); }, {}},
-      {"mean, single", 1. * mean.bytes() + mean.cache_bytes(), mean.cache_bytes() + 32. * hexes + 4. * sizeof(NodeSingle) * nodes, flops_mean,
-       [&](std::span<double>) { mean.apply_single(single_dx, single_y); }, {}},
-      {"3x3 BCSR", 1. * blocks.bytes(), blocks.bytes() + vectors, 0, [&](std::span<double> y) { blocks.apply(c.dx, y); }, {}},
-      {"CSR", 1. * scalar.bytes(), scalar.bytes() + vectors, 0, [&](std::span<double> y) { scalar.apply(c.dx, y); }, {}}};
+  std::vector<Variant> variants{{"recompute",
+                                 lean,
+                                 lean + vectors,
+                                 flops_recompute,
+                                 [&](std::span<double> y) { recompute.apply(c.dx, {}, y, change); },
+                                 {}},
+                                {"cache",
+                                 lean + cache.cache_bytes(),
+                                 lean - places + cache.cache_bytes() + vectors,
+                                 flops_cache,
+                                 [&](std::span<double> y) { cache.apply(c.dx, {}, y, change); },
+                                 {}},
+                                {"mean, single",
+                                 1. * mean.bytes() + mean.cache_bytes(),
+                                 mean.cache_bytes() + 32. * hexes + 4. * sizeof(NodeSingle) * nodes,
+                                 flops_mean,
+                                 [&](std::span<double>) { mean.apply_single(single_dx, single_y); },
+                                 {}},
+                                {"3x3 BCSR",
+                                 1. * blocks.bytes(),
+                                 blocks.bytes() + vectors,
+                                 0,
+                                 [&](std::span<double> y) { blocks.apply(c.dx, y); },
+                                 {}},
+                                {"CSR",
+                                 1. * scalar.bytes(),
+                                 scalar.bytes() + vectors,
+                                 0,
+                                 [&](std::span<double> y) { scalar.apply(c.dx, y); },
+                                 {}}};
   std::vector<double> y(c.dx.size()), reference(c.dx.size());
   blocks.apply(c.dx, reference);
   for (int r = 0; r <= o.repetitions; ++r)  // taken in turns; the first round warms up
@@ -96,17 +125,26 @@ void measure(int n, const Options& o, double triad, double peak, json& rows) {
       const double seconds = cpu_seconds() - start;
       if (v.name == "mean, single")
         for (int i = 0; i < 3 * nodes; ++i) y[i] = single_y[i / 3][i % 3];
-      if (r > 0) v.seconds.push_back(seconds);
-      else v.difference = distance(y, reference);
+      if (r > 0)
+        v.seconds.push_back(seconds);
+      else
+        v.difference = distance(y, reference);
     }
   const double baseline = median(variants[3].seconds);
   for (const Variant& v : variants) {
     const double s = median(v.seconds);
-    json row{{"variant", v.name}, {"n", n}, {"hexahedra", hexes}, {"unknowns", 3 * nodes + hexes},
-             {"ns_per_hex", 1e9 * s / hexes}, {"least_ns_per_hex", 1e9 * *std::ranges::min_element(v.seconds) / hexes},
-             {"to_bcsr", s / baseline}, {"stored_bytes_per_hex", v.stored / hexes}, {"difference_to_bcsr", v.difference}};
+    json row{{"variant", v.name},
+             {"n", n},
+             {"hexahedra", hexes},
+             {"unknowns", 3 * nodes + hexes},
+             {"ns_per_hex", 1e9 * s / hexes},
+             {"least_ns_per_hex", 1e9 * *std::ranges::min_element(v.seconds) / hexes},
+             {"to_bcsr", s / baseline},
+             {"stored_bytes_per_hex", v.stored / hexes},
+             {"difference_to_bcsr", v.difference}};
     if (v.traffic > 0) row["gb_per_s"] = 1e-9 * v.traffic / s, row["of_triad"] = v.traffic / s / triad;
-    if (v.flops > 0) row["gflops"] = 1e-9 * v.flops * hexes / s, row["of_fma_peak"] = v.flops * hexes / s / peak;
+    if (v.flops > 0)
+      row["gflops"] = 1e-9 * v.flops * hexes / s, row["of_fma_peak"] = v.flops * hexes / s / peak;
     rows.push_back(row);
   }
 }
@@ -119,11 +157,17 @@ int main(int argc, char** argv) {
   json report = new_report("apply", o);
   const int megabytes = o.smoke ? 8 : 500;
   const double triad = triad_bandwidth(megabytes, o.smoke ? 1 : 9), peak = fma_peak(o.smoke ? 1 : 5);
-  report["machine"] = {{"triad_gb_per_s", 1e-9 * triad}, {"triad_mb_per_array", megabytes}, {"fma_peak_gflops", 1e-9 * peak}};
+  report["machine"] = {
+      {"triad_gb_per_s", 1e-9 * triad}, {"triad_mb_per_array", megabytes}, {"fma_peak_gflops", 1e-9 * peak}};
   report["parameters"]["material"] = "neo-Hookean, augmented (gamma 5)";
-  report["notes"] = "seconds are processor time, medians of turns; bytes of stored products: matrix, indices, dx read, force read "
-                    "and written; operations of the tangent counted by hand, one fused multiply-add as two";
+  report["notes"] =
+      "seconds are processor time, medians of turns; bytes of stored products: matrix, indices, dx read, "
+      "force read "
+      "and written; operations of the tangent counted by hand, one fused multiply-add as two";
   std::printf("triad %.1f GB/s, FMA peak %.1f GFLOP/s\n", 1e-9 * triad, 1e-9 * peak);
   for (int n : o.sizes) measure(n, o, triad, peak, report["rows"]);
-  finish(report, {"variant", "hexahedra", "ns_per_hex", "to_bcsr", "stored_bytes_per_hex", "gb_per_s", "of_triad", "gflops", "of_fma_peak"}, o);
+  finish(report,
+         {"variant", "hexahedra", "ns_per_hex", "to_bcsr", "stored_bytes_per_hex", "gb_per_s", "of_triad",
+          "gflops", "of_fma_peak"},
+         o);
 }

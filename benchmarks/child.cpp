@@ -14,18 +14,21 @@ namespace bulbus::bench {
 
 // The child writes its row to a file: its standard output belongs to the libraries.
 json row_of_child(const std::vector<std::string>& words) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("bulbus_" + std::to_string(getpid()) + ".json");
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("bulbus_" + std::to_string(getpid()) + ".json");
   std::string command = "'" + this_program() + "' --child '" + file.string() + "'";
   for (const std::string& word : words) command += " '" + word + "'";
   const int status = std::system(command.c_str());
   std::ifstream in(file);
   json row = json::parse(in, nullptr, false);
   std::filesystem::remove(file);
-  if (status != 0 || row.is_discarded()) row = {{"reason", "the process ended with status " + std::to_string(status)}};
+  if (status != 0 || row.is_discarded())
+    row = {{"reason", "the process ended with status " + std::to_string(status)}};
   return row;
 }
 
-bool ran_as_child(int& argc, char**& argv, const std::function<json(const std::vector<std::string>&)>& measure) {
+bool ran_as_child(int& argc, char**& argv,
+                  const std::function<json(const std::vector<std::string>&)>& measure) {
   if (argc < 3 || argv[1] != std::string("--child")) return false;
   const std::string file = argv[2];
   const std::vector<std::string> words(argv + 3, argv + argc);

@@ -55,12 +55,18 @@ Options parse(int argc, char** argv, std::vector<int> sizes, std::vector<int> sm
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     const bool valued = i + 1 < argc;
-    if (arg == "--smoke") o.smoke = true;
-    else if (arg == "-n" && valued) o.sizes = numbers(argv[++i]);
-    else if (arg == "-r" && valued) o.repetitions = std::stoi(argv[++i]);
-    else if (arg == "--refine" && valued) o.refine = std::stoi(argv[++i]);
-    else if (arg == "-o" && valued) o.out = argv[++i];
-    else o.rest.push_back(arg);
+    if (arg == "--smoke")
+      o.smoke = true;
+    else if (arg == "-n" && valued)
+      o.sizes = numbers(argv[++i]);
+    else if (arg == "-r" && valued)
+      o.repetitions = std::stoi(argv[++i]);
+    else if (arg == "--refine" && valued)
+      o.refine = std::stoi(argv[++i]);
+    else if (arg == "-o" && valued)
+      o.out = argv[++i];
+    else
+      o.rest.push_back(arg);
   }
   if (o.smoke) o.repetitions = 1;
   if (o.sizes.empty()) o.sizes = o.smoke ? smoke_sizes : sizes;
@@ -70,7 +76,8 @@ Options parse(int argc, char** argv, std::vector<int> sizes, std::vector<int> sm
 void single_threaded(char** argv) {
   const char* one = std::getenv("OMP_NUM_THREADS");
   if (one && std::string(one) == "1" && std::getenv("OPENBLAS_NUM_THREADS")) return;
-  for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"}) setenv(name, "1", 1);
+  for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"})
+    setenv(name, "1", 1);
   execv("/proc/self/exe", argv);
 }
 
@@ -103,7 +110,8 @@ json new_report(const std::string& program, const Options& o, int ranks) {
           {"load_at_start", load[0]},
           {"threads", 1},
           {"ranks", ranks},
-          {"parameters", {{"sizes", o.sizes}, {"repetitions", o.repetitions}, {"refine", o.refine}, {"smoke", o.smoke}}},
+          {"parameters",
+           {{"sizes", o.sizes}, {"repetitions", o.repetitions}, {"refine", o.refine}, {"smoke", o.smoke}}},
           {"rows", json::array()}};
 }
 

@@ -1,4 +1,5 @@
-// Finding contact pairs: time per slave node against the number of nodes, for a wavy sheet just above one that does not match.
+// Finding contact pairs: time per slave node against the number of nodes, for a wavy sheet just above one
+// that does not match.
 #include <cmath>
 
 #include "benchmarks/common.hpp"
@@ -46,8 +47,9 @@ void measure(int nodes, const Options& o, json& rows) {
   std::size_t candidates = 0;
   const auto choose = [&](const Candidates& near, const SlaveSurface::Shape& shape) {
     for (std::size_t i = 0; i < found.size(); ++i)
-      found[i] = select(there, {slave.X[3 * i], slave.X[3 * i + 1], slave.X[3 * i + 2]}, shape.normals[i], found[i],
-                        near.of(static_cast<int>(i)), limits).triangle;
+      found[i] = select(there, {slave.X[3 * i], slave.X[3 * i + 1], slave.X[3 * i + 2]}, shape.normals[i],
+                        found[i], near.of(static_cast<int>(i)), limits)
+                     .triangle;
   };
   for (int r = 0; r <= o.repetitions; ++r) {  // the first round warms up
     std::ranges::fill(found, -1);
@@ -67,10 +69,14 @@ void measure(int nodes, const Options& o, json& rows) {
   }
   const double count = static_cast<double>(found.size());
   const auto ns = [&](const std::vector<double>& seconds) { return 1e9 * median(seconds) / count; };
-  rows.push_back({{"nodes", found.size()}, {"triangles", facets.triangles.size()}, {"candidates_per_node", candidates / count},
+  rows.push_back({{"nodes", found.size()},
+                  {"triangles", facets.triangles.size()},
+                  {"candidates_per_node", candidates / count},
                   {"in_contact", std::ranges::count_if(found, [](int t) { return t >= 0; }) / count},
-                  {"global_ns_per_node", ns(global)}, {"normals_ns_per_node", ns(normals)},
-                  {"local_ns_per_node", ns(fresh)}, {"tracked_ns_per_node", ns(tracked)}});
+                  {"global_ns_per_node", ns(global)},
+                  {"normals_ns_per_node", ns(normals)},
+                  {"local_ns_per_node", ns(fresh)},
+                  {"tracked_ns_per_node", ns(tracked)}});
 }
 
 }  // namespace
@@ -78,9 +84,13 @@ void measure(int nodes, const Options& o, json& rows) {
 int main(int argc, char** argv) {
   const Options o = parse(argc, argv, {1000, 10000, 100000, 1000000}, {1000}, 7);
   json report = new_report("contact_search", o);
-  report["notes"] = "seconds are processor time, medians; global: all candidate pairs by position code; normals: slave normals and areas; "
-                    "local: selection among the candidates; tracked: the same from the triangle found before";
+  report["notes"] =
+      "seconds are processor time, medians; global: all candidate pairs by position code; normals: slave "
+      "normals and areas; "
+      "local: selection among the candidates; tracked: the same from the triangle found before";
   for (int nodes : o.sizes) measure(nodes, o, report["rows"]);
-  finish(report, {"nodes", "triangles", "candidates_per_node", "in_contact", "global_ns_per_node", "normals_ns_per_node", "local_ns_per_node",
-                  "tracked_ns_per_node"}, o);
+  finish(report,
+         {"nodes", "triangles", "candidates_per_node", "in_contact", "global_ns_per_node",
+          "normals_ns_per_node", "local_ns_per_node", "tracked_ns_per_node"},
+         o);
 }

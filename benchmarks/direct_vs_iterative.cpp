@@ -1,6 +1,6 @@
-// The half eye from rest through 15 mmHg to the first coupled increment (0.5 mm), by the direct and by the iterative solver, on growing
-// meshes; how time and memory grow; and what the direct solver would need where it does not fit. Each size and method runs as a process
-// of its own, so that peak memory is its own.
+// The half eye from rest through 15 mmHg to the first coupled increment (0.5 mm), by the direct and by the
+// iterative solver, on growing meshes; how time and memory grow; and what the direct solver would need where
+// it does not fit. Each size and method runs as a process of its own, so that peak memory is its own.
 //
 //     bench_direct_vs_iterative [-n CELLS,...] [--refine TIMES] [-r REPETITIONS] [--memory MB] [-o FILE]
 //
@@ -34,7 +34,11 @@ json run(const std::vector<std::string>& words) {
   CoupledSystem system(*problem, settings.linear);
   TimedSolver solver(make_solver(settings.linear, profiler));
   State state = problem->initial_state();
-  json row{{"n", n}, {"refined", refine}, {"method", method}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)}};
+  json row{{"n", n},
+           {"refined", refine},
+           {"method", method},
+           {"hexahedra", problem->mesh().all_hexes},
+           {"unknowns", unknowns(*problem)}};
   for (auto [step, progress] : {std::pair{0, 1.}, {1, .25}}) {
     problem->begin_step(step, state);
     const NewtonReport report = newton(*problem, system, solver, state, progress, settings.newton, profiler);
@@ -51,7 +55,8 @@ json run(const std::vector<std::string>& words) {
   profiler.memory.set("operator cache", problem->solid().cache_bytes());
   profiler.memory.set("coupled system", system.bytes());
   std::vector<double> whole;
-  for (std::size_t i = 0; i < solver.solution.size(); ++i) whole.push_back(solver.setup[i] + solver.solution[i]);
+  for (std::size_t i = 0; i < solver.solution.size(); ++i)
+    whole.push_back(solver.setup[i] + solver.solution[i]);
   row["pressure_mmhg"] = state.P[0] / 1.3332236842e-4;
   row["setup_s"] = median(solver.setup);
   row["solve_s"] = median(solver.solution);
@@ -77,7 +82,8 @@ json run(const std::vector<std::string>& words) {
 json median_run(const std::string& method, int n, int refine, int repetitions, double memory_mb) {
   std::vector<json> rows;
   for (int r = 0; r < repetitions; ++r) {
-    rows.push_back(row_of_child({method, std::to_string(n), std::to_string(memory_mb), std::to_string(refine)}));
+    rows.push_back(
+        row_of_child({method, std::to_string(n), std::to_string(memory_mb), std::to_string(refine)}));
     rows.back().update({{"n", n}, {"method", method}});
   }
   std::ranges::sort(rows, {}, [](const json& row) { return row.value("linear_s", 0.); });
@@ -89,20 +95,26 @@ json median_run(const std::string& method, int n, int refine, int repetitions, d
 // Iterative over direct; where the direct solver does not fit, its memory by estimate.
 json ratio(const json& iterative, const json& direct) {
   json r{{"n", iterative["n"]}, {"unknowns", iterative["unknowns"]}};
-  const auto over = [&](const char* key, const json& value) { r[key] = iterative[key].get<double>() / value.get<double>(); };
+  const auto over = [&](const char* key, const json& value) {
+    r[key] = iterative[key].get<double>() / value.get<double>();
+  };
   if (direct.contains("reason")) return over("peak_mb", direct["estimated_mb"]), r["direct"] = "estimated", r;
   for (const char* key : {"linear_s", "total_s", "peak_mb"}) over(key, direct[key]);
   return r["direct"] = "measured", r;
 }
 
-// p of figure ~ unknowns^p, by least squares of the logarithms over the rows of a method, from a size on, that have the figure.
+// p of figure ~ unknowns^p, by least squares of the logarithms over the rows of a method, from a size on,
+// that have the figure.
 json growth(const json& rows, const std::string& method, int from) {
   json g{{"method", method}, {"from_n", from}};
-  for (const char* key : {"setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb", "estimated_gflop"}) {
+  for (const char* key :
+       {"setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb", "estimated_gflop"}) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const json& row : rows) {
       const bool estimate = std::string(key).starts_with("estimated");
-      if (row["method"] != method || row["n"] < from || row.value(key, 0.) <= 0 || (row.contains("reason") && !estimate)) continue;
+      if (row["method"] != method || row["n"] < from || row.value(key, 0.) <= 0 ||
+          (row.contains("reason") && !estimate))
+        continue;
       const double a = std::log(row["unknowns"].get<double>()), b = std::log(row[key].get<double>());
       n += 1, x += a, y += b, xx += a * a, xy += a * b;
     }
@@ -123,7 +135,8 @@ json growths(const json& rows, std::vector<int> sizes) {
 
 double memory_limit_in(const Options& o) {
   if (o.rest.empty()) return 20000;
-  if (o.rest.size() != 2 || o.rest[0] != "--memory") throw std::invalid_argument("unknown option " + o.rest[0]);
+  if (o.rest.size() != 2 || o.rest[0] != "--memory")
+    throw std::invalid_argument("unknown option " + o.rest[0]);
   return std::stod(o.rest[1]);
 }
 
@@ -138,12 +151,21 @@ int main(int argc, char** argv) {
   const double memory_mb = memory_limit_in(o);
   json report = new_report("direct_vs_iterative", o);
   const SolverSettings s;
-  report["parameters"].update({{"displacement", s.linear.displacement}, {"gamma", s.linear.gamma}, {"operator", s.linear.op},
-                               {"restart", s.linear.restart}, {"degree", s.linear.degree}, {"aggregates", s.linear.aggregates},
-                               {"eta_max", s.newton.eta_max}, {"direct_gamma", 0}, {"memory_limit_mb", memory_mb}});
-  report["notes"] = "seconds are processor time; linear_s: median over the linear solves of set-up (or factorisation) and solution, "
-                    "in the run that is the median of the repetitions; peak_mb: VmHWM of the process; estimated: by MUMPS's analysis; "
-                    "growth: p of unknowns^p by least squares, from size n on";
+  report["parameters"].update({{"displacement", s.linear.displacement},
+                               {"gamma", s.linear.gamma},
+                               {"operator", s.linear.op},
+                               {"restart", s.linear.restart},
+                               {"degree", s.linear.degree},
+                               {"aggregates", s.linear.aggregates},
+                               {"eta_max", s.newton.eta_max},
+                               {"direct_gamma", 0},
+                               {"memory_limit_mb", memory_mb}});
+  report["notes"] =
+      "seconds are processor time; linear_s: median over the linear solves of set-up (or factorisation) and "
+      "solution, "
+      "in the run that is the median of the repetitions; peak_mb: VmHWM of the process; estimated: by "
+      "MUMPS's analysis; "
+      "growth: p of unknowns^p by least squares, from size n on";
   for (int n : o.sizes) {
     const int cells = n << o.refine;
     const json iterative = median_run("iterative", n, o.refine, cells > 40 ? 1 : o.repetitions, memory_mb);
@@ -154,12 +176,14 @@ int main(int argc, char** argv) {
     report["growth"] = growths(report["rows"], o.sizes);
     if (!o.out.empty()) write_json(o.out, report);  // what is measured so far
   }
-  finish(report, {"n", "unknowns", "method", "linear_solves", "krylov", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb",
-                  "estimated_mb", "reason"}, o);
+  finish(report,
+         {"n", "unknowns", "method", "linear_solves", "krylov", "setup_s", "solve_s", "linear_s", "total_s",
+          "peak_mb", "estimated_mb", "reason"},
+         o);
   std::printf("iterative / direct\n");
   print_table(report["ratios"], {"n", "unknowns", "direct", "linear_s", "total_s", "peak_mb"});
   std::printf("powers of the unknowns\n");
-  print_table(report["growth"], {"method", "from_n", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb", "estimated_mb",
-                                 "estimated_gflop"});
+  print_table(report["growth"], {"method", "from_n", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb",
+                                 "estimated_mb", "estimated_gflop"});
   return std::ranges::any_of(report["rows"], failed);
 }

@@ -1,4 +1,5 @@
-// What the parts of a scene cost: the same eye with fewer of them, and with a rigid lens, as a user runs it (`bulbus run`).
+// What the parts of a scene cost: the same eye with fewer of them, and with a rigid lens, as a user runs it
+// (`bulbus run`).
 //
 //     bench_features [-n CELLS] [-r REPETITIONS] [-o FILE]
 #include <algorithm>
@@ -17,8 +18,10 @@ struct Variant {
 };
 
 const std::vector<std::string> rigid_lens{"regions.lens.rigid=true"};
-// A rigid lens has no stress to record: the operation's probe looks at the ciliary body instead, in both runs.
-const std::vector<std::string> other_probe{"probes.lens_mises_99.region=ciliary_body", "probes.lens_mises_99.name=ciliary_body_mises_99"};
+// A rigid lens has no stress to record: the operation's probe looks at the ciliary body instead, in both
+// runs.
+const std::vector<std::string> other_probe{"probes.lens_mises_99.region=ciliary_body",
+                                           "probes.lens_mises_99.name=ciliary_body_mises_99"};
 const std::vector<std::string> rigid_lens_other_probe{rigid_lens[0], other_probe[0], other_probe[1]};
 
 const std::vector<Variant> variants{{"half_eye", "half eye", {}},
@@ -41,7 +44,8 @@ json measured(const Variant& v, const Options& o) {
   row["n"] = o.sizes[0];
   if (!row["converged"]) return row;
   const double newton = row["newton_iterations"], krylov = row["krylov_iterations"];
-  for (auto [key, part] : {std::pair{"residual_ms", "residual"}, {"linearisation_ms", "linearisation"},
+  for (auto [key, part] : {std::pair{"residual_ms", "residual"},
+                           {"linearisation_ms", "linearisation"},
                            {"setup_ms", "preconditioner set-up"}})
     row[key] = 1e3 * row["seconds"].value(part, 0.) / newton;
   row["krylov_ms"] = 1e3 * row["seconds"].value("linear solve", 0.) / krylov;
@@ -55,9 +59,12 @@ int main(int argc, char** argv) {
   const Options o = parse(argc, argv, {14}, {4}, 1);
   json report = new_report("features", o);
   for (const Variant& v : variants) report["parameters"]["set"][v.name] = v.set;
-  report["notes"] = "`bulbus run` of data/scenes as processes of their own; minutes are processor time, those of parts wall time per Newton, of "
-                    "the linear solve per Krylov iteration; probes: how much a rigid lens changes them, relative to the largest "
-                    "magnitude they had in either run";
+  report["notes"] =
+      "`bulbus run` of data/scenes as processes of their own; minutes are processor time, those of parts "
+      "wall time per Newton, of "
+      "the linear solve per Krylov iteration; probes: how much a rigid lens changes them, relative to the "
+      "largest "
+      "magnitude they had in either run";
   const std::size_t count = o.smoke ? 2 : variants.size();  // a small eye is too coarse for the operation
   for (std::size_t i = 0; i < count; ++i) {
     report["rows"].push_back(measured(variants[i], o));
@@ -68,8 +75,11 @@ int main(int argc, char** argv) {
     }
     if (!o.out.empty()) bulbus::write_json(o.out, report);  // what is measured so far
   }
-  finish(report, {"scene", "hexahedra", "unknowns", "cpu_s", "peak_mb", "newton_iterations", "krylov_iterations",
-                  "residual_ms", "linearisation_ms", "setup_ms", "krylov_ms", "converged", "reason"}, o);
-  print_table(report.value("probes", json::array()), {"scene", "probe", "unit", "deformable", "rigid", "relative"});
+  finish(report,
+         {"scene", "hexahedra", "unknowns", "cpu_s", "peak_mb", "newton_iterations", "krylov_iterations",
+          "residual_ms", "linearisation_ms", "setup_ms", "krylov_ms", "converged", "reason"},
+         o);
+  print_table(report.value("probes", json::array()),
+              {"scene", "probe", "unit", "deformable", "rigid", "relative"});
   return std::ranges::any_of(report["rows"], [](const json& row) { return !row["converged"]; });
 }

@@ -1,4 +1,5 @@
-// One linear system from its dump alone (core/solve/dump.hpp): MUMPS, and GMRES with what the matrix itself offers.
+// One linear system from its dump alone (core/solve/dump.hpp): MUMPS, and GMRES with what the matrix itself
+// offers.
 //
 //     bench_from_dump system.h5 ...      solves these
 //     bench_from_dump -n 8               makes the dump of a small half eye first
@@ -20,7 +21,8 @@ namespace {
 // s A s by rows; entries that come twice stay so.
 class ScaledMatrix final : public LinearOperator {
  public:
-  ScaledMatrix(const SystemDump& d, std::span<const double> s) : start_(d.rhs.size() + 1), column_(d.matrix.row.size()), value_(column_.size()) {
+  ScaledMatrix(const SystemDump& d, std::span<const double> s)
+      : start_(d.rhs.size() + 1), column_(d.matrix.row.size()), value_(column_.size()) {
     for (int r : d.matrix.row) ++start_[r + 1];
     for (std::size_t r = 1; r < start_.size(); ++r) start_[r] += start_[r - 1];
     std::vector<std::size_t> at(start_.begin(), start_.end() - 1);
@@ -74,7 +76,8 @@ class NodalBlocks final : public Preconditioner {
   void apply(std::span<const double> x, std::span<double> y) const override {
     std::copy(x.begin(), x.end(), y.begin());
     for (std::size_t n = 0; n < inverse_.size(); ++n)
-      Eigen::Map<Eigen::Vector3d>(y.data() + 3 * n) = inverse_[n] * Eigen::Map<const Eigen::Vector3d>(x.data() + 3 * n);
+      Eigen::Map<Eigen::Vector3d>(y.data() + 3 * n) =
+          inverse_[n] * Eigen::Map<const Eigen::Vector3d>(x.data() + 3 * n);
   }
 
  private:
@@ -96,7 +99,10 @@ void solve(const std::string& path, const Options& o, json& rows) {
   std::vector<double> s = d.scaling.empty() ? std::vector<double>(n, 1) : d.scaling, b(n), x(n);
   const ScaledMatrix A(d, s);
   for (std::size_t i = 0; i < n; ++i) b[i] = s[i] * d.rhs[i];
-  const json system{{"file", std::filesystem::path(path).filename()}, {"unknowns", n}, {"entries", d.matrix.row.size()}, {"symmetric", A.symmetric()}};
+  const json system{{"file", std::filesystem::path(path).filename()},
+                    {"unknowns", n},
+                    {"entries", d.matrix.row.size()},
+                    {"symmetric", A.symmetric()}};
   const auto add = [&](json row) {
     row.update(system);
     rows.push_back(std::move(row));
@@ -107,7 +113,11 @@ void solve(const std::string& path, const Options& o, json& rows) {
   double start = cpu_seconds();
   const FactorReport f = mumps.factorise(d.matrix, static_cast<long long>(n), system["symmetric"]);
   const double factorised = cpu_seconds();
-  json row{{"method", "MUMPS"}, {"iterations", 0}, {"setup_s", factorised - start}, {"mb", f.memory_mb}, {"reason", f.reason}};
+  json row{{"method", "MUMPS"},
+           {"iterations", 0},
+           {"setup_s", factorised - start},
+           {"mb", f.memory_mb},
+           {"reason", f.reason}};
   if (f.ok && mumps.solve(d.rhs, x)) {
     row["solve_s"] = cpu_seconds() - factorised;
     for (std::size_t i = 0; i < n; ++i) x[i] /= s[i];
@@ -119,12 +129,18 @@ void solve(const std::string& path, const Options& o, json& rows) {
   start = cpu_seconds();
   const NodalBlocks blocks(A, d.kind);
   const double made = cpu_seconds() - start;
-  for (auto [name, M] : {std::pair<const char*, const Preconditioner*>{"GMRES, scaling alone", nullptr}, {"GMRES, nodal blocks", &blocks}}) {
+  for (auto [name, M] : {std::pair<const char*, const Preconditioner*>{"GMRES, scaling alone", nullptr},
+                         {"GMRES, nodal blocks", &blocks}}) {
     std::fill(x.begin(), x.end(), 0.);
     start = cpu_seconds();
     const KrylovReport k = fgmres(A, M, b, x, {1e-6, 100, o.smoke ? 200 : 3000, false}, comm);
-    add({{"method", name}, {"iterations", k.iterations}, {"setup_s", M ? made : 0.}, {"solve_s", cpu_seconds() - start},
-         {"mb", 1e-6 * k.basis_bytes}, {"residual", relative_residual(A, x, b)}, {"reason", k.converged ? "" : k.reason}});
+    add({{"method", name},
+         {"iterations", k.iterations},
+         {"setup_s", M ? made : 0.},
+         {"solve_s", cpu_seconds() - start},
+         {"mb", 1e-6 * k.basis_bytes},
+         {"residual", relative_residual(A, x, b)},
+         {"reason", k.converged ? "" : k.reason}});
   }
 }
 
@@ -138,8 +154,15 @@ std::string make_dump(int n) {
   const auto [r, held] = first_increment(*problem, state);
   CoupledSystem system(*problem, settings.linear);
   system.linearize(state, r);
-  const std::string path = std::filesystem::temp_directory_path() / ("bulbus_half_eye_" + std::to_string(n) + ".h5");
-  write_system(path, {assemble(system, true), system.right_hand_side(r, held), unknown_kinds(system.layout()), system.scaling(), {{"n", n}}}, comm);
+  const std::string path =
+      std::filesystem::temp_directory_path() / ("bulbus_half_eye_" + std::to_string(n) + ".h5");
+  write_system(path,
+               {assemble(system, true),
+                system.right_hand_side(r, held),
+                unknown_kinds(system.layout()),
+                system.scaling(),
+                {{"n", n}}},
+               comm);
   return path;
 }
 
@@ -151,7 +174,9 @@ int main(int argc, char** argv) {
   Options o = parse(argc, argv, {8}, {4}, 1);
   json report = new_report("from_dump", o);
   report["parameters"].update({{"tolerance", 1e-6}, {"restart", 100}, {"files", o.rest}});
-  report["notes"] = "seconds are processor time; residual: scaled norm relative to the right-hand side's; mb: factor, or Krylov basis";
+  report["notes"] =
+      "seconds are processor time; residual: scaled norm relative to the right-hand side's; mb: factor, or "
+      "Krylov basis";
   for (const std::string& path : o.rest) solve(path, o, report["rows"]);
   if (o.rest.empty())
     for (int n : o.sizes) {
@@ -159,5 +184,6 @@ int main(int argc, char** argv) {
       solve(path, o, report["rows"]);
       std::filesystem::remove(path);
     }
-  finish(report, {"file", "unknowns", "method", "iterations", "setup_s", "solve_s", "mb", "residual", "reason"}, o);
+  finish(report,
+         {"file", "unknowns", "method", "iterations", "setup_s", "solve_s", "mb", "residual", "reason"}, o);
 }

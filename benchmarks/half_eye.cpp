@@ -15,8 +15,12 @@ constexpr auto mmhg_15 = "1.99984e-3";  // MPa
 
 Model half_eye_model() {
   Model m;
-  for (const auto& [region, c10] : std::map<std::string, double>{{"cornea", .0333}, {"sclera", .0833}, {"ciliary_body", .01},
-                                                                 {"choroid", .0083}, {"retina", .0008}, {"optic_nerve", .05},
+  for (const auto& [region, c10] : std::map<std::string, double>{{"cornea", .0333},
+                                                                 {"sclera", .0833},
+                                                                 {"ciliary_body", .01},
+                                                                 {"choroid", .0083},
+                                                                 {"retina", .0008},
+                                                                 {"optic_nerve", .05},
                                                                  {"lens", 1.}})
     m.regions[region].c10 = c10;
   m.bars["zonules"] = {};
@@ -41,11 +45,13 @@ std::unique_ptr<Problem> half_eye(int n, const Comm& comm, int refine) {
 
 State pressurised(Problem& problem, const SolverSettings& settings, Profiler& profiler) {
   CoupledSystem system(problem, settings.linear);
-  auto solver = make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, profiler), profiler);
+  auto solver =
+      make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, profiler), profiler);
   State state = problem.initial_state();
   problem.begin_step(0, state);
   const NewtonReport report = newton(problem, system, *solver, state, 1, settings.newton, profiler);
-  if (report.outcome != Outcome::converged) throw std::runtime_error("15 mmHg was not reached: " + report.reason);
+  if (report.outcome != Outcome::converged)
+    throw std::runtime_error("15 mmHg was not reached: " + report.reason);
   for (const auto& term : problem.terms()) term->commit(state);
   problem.end_step();
   return state;
@@ -61,7 +67,8 @@ FirstIncrement first_increment(Problem& problem, State& state) {
 }
 
 long long unknowns(const Problem& problem) {
-  return 3 * problem.mesh().all_nodes + problem.mesh().all_hexes + static_cast<long long>(problem.liquids().size()) +
+  return 3 * problem.mesh().all_nodes + problem.mesh().all_hexes +
+         static_cast<long long>(problem.liquids().size()) +
          6 * static_cast<long long>(problem.dofs().bodies().size());
 }
 

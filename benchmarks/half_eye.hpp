@@ -5,8 +5,8 @@
 
 namespace bulbus::bench {
 
-/// The half eye of data/scenes/half_eye.yaml: step 0 brings it to 15 mmHg in one increment, step 1 encloses the liquid and moves
-/// the equator's band 2 mm inwards in four.
+/// The half eye of data/scenes/half_eye.yaml: step 0 brings it to 15 mmHg in one increment, step 1 encloses
+/// the liquid and moves the equator's band 2 mm inwards in four.
 Model half_eye_model();
 /// On the mesh of `n`, refined `refine` times.
 std::unique_ptr<Problem> half_eye(int n, const Comm& comm, int refine = 0);

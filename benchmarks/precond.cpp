@@ -1,4 +1,5 @@
-// Preconditioners of the displacement block: the half eye at 15 mmHg, the linear system of the first coupled increment (0.5 mm).
+// Preconditioners of the displacement block: the half eye at 15 mmHg, the linear system of the first coupled
+// increment (0.5 mm).
 #include "benchmarks/common.hpp"
 #include "benchmarks/half_eye.hpp"
 #include "benchmarks/timed_solver.hpp"
@@ -10,13 +11,17 @@ using namespace bulbus::bench;
 namespace {
 
 constexpr double tolerance = 1e-6;
-const std::vector<std::string> methods{"aggregation", "hybrid", "multigrid", "scalar_amg", "boomeramg", "boomeramg_nodal", "jacobi", "exact", "direct"};
+const std::vector<std::string> methods{"aggregation",     "hybrid", "multigrid", "scalar_amg", "boomeramg",
+                                       "boomeramg_nodal", "jacobi", "exact",     "direct"};
 
-json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r, std::span<const double> held,
-              LinearSettings settings) {
+json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r,
+              std::span<const double> held, LinearSettings settings) {
   settings.displacement = method;
   if (method == "direct") settings = bench::settings_of(method, settings.memory_limit).linear;
-  json row{{"displacement", method}, {"gamma", settings.gamma}, {"hexahedra", problem.mesh().all_hexes}, {"unknowns", unknowns(problem)}};
+  json row{{"displacement", method},
+           {"gamma", settings.gamma},
+           {"hexahedra", problem.mesh().all_hexes},
+           {"unknowns", unknowns(problem)}};
   Profiler profiler;
   CoupledSystem system(problem, settings);
   system.linearize(state, r);
@@ -49,12 +54,18 @@ int main(int argc, char** argv) {
   SolverSettings settings;
   settings.linear.take_mesh(o.refine);
   json report = new_report("precond", o, comm.size());
-  for (auto [key, value] : {std::pair<const char*, json>{"gamma", settings.linear.gamma}, {"tolerance", tolerance},
-                            {"restart", settings.linear.restart}, {"max_iterations", settings.linear.max_iterations},
-                            {"degree", settings.linear.degree}, {"smoothed_part", settings.linear.smoothed_part},
-                            {"aggregates", settings.linear.aggregates}, {"operator", settings.linear.op}})
+  for (auto [key, value] : {std::pair<const char*, json>{"gamma", settings.linear.gamma},
+                            {"tolerance", tolerance},
+                            {"restart", settings.linear.restart},
+                            {"max_iterations", settings.linear.max_iterations},
+                            {"degree", settings.linear.degree},
+                            {"smoothed_part", settings.linear.smoothed_part},
+                            {"aggregates", settings.linear.aggregates},
+                            {"operator", settings.linear.op}})
     report["parameters"][key] = value;
-  report["notes"] = "seconds are processor time; iterations to the tolerance in the scaled norm; mb without the Krylov basis";
+  report["notes"] =
+      "seconds are processor time; iterations to the tolerance in the scaled norm; mb without the Krylov "
+      "basis";
   for (int n : o.sizes) {
     auto problem = half_eye(n, comm, o.refine);
     Profiler profiler;
@@ -68,5 +79,7 @@ int main(int argc, char** argv) {
     }
   }
   if (comm.rank() == 0)
-    finish(report, {"n", "unknowns", "displacement", "iterations", "setup_s", "solve_s", "mb", "reduction", "reason"}, o);
+    finish(report,
+           {"n", "unknowns", "displacement", "iterations", "setup_s", "solve_s", "mb", "reduction", "reason"},
+           o);
 }

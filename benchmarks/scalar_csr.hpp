@@ -16,7 +16,9 @@ class ScalarCsr {
     visit([&](std::span<const int> n, std::span<const double>) {
       for (int a : n)
         for (int b : n)
-          if (const auto at = std::lower_bound(rows[a].begin(), rows[a].end(), b); at == rows[a].end() || *at != b) rows[a].insert(at, b);
+          if (const auto at = std::lower_bound(rows[a].begin(), rows[a].end(), b);
+              at == rows[a].end() || *at != b)
+            rows[a].insert(at, b);
     });
     for (int r = 0; r < 3 * nodes; ++r) {
       for (int b : rows[r / 3])
@@ -43,7 +45,8 @@ class ScalarCsr {
     for (std::size_t r = 0; r + 1 < start_.size(); ++r) {
       double sum = 0, odd = 0;
       int k = start_[r];
-      for (; k + 1 < start_[r + 1]; k += 2) sum += values_[k] * x[columns_[k]], odd += values_[k + 1] * x[columns_[k + 1]];
+      for (; k + 1 < start_[r + 1]; k += 2)
+        sum += values_[k] * x[columns_[k]], odd += values_[k + 1] * x[columns_[k + 1]];
       if (k < start_[r + 1]) sum += values_[k] * x[columns_[k]];
       y[r] += sum + odd;
     }

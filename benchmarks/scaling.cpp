@@ -1,5 +1,5 @@
-// One linear system of the half eye on as many ranks as there are: seconds, memory and messages of a Krylov iteration. The first of the
-// inflation, to 1e-6, in meshes of `-n`, refined `--refine` times.
+// One linear system of the half eye on as many ranks as there are: seconds, memory and messages of a Krylov
+// iteration. The first of the inflation, to 1e-6, in meshes of `-n`, refined `--refine` times.
 #include "benchmarks/common.hpp"
 #include "benchmarks/half_eye.hpp"
 #include "core/base/memory.hpp"
@@ -16,7 +16,9 @@ constexpr double tolerance = 1e-6;
 json traffic_since(const Traffic& before, int iterations, const Comm& comm) {
   const Traffic now = traffic();
   const auto each = [&](long long total) { return comm.max(static_cast<double>(total) / iterations); };
-  return {{"messages", each(now.messages - before.messages)}, {"kb", 1e-3 * each(now.bytes - before.bytes)}, {"reductions", each(now.reductions - before.reductions)}};
+  return {{"messages", each(now.messages - before.messages)},
+          {"kb", 1e-3 * each(now.bytes - before.bytes)},
+          {"reductions", each(now.reductions - before.reductions)}};
 }
 
 json solve(int n, int refine, const Comm& comm) {
@@ -44,11 +46,20 @@ json solve(int n, int refine, const Comm& comm) {
   const LinearReport report = solver->solve(system, b, x, tolerance);
   const double solved = Clock::now();
   const int iterations = std::max(report.iterations, 1);
-  json row{{"n", n}, {"refine", refine}, {"ranks", comm.size()}, {"hexahedra", problem->mesh().all_hexes}, {"unknowns", unknowns(*problem)},
-           {"iterations", report.iterations}, {"mesh_s", comm.max(made - start)}, {"setup_s", comm.max(prepared - linearised)},
-           {"iteration_ms", 1e3 * comm.max(solved - prepared) / iterations}, {"peak_mb", 1e-6 * comm.max(static_cast<double>(peak_resident_bytes()))},
-           {"ghosts", comm.max(static_cast<double>(problem->mesh().nodes() - problem->mesh().owned))}, {"reason", report.ok ? "" : report.reason}};
-  row["us_per_unknown"] = 1e3 * row["iteration_ms"].get<double>() * comm.size() / row["unknowns"].get<double>();
+  json row{{"n", n},
+           {"refine", refine},
+           {"ranks", comm.size()},
+           {"hexahedra", problem->mesh().all_hexes},
+           {"unknowns", unknowns(*problem)},
+           {"iterations", report.iterations},
+           {"mesh_s", comm.max(made - start)},
+           {"setup_s", comm.max(prepared - linearised)},
+           {"iteration_ms", 1e3 * comm.max(solved - prepared) / iterations},
+           {"peak_mb", 1e-6 * comm.max(static_cast<double>(peak_resident_bytes()))},
+           {"ghosts", comm.max(static_cast<double>(problem->mesh().nodes() - problem->mesh().owned))},
+           {"reason", report.ok ? "" : report.reason}};
+  row["us_per_unknown"] =
+      1e3 * row["iteration_ms"].get<double>() * comm.size() / row["unknowns"].get<double>();
   row.update(traffic_since(before, iterations, comm));
   return row;
 }
@@ -61,9 +72,14 @@ int main(int argc, char** argv) {
   const Comm comm;
   const Options o = parse(argc, argv, {14}, {4}, 1);
   json report = new_report("scaling", o, comm.size());
-  report["notes"] = "wall-clock seconds, the slowest rank's; of each Krylov iteration the messages to other ranks, their kB and the global sums; "
-                    "the factorised base mesh's own messages are not counted; peak MB of the largest rank";
+  report["notes"] =
+      "wall-clock seconds, the slowest rank's; of each Krylov iteration the messages to other ranks, their "
+      "kB and the global sums; "
+      "the factorised base mesh's own messages are not counted; peak MB of the largest rank";
   for (int n : o.sizes) report["rows"].push_back(solve(n, o.refine, comm));
   if (comm.rank() == 0)
-    finish(report, {"ranks", "n", "refine", "hexahedra", "unknowns", "iterations", "setup_s", "iteration_ms", "us_per_unknown", "messages", "kb", "reductions", "peak_mb"}, o);
+    finish(report,
+           {"ranks", "n", "refine", "hexahedra", "unknowns", "iterations", "setup_s", "iteration_ms",
+            "us_per_unknown", "messages", "kb", "reductions", "peak_mb"},
+           o);
 }

@@ -45,7 +45,11 @@ json run_scene(const SceneRun& run) {
   const Ended e = run_process(arguments, run.timeout);
   std::ifstream in(folder / "summary.json");
   const json s = json::parse(in, nullptr, false);
-  json row{{"converged", false}, {"wall_s", e.wall}, {"cpu_s", e.cpu}, {"cpu_min", e.cpu / 60}, {"peak_mb", e.peak_mb}};
+  json row{{"converged", false},
+           {"wall_s", e.wall},
+           {"cpu_s", e.cpu},
+           {"cpu_min", e.cpu / 60},
+           {"peak_mb", e.peak_mb}};
   if (s.is_discarded()) {
     row["reason"] = e.reason;
   } else {

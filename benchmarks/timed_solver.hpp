@@ -13,7 +13,8 @@ inline SolverSettings settings_of(const std::string& method, double memory_mb) {
   return s;
 }
 
-/// A linear solver that keeps processor seconds, iterations and reached reduction of every set-up (or factorisation) and solution.
+/// A linear solver that keeps processor seconds, iterations and reached reduction of every set-up (or
+/// factorisation) and solution.
 class TimedSolver final : public LinearSolver {
  public:
   explicit TimedSolver(std::unique_ptr<LinearSolver> inner) : inner_(std::move(inner)) {}
@@ -24,7 +25,8 @@ class TimedSolver final : public LinearSolver {
     if (report.factor) factor = report.factor;
     return report;
   }
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) override {
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+                     double tolerance) override {
     const double start = cpu_seconds();
     const LinearReport report = inner_->solve(system, std::move(b), x, tolerance);
     solution.push_back(cpu_seconds() - start);

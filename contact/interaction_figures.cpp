@@ -6,8 +6,10 @@ namespace bulbus {
 
 namespace {
 
-// Adds what the nodes of `term`'s slave feel as masters of `other`: forces, and the pressures that are these on the current areas.
-void add_exchanged(const ContactTerm& term, const ContactTerm& other, const Snapshot& s, std::vector<ContactNode>& nodes) {
+// Adds what the nodes of `term`'s slave feel as masters of `other`: forces, and the pressures that are these
+// on the current areas.
+void add_exchanged(const ContactTerm& term, const ContactTerm& other, const Snapshot& s,
+                   std::vector<ContactNode>& nodes) {
   std::vector<double> minus_force(s.state.x.size());
   other.add_residual(s.state, minus_force, {});
   s.problem.mesh().halo.accumulate_ghosts(minus_force);
@@ -20,7 +22,8 @@ void add_exchanged(const ContactTerm& term, const ContactTerm& other, const Snap
   }
 }
 
-std::vector<ContactNode> nodes_of(const ContactTerm& term, const ContactTerm* other, double farthest, const Snapshot& s) {
+std::vector<ContactNode> nodes_of(const ContactTerm& term, const ContactTerm* other, double farthest,
+                                  const Snapshot& s) {
   auto nodes = term.nodes(s.state, farthest);
   if (other) add_exchanged(term, *other, s, nodes);
   return nodes;
@@ -53,11 +56,13 @@ ContactStanding standing(const Interactions::Contact& contact, Snapshot& s) {
   ContactStanding all{.augmentation = contact.term->augmentation()};
   int touching = 0;
   double pressure = 0;
-  for (const ContactNode& n : nodes_of(contact, s)) touching += n.active, pressure = std::max(pressure, n.pressure);
+  for (const ContactNode& n : nodes_of(contact, s))
+    touching += n.active, pressure = std::max(pressure, n.pressure);
   all.touching = comm.sum(touching);
   all.area = s.problem.multiplicity() * comm.sum(own.area);
   all.penetration = comm.max(own.penetration);
-  if (contact.exchanged) all.penetration = std::max(all.penetration, comm.max(contact.exchanged->figures(s.state).penetration));
+  if (contact.exchanged)
+    all.penetration = std::max(all.penetration, comm.max(contact.exchanged->figures(s.state).penetration));
   all.pressure = comm.max(pressure);
   std::vector<double> sums;
   for (const Wrench& w : own.on_master) {

@@ -27,8 +27,10 @@ ProbeSet::Figure over_slaves(const Problem& problem, const Contact& contact, con
   std::vector<bool> counts(problem.mesh().nodes(), set.empty());
   if (!set.empty())
     for (int n : problem.nodes_of(set)) counts[n] = true;
-  if (!problem.comm().any(std::ranges::any_of(contact.term->slave().nodes(), [&](int n) { return counts[n]; })))
-    throw scene_error("set", "no node of '" + set + "' is a slave node of contact '" + contact.spec.name + "'",
+  if (!problem.comm().any(
+          std::ranges::any_of(contact.term->slave().nodes(), [&](int n) { return counts[n]; })))
+    throw scene_error("set",
+                      "no node of '" + set + "' is a slave node of contact '" + contact.spec.name + "'",
                       "Name nodes of '" + contact.spec.slave + "' that its master does not share.");
   return [&contact, counts, statistic, number](Snapshot& s) {
     std::vector<double> numbers;
@@ -54,41 +56,50 @@ ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interacti
   using Q = Quantity;
   using Figure = ProbeSet::Figure;
   ProbeSet::Kinds kinds;
-  kinds["contact_area"] = {Q::area, of_contact(interactions, [](const ContactStanding& c) { return c.area; })};
-  kinds["contact_pressure"] = {Q::stress, of_contact(interactions, [](const ContactStanding& c) { return c.pressure; })};
-  kinds["penetration"] = {Q::length, of_contact(interactions, [](const ContactStanding& c) { return c.penetration; })};
+  kinds["contact_area"] = {Q::area,
+                           of_contact(interactions, [](const ContactStanding& c) { return c.area; })};
+  kinds["contact_pressure"] = {Q::stress,
+                               of_contact(interactions, [](const ContactStanding& c) { return c.pressure; })};
+  kinds["penetration"] = {Q::length,
+                          of_contact(interactions, [](const ContactStanding& c) { return c.penetration; })};
   kinds["contact_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [interactions, contact = &interactions->contact(spec.contact, "contact"), c = spec.component, of = spec.of](Snapshot& s) {
-      return on_body({contact}, of, s).component(c);
-    };
-  }};
+                              return [interactions, contact = &interactions->contact(spec.contact, "contact"),
+                                      c = spec.component, of = spec.of](Snapshot& s) {
+                                return on_body({contact}, of, s).component(c);
+                              };
+                            }};
   kinds["gap"] = {Q::length, [=](const Problem& problem, const ProbeSpec& spec) {
-    return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set, spec.statistic,
-                       [interactions](const ContactNode& n) { return n.gap; });
-  }};
-  kinds["closed_fraction"] = {Q::number, [=](const Problem& problem, const ProbeSpec& spec) {
-    return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set, "mean",
-                       [interactions, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
-  }};
+                    return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set,
+                                       spec.statistic,
+                                       [interactions](const ContactNode& n) { return n.gap; });
+                  }};
+  kinds["closed_fraction"] = {
+      Q::number, [=](const Problem& problem, const ProbeSpec& spec) {
+        return over_slaves(
+            problem, interactions->contact(spec.contact, "contact"), spec.set, "mean",
+            [interactions, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
+      }};
   kinds["body_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [interactions, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
-      return on_body(on, of, s).component(c);
-    };
-  }};
-  kinds["body_moment"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [interactions, on = interactions->contacts_on(spec.body, "body"), c = spec.component, of = spec.of](Snapshot& s) {
-      return probes::component_of(on_body(on, of, s).moment, c);
-    };
-  }, " mm"};
+                           return [interactions, on = interactions->contacts_on(spec.body, "body"),
+                                   c = spec.component,
+                                   of = spec.of](Snapshot& s) { return on_body(on, of, s).component(c); };
+                         }};
+  kinds["body_moment"] = {Q::force,
+                          [=](const Problem&, const ProbeSpec& spec) -> Figure {
+                            return [interactions, on = interactions->contacts_on(spec.body, "body"),
+                                    c = spec.component, of = spec.of](Snapshot& s) {
+                              return probes::component_of(on_body(on, of, s).moment, c);
+                            };
+                          },
+                          " mm"};
   kinds["suture_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
-    return [interactions, &suture = interactions->suture(spec.suture, "suture")](Snapshot&) {
-      return suture.strings().front().force;
-    };
-  }};
+                             return [interactions, &suture = interactions->suture(spec.suture, "suture")](
+                                        Snapshot&) { return suture.strings().front().force; };
+                           }};
   kinds["suture_mises"] = {Q::stress, [=](const Problem& problem, const ProbeSpec& spec) {
-    interactions->suture(spec.suture, "suture");
-    return probes::mises_around(problem, spec, interactions->bites(spec.suture));
-  }};
+                             interactions->suture(spec.suture, "suture");
+                             return probes::mises_around(problem, spec, interactions->bites(spec.suture));
+                           }};
   return kinds;
 }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "contact/surfaces/layer.hpp"
 #include "contact/rigid/rigid_shapes.hpp"
+#include "contact/surfaces/layer.hpp"
 #include "contact/suture/suture_points.hpp"
 #include "contact/suture/sutured_tissue.hpp"
 #include "core/base/error.hpp"
@@ -16,10 +16,12 @@
 namespace bulbus {
 namespace {
 
-constexpr double stiffness_ratio = 30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
-constexpr double part_of_size = 0.03;   // default reach in diagonals of the model
-constexpr double out_of_sight = 1e5;     // diagonals of the model: gaps to places beyond lose half of their digits
-constexpr double farthest_gap = 0.25;   // the same of the gaps reported
+constexpr double stiffness_ratio =
+    30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
+constexpr double part_of_size = 0.03;  // default reach in diagonals of the model
+constexpr double out_of_sight =
+    1e5;  // diagonals of the model: gaps to places beyond lose half of their digits
+constexpr double farthest_gap = 0.25;  // the same of the gaps reported
 
 double diagonal(const LocalMesh& mesh) {
   std::array<double, 6> ends;  // greatest of x and of −x
@@ -59,7 +61,10 @@ void refuse_out_of_sight(const RigidSurface& body, double farthest, const std::s
   double most = 0;
   for (double x : body.reference) most = std::max(most, std::abs(x));
   if (!(most <= farthest))
-    throw scene_error(key, fmt::format("rigid body '{}' reaches {:.3g} mm from the origin, beyond {:g} diagonals of the mesh: contact there has no digits", body.name, most, out_of_sight),
+    throw scene_error(key,
+                      fmt::format("rigid body '{}' reaches {:.3g} mm from the origin, beyond {:g} diagonals "
+                                  "of the mesh: contact there has no digits",
+                                  body.name, most, out_of_sight),
                       "Give its sizes and place in mm, or in another unit that is named.");
 }
 
@@ -104,10 +109,12 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
         const std::string& body = model.steps[k].move[i].body;
         const std::string key = fmt::format("steps.{}.move.{}.body", k, i);
         if (!bodies_.contains(body))
-          throw scene_error(key, "there is no rigid body '" + body + "'", known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+          throw scene_error(key, "there is no rigid body '" + body + "'",
+                            known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
         if (!moved.insert(body).second)
-          throw scene_error(key, "the rigid body '" + body + "' is moved twice in one step: only one motion would count",
-                            "Put both into one motion (`translate`, `rotate` and `close` go together), or into two steps.");
+          throw scene_error(
+              key, "the rigid body '" + body + "' is moved twice in one step: only one motion would count",
+              "Put both into one motion (`translate`, `rotate` and `close` go together), or into two steps.");
       }
     }
     for (std::size_t k = 0; k < model.steps.size(); ++k)
@@ -124,7 +131,8 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
     for (const StepSpec& step : model.steps)
       for (const MoveSpec& move : step.move)
         if (!first && move.body == name) first = &move;
-    if (first && first->from == "touch") keep_away(motion, *bodies_[name], *first, 2 * diagonal(problem.mesh()));
+    if (first && first->from == "touch")
+      keep_away(motion, *bodies_[name], *first, 2 * diagonal(problem.mesh()));
   }
 }
 
@@ -133,31 +141,45 @@ void Interactions::add_contact(const Mesh& base, const ContactSpec& spec, const 
   const Model& model = problem_.model();
   for (const Contact& other : contacts_)
     if (other.spec.name == spec.name)
-      throw scene_error(key + ".name", "two contacts are named '" + spec.name + "'", "Give each its own name.");
+      throw scene_error(key + ".name", "two contacts are named '" + spec.name + "'",
+                        "Give each its own name.");
   const auto body = bodies_.find(spec.master);
   const auto under = [&](const std::string& surface) {
     return layer_under(base, base.surfaces.at(surface), local.refinements, problem_.comm());
   };
   Layer layer = under(spec.slave);
-  double mu = shear_modulus(base, model, layer), thickness = layer.thickness, compliance = mu > 0 ? 1 / (4 * mu) : 0;
+  double mu = shear_modulus(base, model, layer), thickness = layer.thickness,
+         compliance = mu > 0 ? 1 / (4 * mu) : 0;
   if (body == bodies_.end()) {
     layer = under(spec.master);
-    if (const double other = shear_modulus(base, model, layer); other > 0) mu = mu > 0 ? std::min(mu, other) : other, compliance += 1 / (4 * other);
+    if (const double other = shear_modulus(base, model, layer); other > 0)
+      mu = mu > 0 ? std::min(mu, other) : other, compliance += 1 / (4 * other);
     thickness = std::min(thickness, layer.thickness);
   }
   if (spec.penalty == 0 && mu == 0)
-    throw scene_error(key + ".penalty", "contact '" + spec.name + "' is between rigid sides only: no stiffness to choose its penalty from",
-                      "Give `penalty`, in MPa/mm.");
+    throw scene_error(
+        key + ".penalty",
+        "contact '" + spec.name + "' is between rigid sides only: no stiffness to choose its penalty from",
+        "Give `penalty`, in MPa/mm.");
   const double usual = stiffness_ratio * mu / thickness, penalty = spec.penalty > 0 ? spec.penalty : usual;
-  const ContactDefaults defaults{usual, thickness / 2, mu, compliance > 0 ? 1 / compliance : 0, part_of_size * diagonal(local)};
-  Contact c{spec, make_term(spec, defaults, key), {}, {}, body == bodies_.end() ? nullptr : body->second, penalty, thickness, farthest_gap * diagonal(local)};
+  const ContactDefaults defaults{usual, thickness / 2, mu, compliance > 0 ? 1 / compliance : 0,
+                                 part_of_size * diagonal(local)};
+  Contact c{spec,
+            make_term(spec, defaults, key),
+            {},
+            {},
+            body == bodies_.end() ? nullptr : body->second,
+            penalty,
+            thickness,
+            farthest_gap * diagonal(local)};
   if (spec.two_way) {
     ContactSpec back = spec;
     std::swap(back.slave, back.master);
     back.name += " (exchanged)";
     c.exchanged = make_term(back, defaults, key);
   } else if (spec.divisions == 0) {
-    c.middles = std::make_shared<MidfaceCheck>(spec, defaults, sides_of(spec), problem_.comm(), local.halo, c.term);
+    c.middles =
+        std::make_shared<MidfaceCheck>(spec, defaults, sides_of(spec), problem_.comm(), local.halo, c.term);
   }
   contacts_.push_back(std::move(c));
 }
@@ -166,13 +188,17 @@ ContactSides Interactions::sides_of(const ContactSpec& spec) const {
   const LocalMesh& local = problem_.mesh();
   const auto body = bodies_.find(spec.master);
   return {local.X, local.owned, local.shared.at(spec.slave),
-          body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second), problem_.model().symmetry};
+          body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second),
+          problem_.model().symmetry};
 }
 
-std::shared_ptr<ContactTerm> Interactions::make_term(const ContactSpec& spec, const ContactDefaults& defaults, const std::string& key) const {
+std::shared_ptr<ContactTerm> Interactions::make_term(const ContactSpec& spec, const ContactDefaults& defaults,
+                                                     const std::string& key) const {
   const auto term = std::make_shared<ContactTerm>(spec, defaults, sides_of(spec), problem_.comm());
   if (problem_.comm().sum(static_cast<int>(term->slave().nodes().size())) == 0)
-    throw scene_error(key + ".slave", "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave + "' are nodes of '" + spec.master + "' too",
+    throw scene_error(key + ".slave",
+                      "contact '" + spec.name + "' has no slave nodes: all nodes of '" + spec.slave +
+                          "' are nodes of '" + spec.master + "' too",
                       "Give the two sides nodes of their own.");
   return term;
 }
@@ -181,10 +207,12 @@ void Interactions::add_suture(const std::string& name, const SutureSpec& spec) {
   const std::string key = "sutures." + name;
   const auto body = bodies_.find(spec.body);
   if (body == bodies_.end())
-    throw scene_error(key + ".body", "there is no rigid body '" + spec.body + "'", known(spec.body, keys(bodies_), "Describe it under `rigid_bodies`."));
+    throw scene_error(key + ".body", "there is no rigid body '" + spec.body + "'",
+                      known(spec.body, keys(bodies_), "Describe it under `rigid_bodies`."));
   std::vector<SuturePoint> points;
   const SuturedTissue tissue = sutured_tissue(problem_.mesh(), spec);
-  problem_.comm().together([&] { points = suture_points(tissue.mesh, spec, problem_.model().symmetry, key); });
+  problem_.comm().together(
+      [&] { points = suture_points(tissue.mesh, spec, problem_.model().symmetry, key); });
   for (SuturePoint& p : points)
     for (int& n : p.nodes) n = tissue.input[n];
   for (const SuturePoint& p : points)
@@ -198,22 +226,27 @@ const Interactions::Contact& Interactions::contact(const std::string& name, cons
     if (c.spec.name == name) return c;
     names.push_back(c.spec.name);
   }
-  throw scene_error(key, "there is no contact '" + name + "'", known(name, names, "Describe it under `contacts`."));
+  throw scene_error(key, "there is no contact '" + name + "'",
+                    known(name, names, "Describe it under `contacts`."));
 }
 
 const SutureTerm& Interactions::suture(const std::string& name, const std::string& key) const {
   if (const auto found = sutures_.find(name); found != sutures_.end()) return *found->second;
-  throw scene_error(key, "there is no suture '" + name + "'", known(name, keys(sutures_), "Describe it under `sutures`."));
+  throw scene_error(key, "there is no suture '" + name + "'",
+                    known(name, keys(sutures_), "Describe it under `sutures`."));
 }
 
-std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::string& body, const std::string& key) const {
+std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::string& body,
+                                                                    const std::string& key) const {
   if (!bodies_.contains(body))
-    throw scene_error(key, "there is no rigid body '" + body + "'", known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+    throw scene_error(key, "there is no rigid body '" + body + "'",
+                      known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
   std::vector<const Contact*> found;
   for (const Contact& c : contacts_)
     if (c.spec.master == body) found.push_back(&c);
   if (found.empty())
-    throw scene_error(key, "no contact has the rigid body '" + body + "' for its master", "Describe one under `contacts`.");
+    throw scene_error(key, "no contact has the rigid body '" + body + "' for its master",
+                      "Describe one under `contacts`.");
   return found;
 }
 
@@ -221,8 +254,7 @@ std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::s
 std::vector<double> Interactions::slaves_of(const std::string& body, const State& state) const {
   std::vector<double> mine;
   for (const Contact& c : contacts_)
-    if (c.spec.master == body)
-      std::ranges::copy(c.term->outermost(state), std::back_inserter(mine));
+    if (c.spec.master == body) std::ranges::copy(c.term->outermost(state), std::back_inserter(mine));
   return problem_.comm().gather(std::span<const double>(mine));
 }
 
@@ -236,12 +268,15 @@ void Interactions::start_contacts(const State& start) {
       continue;
     }
     Overlap o = of_all_ranks(c.term->overlaps(start, 1e-4 * c.thickness), problem_.comm());
-    if (o.points == 0 && c.exchanged) o = of_all_ranks(c.exchanged->overlaps(start, 1e-4 * c.thickness), problem_.comm());
+    if (o.points == 0 && c.exchanged)
+      o = of_all_ranks(c.exchanged->overlaps(start, 1e-4 * c.thickness), problem_.comm());
     if (o.points > 0)
-      throw scene_error(fmt::format("contacts.{}", i),
-                        fmt::format("contact '{}' starts with {} of its points inside '{}', the deepest by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g})",
-                                    c.spec.name, o.points, c.spec.master, o.depth, o.place[0], o.place[1], o.place[2]),
-                        "Draw the two apart, or say `start: resolve`.");
+      throw scene_error(
+          fmt::format("contacts.{}", i),
+          fmt::format("contact '{}' starts with {} of its points inside '{}', the deepest by {:.3g} mm at "
+                      "({:.4g}, {:.4g}, {:.4g})",
+                      c.spec.name, o.points, c.spec.master, o.depth, o.place[0], o.place[1], o.place[2]),
+          "Draw the two apart, or say `start: resolve`.");
   }
 }
 

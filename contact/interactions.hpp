@@ -12,22 +12,23 @@
 
 namespace bulbus {
 
-/// What a model says of rigid bodies, contacts and sutures, attached to its problem. Itself the first of their terms, without
-/// forces: in each step it moves the bodies and hands the sutures their force.
+/// What a model says of rigid bodies, contacts and sutures, attached to its problem. Itself the first of
+/// their terms, without forces: in each step it moves the bodies and hands the sutures their force.
 class Interactions final : public Term {
  public:
   struct Contact {
     ContactSpec spec;
     std::shared_ptr<ContactTerm> term;
-    std::shared_ptr<ContactTerm> exchanged;    ///< the other way, of a contact that goes both ways: the master's nodes and the slave's faces
+    std::shared_ptr<ContactTerm> exchanged;    ///< the other way, of a contact that goes both ways: the
+                                               ///< master's nodes and the slave's faces
     std::shared_ptr<MidfaceCheck> middles;     ///< of a contact of nodes that goes one way
     std::shared_ptr<const RigidSurface> body;  ///< of a rigid master
     double penalty, thickness;                 ///< MPa/mm; thinner layer of the two, mm
-    double farthest;                           ///< gaps are reported up to here, a quarter of the model's diagonal, mm
+    double farthest;  ///< gaps are reported up to here, a quarter of the model's diagonal, mm
   };
 
-  /// Adds its terms to the problem; a model without any of the three has none. `base`: the mesh that was read or generated. Throws
-  /// InputError. Collective.
+  /// Adds its terms to the problem; a model without any of the three has none. `base`: the mesh that was read
+  /// or generated. Throws InputError. Collective.
   static std::shared_ptr<Interactions> attach(Problem& problem, const Mesh& base);
 
   const std::vector<Contact>& contacts() const { return contacts_; }
@@ -54,7 +55,8 @@ class Interactions final : public Term {
   Interactions(Problem& problem, const Mesh& base);
   void add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key);
   ContactSides sides_of(const ContactSpec& spec) const;
-  std::shared_ptr<ContactTerm> make_term(const ContactSpec& spec, const ContactDefaults& defaults, const std::string& key) const;
+  std::shared_ptr<ContactTerm> make_term(const ContactSpec& spec, const ContactDefaults& defaults,
+                                         const std::string& key) const;
   void add_suture(const std::string& name, const SutureSpec& spec);
   void start_contacts(const State& start);
   std::vector<double> slaves_of(const std::string& body, const State& state) const;

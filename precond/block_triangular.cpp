@@ -6,7 +6,8 @@
 
 namespace bulbus {
 
-BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures, Parts& parts)
+BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement,
+                                 const PressureSettings& pressures, Parts& parts)
     : system_(system),
       displacement_(displacement.inverse),
       inverse_schur_(system, displacement.lines, pressures, parts.weak),
@@ -29,8 +30,10 @@ BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInvers
   }
   for (int i = 0; i < n; ++i) {
     const int k = coupled_[i];
-    if (system.eliminated()) omega[k] = 1 / system.compliance(k);
-    else if (H(i, i) > 0) omega[k] = 1 / H(i, i);
+    if (system.eliminated())
+      omega[k] = 1 / system.compliance(k);
+    else if (H(i, i) > 0)
+      omega[k] = 1 / H(i, i);
   }
   system.set_liquid_augmentation(omega);
   for (int i = 0; i < n; ++i) {

@@ -15,8 +15,8 @@ namespace bulbus {
 ///     [ 0    −Ŝ     0          ]        S_c = C + Gᵀ Â_ω⁻¹ G (I − ωC),   C = V_i/K
 ///     [ 0     0    −S_c        ]
 ///
-/// Â_ω = Â + Σ ω g gᵀ by Woodbury, from Z = Â⁻¹ G. Sets the system's ω to 1 / gᵀ Â⁻¹ g: the wall's own stiffness against volume;
-/// to K/V_i where pressures are eliminated, where the last column is empty.
+/// Â_ω = Â + Σ ω g gᵀ by Woodbury, from Z = Â⁻¹ G. Sets the system's ω to 1 / gᵀ Â⁻¹ g: the wall's own
+/// stiffness against volume; to K/V_i where pressures are eliminated, where the last column is empty.
 class BlockTriangular final : public CoupledPreconditioner {
  public:
   /// What may be an earlier linearisation's.
@@ -25,7 +25,8 @@ class BlockTriangular final : public CoupledPreconditioner {
     PressureSchur::Weak weak;
   };
   /// Makes what `parts`, which have to outlive it, lack. Collective.
-  BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement, const PressureSettings& pressures, Parts& parts);
+  BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement,
+                  const PressureSettings& pressures, Parts& parts);
   int size() const override { return system_.size(); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool fixed() const override { return displacement_->fixed(); }
@@ -43,8 +44,8 @@ class BlockTriangular final : public CoupledPreconditioner {
   std::shared_ptr<const Preconditioner> displacement_;
   PressureSchur inverse_schur_;
   const std::vector<std::vector<double>>& Z_;
-  std::vector<int> coupled_;           // liquids with an unknown pressure
-  Eigen::MatrixXd woodbury_;           // (Ω⁻¹ + GᵀZ)⁻¹
+  std::vector<int> coupled_;  // liquids with an unknown pressure
+  Eigen::MatrixXd woodbury_;  // (Ω⁻¹ + GᵀZ)⁻¹
   Eigen::MatrixXd inverse_liquid_schur_;
   mutable std::vector<double> work_;
 };

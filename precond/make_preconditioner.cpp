@@ -6,8 +6,9 @@
 namespace bulbus {
 
 PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings, Profiler& profiler) {
-  return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures, displacement = DisplacementInverse(),
-          parts = std::make_shared<BlockTriangular::Parts>(), &profiler](CoupledSystem& system, SetUp how) mutable {
+  return [factory = std::make_shared<DisplacementFactory>(settings), pressures = settings.pressures,
+          displacement = DisplacementInverse(), parts = std::make_shared<BlockTriangular::Parts>(),
+          &profiler](CoupledSystem& system, SetUp how) mutable {
     if (how != SetUp::kept || !displacement.inverse || !displacement.inverse->follow()) {
       const bool own_lines = system.problem().mesh().refinements > 0;  // have the corrections
       if (how == SetUp::anew || !own_lines) *parts = {};
@@ -17,7 +18,8 @@ PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings
       if (how == SetUp::anew) *parts = {};
     }
     profiler.memory.set("displacement preconditioner", displacement.inverse->bytes());
-    return MadePreconditioner{std::make_unique<BlockTriangular>(system, displacement, pressures, *parts), how};
+    return MadePreconditioner{std::make_unique<BlockTriangular>(system, displacement, pressures, *parts),
+                              how};
   };
 }
 

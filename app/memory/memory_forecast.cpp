@@ -17,7 +17,8 @@ double resident(const Comm& comm) {
 double contact_points(const Interactions& interactions) {
   double points = 0;
   for (const auto& c : interactions.contacts())
-    points += static_cast<double>(c.term->points().size() + (c.exchanged ? c.exchanged->points().size() : 0) + (c.middles ? c.middles->points() : 0));
+    points += static_cast<double>(c.term->points().size() + (c.exchanged ? c.exchanged->points().size() : 0) +
+                                  (c.middles ? c.middles->points() : 0));
   return points;
 }
 
@@ -58,8 +59,9 @@ std::vector<std::string> lines_of(const MemoryForecast& forecast, const LinearSe
   const double all = forecast.together() + forecast.last_resort;
   add("with MUMPS as last resort", all);
   if (all > memory_of(l))
-    lines.push_back(fmt::format("  That is more than the {:.0f} MB {}: such a system cuts the increment instead.",
-                                1e-6 * memory_of(l), whose_memory(l)));
+    lines.push_back(
+        fmt::format("  That is more than the {:.0f} MB {}: such a system cuts the increment instead.",
+                    1e-6 * memory_of(l), whose_memory(l)));
   return lines;
 }
 

@@ -19,7 +19,8 @@ void serialize(Archive& archive, State& start, State& now) {
 
 void refuse_missing(const std::string& path, const Comm& comm) {
   if (comm.any(comm.rank() == 0 && !std::filesystem::exists(path)))
-    throw input_error(path + ": there is no such checkpoint", "Let a run write it (output.checkpoint), or run without --restart.");
+    throw input_error(path + ": there is no such checkpoint",
+                      "Let a run write it (output.checkpoint), or run without --restart.");
 }
 
 }  // namespace
@@ -44,9 +45,7 @@ Resumed Checkpoint::resume(Problem& problem, Remembering& records) {
   return r;
 }
 
-void Checkpoints::step_begins(const State& start) {
-  start_ = start;
-}
+void Checkpoints::step_begins(const State& start) { start_ = start; }
 
 void Checkpoints::rests(MarchPlace place, State& state, bool last) {
   const int number = place.report.increments;

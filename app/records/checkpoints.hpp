@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "app/records/folder.hpp"
 #include "app/prepare.hpp"
+#include "app/records/folder.hpp"
 #include "app/scene/scene.hpp"
 #include "core/problem/problem.hpp"
 #include "core/solve/march.hpp"

@@ -20,7 +20,8 @@ std::vector<Field> contact_fields(const Interactions& interactions, Snapshot& s)
       if (n.active) status[n.node] = 1;
     }
   };
-  for (const Interactions::Contact& contact : interactions.contacts()) add(nodes_of(contact, s)), add(master_nodes_of(contact, s));
+  for (const Interactions::Contact& contact : interactions.contacts())
+    add(nodes_of(contact, s)), add(master_nodes_of(contact, s));
   for (Field& f : fields) s.problem.mesh().halo.update_ghosts(f.values, 1);
   return fields;
 }

@@ -5,9 +5,9 @@
 
 namespace bulbus {
 
-/// The fields `gap` (mm), `contact_pressure` (MPa) and `contact_status` (0 open, 1 closed) at the local nodes.
-/// A slave of several contacts has its smallest gap, and its pressures summed. Nodes that are no slaves are
-/// open, with the largest gap reported (Contact::farthest). None without contacts. Collective.
+/// The fields `gap` (mm), `contact_pressure` (MPa) and `contact_status` (0 open, 1 closed) at the local
+/// nodes. A slave of several contacts has its smallest gap, and its pressures summed. Nodes that are no
+/// slaves are open, with the largest gap reported (Contact::farthest). None without contacts. Collective.
 std::vector<Field> contact_fields(const Interactions& interactions, Snapshot& snapshot);
 
 }  // namespace bulbus

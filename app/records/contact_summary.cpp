@@ -20,12 +20,10 @@ json contacts_summary(const Interactions& interactions, const std::vector<Contac
   for (std::size_t k = 0; k < interactions.contacts().size(); ++k) {
     const auto& contact = interactions.contacts()[k];
     const ContactStanding& now = standings[k];
-    json& one = all[contact.spec.name] = {{"penalty", contact.penalty},
-                                          {"thickness", contact.thickness},
-                                          {"active_nodes", now.touching},
-                                          {"area", now.area},
-                                          {"largest_pressure", now.pressure},
-                                          {"largest_penetration", now.penetration}};
+    json& one = all[contact.spec.name] = {
+        {"penalty", contact.penalty},       {"thickness", contact.thickness},
+        {"active_nodes", now.touching},     {"area", now.area},
+        {"largest_pressure", now.pressure}, {"largest_penetration", now.penetration}};
     if (contact.spec.tolerance > 0)
       one["augmentation"] = {{"updates", now.augmentation.updates},
                              {"violation", now.augmentation.violation},
@@ -34,21 +32,24 @@ json contacts_summary(const Interactions& interactions, const std::vector<Contac
   return all;
 }
 
-std::vector<std::string> deep_contacts(const Interactions& interactions, const std::vector<ContactStanding>& standings) {
+std::vector<std::string> deep_contacts(const Interactions& interactions,
+                                       const std::vector<ContactStanding>& standings) {
   constexpr double deep = 0.1;
   std::vector<std::string> sentences;
   for (std::size_t k = 0; k < standings.size(); ++k) {
     const auto& contact = interactions.contacts()[k];
     if (standings[k].penetration > deep * contact.thickness)
       sentences.push_back(fmt::format(
-          "contact '{}' lets its slave in by {:.3g} mm, {:.0f} % of the thinner layer: its force depends on the penalty. Give a `penalty` larger than {:.3g} MPa/mm{}",
-          contact.spec.name, standings[k].penetration, 100 * standings[k].penetration / contact.thickness, contact.penalty,
-          contact.spec.two_way ? "" : ", or a `tolerance`"));
+          "contact '{}' lets its slave in by {:.3g} mm, {:.0f} % of the thinner layer: its force depends on "
+          "the penalty. Give a `penalty` larger than {:.3g} MPa/mm{}",
+          contact.spec.name, standings[k].penetration, 100 * standings[k].penetration / contact.thickness,
+          contact.penalty, contact.spec.two_way ? "" : ", or a `tolerance`"));
   }
   return sentences;
 }
 
-json bodies_summary(const Problem& problem, const Interactions& interactions, const std::vector<ContactStanding>& standings) {
+json bodies_summary(const Problem& problem, const Interactions& interactions,
+                    const std::vector<ContactStanding>& standings) {
   json all = json::object();
   for (const auto& [name, body] : interactions.bodies()) {
     std::vector<Wrench> parts(body->parts.size());

@@ -36,7 +36,9 @@ bool is_of(const std::string& resolved, Scene scene) {
 
 }  // namespace
 
-json summary_in(const std::string& folder) { return json::parse(text_of(folder + "/summary.json"), nullptr, false); }
+json summary_in(const std::string& folder) {
+  return json::parse(text_of(folder + "/summary.json"), nullptr, false);
+}
 
 bool is_finished(const Scene& scene, const std::string& folder) {
   const json summary = summary_in(folder);

@@ -20,7 +20,8 @@ double draw(long long number) {
 std::vector<double> figures_of(const LocalMesh& mesh) {
   std::vector<double> sums(4);
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
-    for (int k = 0; k < 8; ++k) sums[0] += draw(8LL * mesh.input_hex[h] + k) * draw(mesh.input_node[mesh.hexes[h][k]]);
+    for (int k = 0; k < 8; ++k)
+      sums[0] += draw(8LL * mesh.input_hex[h] + k) * draw(mesh.input_node[mesh.hexes[h][k]]);
   for (int n = 0; n < mesh.owned; ++n)
     for (int c = 0; c < 3; ++c) sums[1 + c] += draw(mesh.input_node[n]) * mesh.X[3 * n + c];
   mesh.comm.sum(sums);
@@ -103,15 +104,19 @@ void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std:
   refuse_changed_files(kept, inputs, path);
   const std::string remedy = "Restart with the scene that wrote it, or run without --restart.";
   if (kept.mesh.at(0) != here.mesh[0] || kept.mesh.at(1) != here.mesh[1])
-    throw input_error(fmt::format("{}: is of another mesh: {} hexahedra and {} nodes, where the scene has {} and {}", path, kept.mesh[0],
-                                  kept.mesh[1], here.mesh[0], here.mesh[1]),
-                      remedy);
+    throw input_error(
+        fmt::format("{}: is of another mesh: {} hexahedra and {} nodes, where the scene has {} and {}", path,
+                    kept.mesh[0], kept.mesh[1], here.mesh[0], here.mesh[1]),
+        remedy);
   if (!same(kept.mesh, here.mesh))
-    throw input_error(path + ": is of another mesh of the same size: its nodes have other places or other numbers", remedy);
-  if (const std::string key = kept.scene == here.scene ? "" : differing_key(kept.scene, here.scene); !key.empty())
-    throw input_error(fmt::format("{}: is of another problem: the scene says something else under '{}'{}", path, key,
-                                  key == "steps" ? ", no later than the step that was under way" : ""),
-                      remedy);
+    throw input_error(
+        path + ": is of another mesh of the same size: its nodes have other places or other numbers", remedy);
+  if (const std::string key = kept.scene == here.scene ? "" : differing_key(kept.scene, here.scene);
+      !key.empty())
+    throw input_error(
+        fmt::format("{}: is of another problem: the scene says something else under '{}'{}", path, key,
+                    key == "steps" ? ", no later than the step that was under way" : ""),
+        remedy);
 }
 
 }  // namespace bulbus

@@ -9,9 +9,10 @@ namespace bulbus {
 /// way, but for title, solver, output, how the mesh is made and how the steps are divided, and what the files
 /// hold that it names.
 struct ProblemMark {
-  std::string scene;         ///< YAML
-  std::string files;         ///< a line for each: hash and key
-  std::vector<double> mesh;  ///< hexahedra, nodes, a hash of who is whose corner, and weighted sums of the places
+  std::string scene;  ///< YAML
+  std::string files;  ///< a line for each: hash and key
+  std::vector<double>
+      mesh;  ///< hexahedra, nodes, a hash of who is whose corner, and weighted sums of the places
   void serialize(Archive& archive);
 };
 

@@ -21,13 +21,18 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
 }
 
-ProgressLog::ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience)
-    : log_(log), model_(problem.model()), stable_pivots_(stable_pivots(problem)), forecast_(stepping), patience_(patience) {}
+ProgressLog::ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping,
+                         double patience)
+    : log_(log),
+      model_(problem.model()),
+      stable_pivots_(stable_pivots(problem)),
+      forecast_(stepping),
+      patience_(patience) {}
 
 void ProgressLog::resumes(const MarchPlace& place) {
   log_.info("");
-  log_.info(fmt::format("goes on after increment {}: {:.4g} of step {} of {} is done", place.report.increments, place.done, place.step + 1,
-                        model_.steps.size()));
+  log_.info(fmt::format("goes on after increment {}: {:.4g} of step {} of {} is done",
+                        place.report.increments, place.done, place.step + 1, model_.steps.size()));
 }
 
 void ProgressLog::step_begins(int step, const StepSpec& spec, const State&) {
@@ -50,22 +55,24 @@ void ProgressLog::newton_iteration(const NewtonIteration& i) {
     line += fmt::format("  {:.1e}  {:>6}  {:.1e}  {:<6.3g}  {}", i.tolerance, i.linear.iterations,
                         i.linear.reduction, i.step, duration(elapsed()));
   if (i.linear.negative_pivots >= 0) line += fmt::format("  {} negative pivots", i.linear.negative_pivots);
-  if (i.linear.by_fallback) line += "  by MUMPS" + (i.linear.reason.empty() ? "" : " (" + i.linear.reason + ")");
+  if (i.linear.by_fallback)
+    line += "  by MUMPS" + (i.linear.reason.empty() ? "" : " (" + i.linear.reason + ")");
   if (!i.balance.region.empty()) line += "  (" + i.balance.region + ")";
   log_.info(line);
   told_ = Clock::now();
 }
 
 bool ProgressLog::unstable(const NewtonReport& report) const {
-  return report.negative_curvature || (report.negative_pivots >= 0 && report.negative_pivots != stable_pivots_);
+  return report.negative_curvature ||
+         (report.negative_pivots >= 0 && report.negative_pivots != stable_pivots_);
 }
 
 void ProgressLog::solve_lasts(const SolveProgress& p) {
   const double now = Clock::now();
   if (now - told_ < patience_) return;
   told_ = now;
-  log_.info(fmt::format("         linear solve: {} Krylov iterations, residual {:.1e} of {:.1e}  {}", p.iteration, p.residual, p.tolerance,
-                        duration(elapsed())));
+  log_.info(fmt::format("         linear solve: {} Krylov iterations, residual {:.1e} of {:.1e}  {}",
+                        p.iteration, p.residual, p.tolerance, duration(elapsed())));
 }
 
 void ProgressLog::increment_cut(const NewtonReport& report, double from, double to) {
@@ -76,8 +83,8 @@ void ProgressLog::increment_cut(const NewtonReport& report, double from, double 
 void ProgressLog::increment_done(const Increment& i, const State&) {
   const double left = forecast_.after(i, model_.steps, Clock::now() - since_);
   since_ = Clock::now();
-  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}{}", i.number, i.newton.iterations.size(),
-                        i.newton.krylov_iterations, duration(i.seconds),
+  log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}{}", i.number,
+                        i.newton.iterations.size(), i.newton.krylov_iterations, duration(i.seconds),
                         left < worth_telling ? "" : "; about " + duration(left) + " to go"));
   const long long surplus = i.newton.negative_pivots - stable_pivots_;
   if (i.newton.negative_pivots >= 0 && surplus != 0)
@@ -86,19 +93,23 @@ void ProgressLog::increment_done(const Increment& i, const State&) {
         "least push; prescribe the motion that is missing, or judge the figures with care.",
         surplus));
   if (i.newton.negative_curvature)
-    log_.warn("perhaps not a stable equilibrium: the last Newton step has negative curvature. Compare with solver.linear.method: direct, "
-              "which counts the negative pivots.");
+    log_.warn(
+        "perhaps not a stable equilibrium: the last Newton step has negative curvature. Compare with "
+        "solver.linear.method: direct, "
+        "which counts the negative pivots.");
 }
 
-void ProgressLog::contacts(const std::vector<Interactions::Contact>& contacts, const std::vector<ContactStanding>& standings) {
+void ProgressLog::contacts(const std::vector<Interactions::Contact>& contacts,
+                           const std::vector<ContactStanding>& standings) {
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    log_.info(fmt::format("    contact {}: {} nodes touch, largest penetration {:.3g} mm", contacts[k].spec.name,
-                          standings[k].touching, standings[k].penetration));
+    log_.info(fmt::format("    contact {}: {} nodes touch, largest penetration {:.3g} mm",
+                          contacts[k].spec.name, standings[k].touching, standings[k].penetration));
 }
 
 void ProgressLog::probes(const ProbeSet& probes, const ProbeValues& values) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i]) log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), *values[i], probes.unit(i)));
+    if (values[i])
+      log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), *values[i], probes.unit(i)));
 }
 
 }  // namespace bulbus

@@ -24,7 +24,8 @@ class ProgressLog final : public MarchObserver {
   bool unstable(const NewtonReport& report) const;
   /// A line if none has been written for a while.
   void solve_lasts(const SolveProgress& progress);
-  void contacts(const std::vector<Interactions::Contact>& contacts, const std::vector<ContactStanding>& standings);
+  void contacts(const std::vector<Interactions::Contact>& contacts,
+                const std::vector<ContactStanding>& standings);
   void probes(const ProbeSet& probes, const ProbeValues& values);
 
  private:

@@ -134,12 +134,14 @@ void Recorder::interrupted(const MarchPlace& place, State& state) {
 
 void Recorder::serialize(Archive& archive, const MarchPlace& place) {
   archive.scalars("counts", increments_, cuts_, negative_pivots_);
-  if (!archive.reading() || archive.knows("linear solver")) archive.scalars("linear solver", direct_solves_, unstable_increments_);
+  if (!archive.reading() || archive.knows("linear solver"))
+    archive.scalars("linear solver", direct_solves_, unstable_increments_);
   steps_.resize(place.step + 1);
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     StepRecord& s = steps_[k];
     s.name = problem_.model().steps[k].name;
-    archive.scalars("step " + std::to_string(k), s.increments, s.newton_iterations, s.krylov_iterations, s.cuts, s.seconds);
+    archive.scalars("step " + std::to_string(k), s.increments, s.newton_iterations, s.krylov_iterations,
+                    s.cuts, s.seconds);
   }
   record_.serialize(archive, place.step + (place.done == 1));
   results_.serialize(archive, problem_.comm());
@@ -154,7 +156,8 @@ Resumed Recorder::resume(Checkpoint& checkpoint) {
 }
 
 std::string Recorder::diagnosis(const State& last) const {
-  const bool touching = std::ranges::any_of(contacts_, [](const ContactStanding& c) { return c.touching > 0; });
+  const bool touching =
+      std::ranges::any_of(contacts_, [](const ContactStanding& c) { return c.touching > 0; });
   return bulbus::diagnosis(witness_.facts(last, touching));
 }
 
@@ -162,12 +165,14 @@ void Recorder::take(Snapshot& snapshot) {
   taken_ = true;
   values_ = record_.values(snapshot);
   contacts_.clear();
-  for (const Interactions::Contact& contact : interactions_->contacts()) contacts_.push_back(standing(contact, snapshot));
+  for (const Interactions::Contact& contact : interactions_->contacts())
+    contacts_.push_back(standing(contact, snapshot));
 }
 
 void Recorder::append_history(const Increment& i) {
   std::vector<CsvTable::Cell> row{static_cast<long long>(i.number), i.step_name, i.time};
-  for (const auto& value : values_) row.push_back(value ? CsvTable::Cell(*value) : CsvTable::Cell(std::string()));
+  for (const auto& value : values_)
+    row.push_back(value ? CsvTable::Cell(*value) : CsvTable::Cell(std::string()));
   row.emplace_back(static_cast<long long>(i.newton.iterations.size()));
   row.emplace_back(static_cast<long long>(i.newton.krylov_iterations));
   row.emplace_back(static_cast<long long>(cuts_));

@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "app/prepare.hpp"
 #include "app/records/checkpoints.hpp"
 #include "app/records/progress_log.hpp"
-#include "app/prepare.hpp"
 #include "app/records/result_files.hpp"
 #include "app/records/witness.hpp"
 #include "core/io/table.hpp"
@@ -54,7 +54,8 @@ class Recorder final : public MarchObserver, public Remembering {
   int direct_solves() const { return direct_solves_; }
   /// Converged increments whose equilibrium is not stable, as far as pivots or curvature tell.
   int unstable_increments() const { return unstable_increments_; }
-  /// Of the direct solver's last factorisation, and the largest residual that its solutions left, ‖s r‖ / ‖s b‖.
+  /// Of the direct solver's last factorisation, and the largest residual that its solutions left, ‖s r‖ / ‖s
+  /// b‖.
   const std::optional<FactorReport>& factor() const { return factor_; }
   double worst_reduction() const { return worst_reduction_; }
 

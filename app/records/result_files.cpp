@@ -107,7 +107,7 @@ void ResultFiles::save(Snapshot& s) {
   claim_indices();
   folder_.claim(interactions_->bodies().empty() ? std::vector{file} : std::vector{file, bodies_file(last_)});
   const auto points = reference_points(s.problem.mesh());
-  write_vtkhdf(folder_.path() + "/" + file, piece_of(s, *operation_, settings_, points), s.problem.comm());
+  write_vtkhdf(folder_.path() + "/" + file, piece_of(s, *interactions_, settings_, points), s.problem.comm());
   write_together(s.problem.comm(), [&] {
     if (s.problem.comm().rank() != 0) return;
     bodies_.save(last_);
@@ -118,7 +118,7 @@ void ResultFiles::save(Snapshot& s) {
 
 void ResultFiles::claim_indices() {
   folder_.claim(interactions_->bodies().empty() ? std::vector<std::string>{series_file}
-                                             : std::vector<std::string>{series_file, bodies_index});
+                                                : std::vector<std::string>{series_file, bodies_index});
 }
 
 void ResultFiles::list(int number, double time) {

@@ -9,8 +9,8 @@
 
 namespace bulbus {
 
-/// result_0001.vtkhdf and so on with their series, and the rigid bodies: each n-th converged increment, and the
-/// last.
+/// result_0001.vtkhdf and so on with their series, and the rigid bodies: each n-th converged increment, and
+/// the last.
 class ResultFiles {
  public:
   ResultFiles(const OutputSettings& settings, std::shared_ptr<const Interactions> interactions,

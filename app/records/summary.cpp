@@ -61,8 +61,12 @@ json totals_of(const MarchReport& m) {
 }
 
 json factor_of(const FactorReport& f, double worst_reduction) {
-  return {{"matrix_entries", f.matrix_entries}, {"factor_entries", f.factor_entries}, {"estimated_mb", f.estimated_mb},
-          {"memory_mb", f.memory_mb},           {"flops", f.flops},                   {"ordering", f.ordering},
+  return {{"matrix_entries", f.matrix_entries},
+          {"factor_entries", f.factor_entries},
+          {"estimated_mb", f.estimated_mb},
+          {"memory_mb", f.memory_mb},
+          {"flops", f.flops},
+          {"ordering", f.ordering},
           {"largest_residual", worst_reduction}};
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/records/recorder.hpp"
 #include "app/memory/sizes.hpp"
+#include "app/records/recorder.hpp"
 
 namespace bulbus {
 

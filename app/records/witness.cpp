@@ -22,7 +22,8 @@ void Witness::step_begins(int step, const State& start) {
   for (const LoadSpec& load : spec.loads)
     if (load.pressure) {
       pressure_grows_ = true;
-      end_pressure_ = std::max(end_pressure_, std::abs(Formula(*load.pressure, "pressure")({0, 0, 0}, 1, step + 1)));
+      end_pressure_ =
+          std::max(end_pressure_, std::abs(Formula(*load.pressure, "pressure")({0, 0, 0}, 1, step + 1)));
     }
   start_ = first_ = before_ = last_ = response(0, start);
 }
@@ -49,7 +50,9 @@ void Witness::increment_cut(const NewtonReport& report) { outcome_ = report.outc
 // At a limit point the response grows as the square root of the distance to it: its slope without bound.
 double Witness::softening() const {
   if (done_ < 2 || !(last_.progress > before_.progress)) return 1;
-  const auto slope = [&](double Response::*figure, const Response& a, const Response& b) { return (b.*figure - a.*figure) / (b.progress - a.progress); };
+  const auto slope = [&](double Response::*figure, const Response& a, const Response& b) {
+    return (b.*figure - a.*figure) / (b.progress - a.progress);
+  };
   const auto figure = liquid_ >= 0 ? &Response::volume : &Response::displacement;
   const double begin = slope(figure, start_, first_), end = slope(figure, before_, last_);
   return begin > 0 ? end / begin : 1;
@@ -57,7 +60,10 @@ double Witness::softening() const {
 
 FailureFacts Witness::facts(const State& last, bool touching) const {
   const LocalMesh& mesh = problem_.mesh();
-  FailureFacts f{.outcome = outcome_, .step = problem_.model().steps[step_].name, .progress = last_.progress, .pressure_grows = pressure_grows_};
+  FailureFacts f{.outcome = outcome_,
+                 .step = problem_.model().steps[step_].name,
+                 .progress = last_.progress,
+                 .pressure_grows = pressure_grows_};
   if (liquid_ >= 0) f.liquid = problem_.liquids()[liquid_].name(), f.pressure = last.P[liquid_];
   f.softening = softening();
   f.surplus_pivots = pivots_ < 0 ? 0 : pivots_ - stable_pivots_;
@@ -65,11 +71,13 @@ FailureFacts Witness::facts(const State& last, bool touching) const {
   for (const auto& [name, spec] : problem_.model().regions)
     if (!spec.rigid) modulus = std::max(modulus, initial_shear_modulus(make_material(terms_of(spec))));
   f.largest_pressure = modulus > 0 ? end_pressure_ / modulus : 0;
-  for (std::size_t i = 0; i < last.x.size(); ++i) size = std::max(size, std::abs(mesh.X[i])), way = std::max(way, std::abs(last.x[i] - mesh.X[i]));
+  for (std::size_t i = 0; i < last.x.size(); ++i)
+    size = std::max(size, std::abs(mesh.X[i])), way = std::max(way, std::abs(last.x[i] - mesh.X[i]));
   f.displacement = mesh.comm.max(way) / mesh.comm.max(size);
   const StrainedCells cells = strained_cells(problem_, last.x);
   f.unstable_region = cells.unstable_region, f.unstable_hexes = cells.unstable;
-  f.squeezed_region = cells.squeezed_region, f.squeezed_hex = cells.squeezed, f.least_jacobian = cells.least_jacobian;
+  f.squeezed_region = cells.squeezed_region, f.squeezed_hex = cells.squeezed,
+  f.least_jacobian = cells.least_jacobian;
   f.contacts = !problem_.model().contacts.empty();
   f.touching = touching;
   return f;

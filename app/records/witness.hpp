@@ -10,7 +10,8 @@ namespace bulbus {
 /// Watches a march for what a failure may have to be explained by.
 class Witness {
  public:
-  explicit Witness(const Problem& problem, int stable_pivots) : problem_(problem), stable_pivots_(stable_pivots) {}
+  explicit Witness(const Problem& problem, int stable_pivots)
+      : problem_(problem), stable_pivots_(stable_pivots) {}
   /// Collective, all three.
   void step_begins(int step, const State& start);
   void increment_done(const Increment& increment, const State& state);
@@ -20,7 +21,8 @@ class Witness {
 
  private:
   struct Response {
-    double progress = 0, volume = 0, displacement = 0;  // of the liquid whose pressure grows, of the nodes (rms)
+    double progress = 0, volume = 0,
+           displacement = 0;  // of the liquid whose pressure grows, of the nodes (rms)
   };
   Response response(double progress, const State& state) const;
   double softening() const;

@@ -31,8 +31,8 @@ struct Entry {
   static Entry empty(Kind kind, Place place = {});
 };
 
-/// Reads YAML from text. Throws InputError with the line at a fault of syntax or a key given twice; `file` is the name
-/// in messages.
+/// Reads YAML from text. Throws InputError with the line at a fault of syntax or a key given twice; `file` is
+/// the name in messages.
 Entry parse_yaml(const std::string& text, const std::string& file);
 /// Reads a YAML file. Throws InputError, also if there is no such file.
 Entry read_yaml(const std::string& path);
@@ -42,12 +42,13 @@ Entry parse_word(const std::string& text, const std::string& place);
 /// Writes YAML that parse_yaml reads back, notes as comments.
 std::string to_yaml(const Entry& map);
 
-/// Puts `value` at `path.to.key`: a map is entered by key, a list by index (from 0) or by the `name` (else the
-/// `set` or the `body`) of its entries. Missing keys of maps are added, so that the reader can judge them.
-/// `place` is where the path is written. Throws InputError if a list has no such entry.
+/// Puts `value` at `path.to.key`: a map is entered by key, a list by index (from 0) or by the `name` (else
+/// the `set` or the `body`) of its entries. Missing keys of maps are added, so that the reader can judge
+/// them. `place` is where the path is written. Throws InputError if a list has no such entry.
 void set_at(Entry& root, const std::string& path, const Place& place, Entry value);
 
-/// Applies `path.to.key=value`; the value is YAML. Throws InputError if the text has no `=`, or as set_at does.
+/// Applies `path.to.key=value`; the value is YAML. Throws InputError if the text has no `=`, or as set_at
+/// does.
 void apply_override(Entry& root, const std::string& assignment);
 
 /// Where `path.to.key` is written, a list entered by index; where a part of the path is not written, what is

@@ -16,7 +16,9 @@ void MeshSource::validate() const {
       if (member) given.emplace_back(key);
     }
   });
-  if (scale != 1 && !file) throw input_error("`scale` is given for a mesh that is not read from a file", "leave it out, or give the shape its lengths in mm");
+  if (scale != 1 && !file)
+    throw input_error("`scale` is given for a mesh that is not read from a file",
+                      "leave it out, or give the shape its lengths in mm");
   if (given.size() == 1) return;
   const std::string all = alternatives(known);
   if (given.empty()) throw input_error("the mesh has no source", "give one of " + all);

@@ -30,14 +30,16 @@ struct MeshSource {
     v("ball", ball, About{"a solid ball, or a part of one"});
     v("cylinder", cylinder, About{"a solid cylinder about z"});
     v("refine", refine,
-      About{"times that every hexahedron is split in eight: new nodes lie on the generated shape, amid those of a file"}
+      About{"times that every hexahedron is split in eight: new nodes lie on the generated shape, amid those "
+            "of a file"}
           .between(0, 8));
   }
   /// Throws InputError unless exactly one source is given.
   void validate() const;
 };
 
-/// How large the base will be; nothing where it is read from a file. Throws InputError if the source contradicts itself.
+/// How large the base will be; nothing where it is read from a file. Throws InputError if the source
+/// contradicts itself.
 std::optional<MeshCount> count_of(const MeshSource& source);
 
 /// Reads or generates the base, whole on every rank. Throws InputError.

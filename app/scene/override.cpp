@@ -60,7 +60,8 @@ Place place_of(const Entry& root, const std::string& path) {
     if (index >= at->items.size()) break;
     place = at->is(Entry::Kind::map) ? at->key_places[index] : at->items[index].place;
     at = &at->items[index];
-    if (at->place.file != place.file) place = at->place;  // an override, or a study: it stands behind the key of the scene
+    if (at->place.file != place.file)
+      place = at->place;  // an override, or a study: it stands behind the key of the scene
   }
   return place;
 }
@@ -69,7 +70,8 @@ void set_at(Entry& root, const std::string& path, const Place& place, Entry valu
   Entry* at = &root;
   for (const std::string& part : split(path)) {
     if (part.empty())
-      throw input_error(place.file, place.line, "an empty name in the path '" + path + "'", "write path.to.key");
+      throw input_error(place.file, place.line, "an empty name in the path '" + path + "'",
+                        "write path.to.key");
     at = at->is(Entry::Kind::list) ? &in_list(*at, part, place) : &in_map(*at, part, place);
   }
   *at = std::move(value);
@@ -78,7 +80,8 @@ void set_at(Entry& root, const std::string& path, const Place& place, Entry valu
 void apply_override(Entry& root, const std::string& assignment) {
   // every value that it gives keeps the place
   constexpr std::size_t shown = 200;
-  const Place place{"--set " + (assignment.size() > shown ? assignment.substr(0, shown) + " ..." : assignment), 0};
+  const Place place{
+      "--set " + (assignment.size() > shown ? assignment.substr(0, shown) + " ..." : assignment), 0};
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw input_error(place.file, 0, "not of the form path.to.key=value",

@@ -1,10 +1,10 @@
 #include "app/scene/reader.hpp"
 
+#include <fmt/format.h>
 #include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "app/scene/wording.hpp"
@@ -12,8 +12,10 @@
 namespace bulbus::reader {
 namespace {
 
-constexpr double largest = 1e100, least = 1e-100;  // squares of numbers beyond are infinite or zero: directions would vanish
-constexpr double most_radians = 4 * std::numbers::pi;  // without a unit: two turns in one step are rather a slip
+constexpr double largest = 1e100,
+                 least = 1e-100;  // squares of numbers beyond are infinite or zero: directions would vanish
+constexpr double most_radians =
+    4 * std::numbers::pi;  // without a unit: two turns in one step are rather a slip
 
 std::string name_of(Entry::Kind kind) {
   switch (kind) {
@@ -70,15 +72,18 @@ bool looks_like_quantity(const std::string& text) {
 // A number without its unit.
 bool is_bare(const std::string& text) {
   const auto last = text.find_last_not_of(" \t");
-  return last != std::string::npos && (std::isdigit(static_cast<unsigned char>(text[last])) || text[last] == '.');
+  return last != std::string::npos &&
+         (std::isdigit(static_cast<unsigned char>(text[last])) || text[last] == '.');
 }
 
-// A number comes out in kept units, with their name where the scene names a unit: only a bare number may be a slip in the unit.
+// A number comes out in kept units, with their name where the scene names a unit: only a bare number may be a
+// slip in the unit.
 std::string read_formula(const Entry& entry, const std::string& key, const About& about) {
   if (!looks_like_quantity(entry.text)) return entry.text;
   double value = 0;
   read(entry, key, about, value);
-  return number_text(value) + (is_bare(entry.text) || unit_of(about.quantity).empty() ? "" : " " + unit_of(about.quantity));
+  return number_text(value) +
+         (is_bare(entry.text) || unit_of(about.quantity).empty() ? "" : " " + unit_of(about.quantity));
 }
 
 }  // namespace
@@ -141,9 +146,12 @@ void read(const Entry& entry, const std::string& key, const About& about, double
   }
   check_bounds(entry, key, about, value);
   if (std::abs(value) > largest || (value != 0 && std::abs(value) < least))
-    refuse(entry, key, shown(entry) + " is beyond all measure", fmt::format("give 0, or a size between {} and {}", least, largest));
+    refuse(entry, key, shown(entry) + " is beyond all measure",
+           fmt::format("give 0, or a size between {} and {}", least, largest));
   if (about.quantity == Quantity::angle && std::abs(value) > most_radians && is_bare(entry.text))
-    refuse(entry, key, shown(entry) + fmt::format(" would be {:.3g} turns: is it in degrees?", value / (2 * std::numbers::pi)),
+    refuse(entry, key,
+           shown(entry) +
+               fmt::format(" would be {:.3g} turns: is it in degrees?", value / (2 * std::numbers::pi)),
            fmt::format("write the unit: '{0} deg' or '{0} rad'", entry.text));
 }
 

@@ -17,21 +17,25 @@ Entry with_overrides(Entry root, const std::vector<std::string>& overrides) {
 // Relative files count from the folder of the scene.
 void place_files(Scene& scene, const std::string& path) {
   namespace fs = std::filesystem;
-  const auto place = [&](std::string& file) { file = (fs::absolute(path).parent_path() / file).lexically_normal().string(); };
+  const auto place = [&](std::string& file) {
+    file = (fs::absolute(path).parent_path() / file).lexically_normal().string();
+  };
   if (scene.mesh.file) place(*scene.mesh.file);
   for (auto& [name, body] : scene.model.rigid_bodies)
     if (body.file) place(body.file->path);
 }
 
 // Columns of history.csv beside the probes.
-const std::set<std::string> columns{"increment", "step", "time", "newton_iterations", "krylov_iterations", "cuts", "seconds"};
+const std::set<std::string> columns{"increment",         "step", "time",   "newton_iterations",
+                                    "krylov_iterations", "cuts", "seconds"};
 
 template <class Range>
 void refuse_twins(const Range& named, const std::string& key) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < named.size(); ++i)
     if (!named[i].name.empty() && !seen.insert(named[i].name).second)
-      throw scene_error(key + "." + std::to_string(i) + ".name", "two " + key + " are named '" + named[i].name + "'", "give each its own name");
+      throw scene_error(key + "." + std::to_string(i) + ".name",
+                        "two " + key + " are named '" + named[i].name + "'", "give each its own name");
 }
 
 }  // namespace
@@ -41,12 +45,16 @@ void Scene::validate() const {
   refuse_twins(model.steps, "steps");
   for (std::size_t i = 0; i < model.probes.size(); ++i)
     if (columns.contains(model.probes[i].name))
-      throw scene_error("probes." + std::to_string(i) + ".name", "history.csv has a column '" + model.probes[i].name + "' of its own",
+      throw scene_error("probes." + std::to_string(i) + ".name",
+                        "history.csv has a column '" + model.probes[i].name + "' of its own",
                         "give the probe another name");
   for (std::size_t i = 0; i < model.symmetry.size(); ++i)
-    if (std::count(model.symmetry.begin(), model.symmetry.begin() + static_cast<long>(i), model.symmetry[i]) > 0)
-      throw scene_error("symmetry." + std::to_string(i), "the plane '" + model.symmetry[i] + "' is given twice: figures of the whole would be doubled",
-                        "name every plane once");
+    if (std::count(model.symmetry.begin(), model.symmetry.begin() + static_cast<long>(i), model.symmetry[i]) >
+        0)
+      throw scene_error(
+          "symmetry." + std::to_string(i),
+          "the plane '" + model.symmetry[i] + "' is given twice: figures of the whole would be doubled",
+          "name every plane once");
 }
 
 void Scene::take_preset() { solver.linear.take_mesh(mesh.refine); }

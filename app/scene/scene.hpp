@@ -14,17 +14,22 @@ namespace bulbus {
 struct OutputSettings {
   bool vtk = true;
   int every = 1, checkpoint = 0;
-  std::vector<std::string> fields{"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure",
-                                  "contact_status"};
+  std::vector<std::string> fields{"displacement", "stress",           "mises",         "pressure", "region",
+                                  "gap",          "contact_pressure", "contact_status"};
   template <class V>
   void describe(V&& v) {
-    v("vtk", vtk, About{"write result_*.vtkhdf and their series, and the rigid bodies as bodies_*.vtp with bodies.pvd"});
+    v("vtk", vtk,
+      About{"write result_*.vtkhdf and their series, and the rigid bodies as bodies_*.vtp with bodies.pvd"});
     v("every", every, About{"save each n-th converged increment, and always the last"}.between(1, 1000000));
     v("checkpoint", checkpoint,
-      About{"write checkpoint.h5, from which --restart goes on, at each n-th converged increment and at the end; 0: only where the run is interrupted"}.between(0, 1000000));
+      About{"write checkpoint.h5, from which --restart goes on, at each n-th converged increment and at the "
+            "end; 0: only where the run is interrupted"}
+          .between(0, 1000000));
     v("fields", fields,
-      About{"what is saved; the last three where the scene has contacts: gap in mm, pressure in MPa, 1 where closed"}.one_of(
-          {"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure", "contact_status"}));
+      About{"what is saved; the last three where the scene has contacts: gap in mm, pressure in MPa, 1 where "
+            "closed"}
+          .one_of({"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure",
+                   "contact_status"}));
   }
 };
 
@@ -38,7 +43,8 @@ struct Scene {
   template <class V>
   void describe(V&& v) {
     v("title", title, About{"a line for the records"});
-    v("mesh", mesh, About{"where the mesh comes from: exactly one source, and how often it is refined"}.needed());
+    v("mesh", mesh,
+      About{"where the mesh comes from: exactly one source, and how often it is refined"}.needed());
     model.describe(v);
     v("solver", solver, About{"how the equations are solved"});
     v("output", output, About{"what is saved"});
@@ -46,7 +52,8 @@ struct Scene {
   /// Throws InputError if two probes or two named steps share a name.
   void validate() const;
   static constexpr const char* preset_key = "mesh";
-  /// Defaults of the solver that depend on the mesh; the reader calls it before the solver's settings override them.
+  /// Defaults of the solver that depend on the mesh; the reader calls it before the solver's settings
+  /// override them.
   void take_preset();
 };
 

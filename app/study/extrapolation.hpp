@@ -9,8 +9,8 @@ struct Extrapolated {
   bool observed = false;  ///< the order, from three sizes; else it is assumed to be 2
 };
 
-/// Richardson's extrapolation from values at two or three sizes h, by falling h. Where three show no order between ½ and 4, as values that
-/// go up and down do, the two finest are taken with the order assumed.
+/// Richardson's extrapolation from values at two or three sizes h, by falling h. Where three show no order
+/// between ½ and 4, as values that go up and down do, the two finest are taken with the order assumed.
 Extrapolated extrapolate(std::span<const double> h, std::span<const double> v);
 
 }  // namespace bulbus

@@ -56,9 +56,7 @@ std::vector<StudyRun> plan(const Study& study) {
   for (const Levels& levels : levels_of(study)) {
     runs.push_back({fmt::format("run_{:03d}", runs.size() + 1), levels, {}});
     StudyRun& run = runs.back();
-    of_run(study, run, [&] {
-      run.scene = scene_of(source_of(study, levels), study.scene);
-    });
+    of_run(study, run, [&] { run.scene = scene_of(source_of(study, levels), study.scene); });
   }
   return runs;
 }

@@ -47,7 +47,8 @@ std::vector<std::string> lines_of(const Study& study, const StudyResults& result
 
 /// A column of the runs done: its heading, its unit and the text of every run.
 template <class Text>
-std::vector<std::string> column_of(const StudyResults& results, const std::string& name, const std::string& unit, Text text) {
+std::vector<std::string> column_of(const StudyResults& results, const std::string& name,
+                                   const std::string& unit, Text text) {
   std::vector<std::string> column{name, unit};
   for (int run = 0; run < static_cast<int>(results.runs.size()); ++run)
     if (results.rows[run]) column.push_back(text(run));

@@ -16,21 +16,25 @@ struct TradeRun {
 
 /// A mesh of a trade.
 struct TradeMesh {
-  std::string words;             ///< "n 14"
-  std::optional<double> h;       ///< size of its cells, relative to those of the scene's mesh; none: of another shape
+  std::string words;  ///< "n 14"
+  std::optional<double>
+      h;  ///< size of its cells, relative to those of the scene's mesh; none: of another shape
   std::vector<std::string> set;
-  int reference = -1;            ///< the run that errors on this mesh count from
+  int reference = -1;  ///< the run that errors on this mesh count from
 };
 
-/// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each knob, and on other
-/// meshes: a coarser and a finer one, from which figures are extrapolated, and one with twice the layers through the thickness.
+/// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each knob, and
+/// on other meshes: a coarser and a finer one, from which figures are extrapolated, and one with twice the
+/// layers through the thickness.
 struct Trade {
   std::string scene;              ///< its file
   std::vector<TradeMesh> meshes;  ///< the scene's first
   std::vector<TradeRun> runs;     ///< the reference, the scene as it is, then the others; no two the same
 };
 
-/// Plans the trade of a scene. `prepared` is the scene as it is: penalties count from those that its contacts have. Throws InputError.
-Trade plan_trade(const std::string& scene, const std::vector<std::string>& overrides, const Prepared& prepared);
+/// Plans the trade of a scene. `prepared` is the scene as it is: penalties count from those that its contacts
+/// have. Throws InputError.
+Trade plan_trade(const std::string& scene, const std::vector<std::string>& overrides,
+                 const Prepared& prepared);
 
 }  // namespace bulbus

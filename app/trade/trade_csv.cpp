@@ -15,9 +15,22 @@ std::string front_of(int run, const std::vector<Bargain>& all) {
 }
 
 std::vector<std::string> columns_of(const TradeResults& results) {
-  std::vector<std::string> columns{"run",         "knob",  "value",    "mesh",  "converged",          "reason",
-                                   "seconds [s]", "newton_iterations", "krylov_iterations", "memory [MB]",
-                                   "error",       "error_in", "front", "extrapolated_error", "extrapolated_error_in", "extrapolated_front"};
+  std::vector<std::string> columns{"run",
+                                   "knob",
+                                   "value",
+                                   "mesh",
+                                   "converged",
+                                   "reason",
+                                   "seconds [s]",
+                                   "newton_iterations",
+                                   "krylov_iterations",
+                                   "memory [MB]",
+                                   "error",
+                                   "error_in",
+                                   "front",
+                                   "extrapolated_error",
+                                   "extrapolated_error_in",
+                                   "extrapolated_front"};
   for (const auto& [name, unit] : results.figures)
     columns.insert(columns.end(), {heading(name, unit), name + " error", name + " extrapolated error"});
   return columns;
@@ -32,7 +45,9 @@ void write_trade_csv(const std::string& path, const Trade& trade, const TradeRes
     if (!results.rows[run]) continue;
     const StudyRow& r = *results.rows[run];
     const TradeRun& of = trade.runs[run];
-    std::vector<Cell> row{of.name, of.knob, of.value, trade.meshes[of.mesh].words, std::string(r.converged ? "true" : "false"), r.reason};
+    std::vector<Cell> row{
+        of.name, of.knob, of.value, trade.meshes[of.mesh].words, std::string(r.converged ? "true" : "false"),
+        r.reason};
     row.insert(row.end(), {r.seconds, r.newton_iterations, r.krylov_iterations, results.megabytes[run]});
     const auto add_error = [&](const std::optional<TradeError>& e, const std::vector<Bargain>& all) {
       row.push_back(e ? Cell(e->value) : Cell(std::string()));
@@ -42,7 +57,8 @@ void write_trade_csv(const std::string& path, const Trade& trade, const TradeRes
     add_error(mesh_error(trade, results, run), on_mesh);
     add_error(whole_error(results, run), on_all);
     for (int f = 0; f < static_cast<int>(results.figures.size()); ++f)
-      for (const auto& v : {results.value(run, f), mesh_error(trade, results, run, f), whole_error(results, run, f)})
+      for (const auto& v :
+           {results.value(run, f), mesh_error(trade, results, run, f), whole_error(results, run, f)})
         row.push_back(cell_of(v));
     table.append(row);
   }

@@ -25,7 +25,8 @@ template <class Error>
 std::vector<Bargain> bargains(const TradeResults& results, Error error) {
   std::vector<Bargain> all;
   for (int run = 1; run < static_cast<int>(results.runs.size()); ++run)
-    if (const std::optional<TradeError> e = error(run)) all.push_back({run, results.rows[run]->seconds, e->value});
+    if (const std::optional<TradeError> e = error(run))
+      all.push_back({run, results.rows[run]->seconds, e->value});
   std::ranges::stable_sort(all, {}, &Bargain::seconds);
   return all;
 }
@@ -91,12 +92,16 @@ std::optional<TradeError> whole_error(const TradeResults& results, int run) {
 const Bargain* better_than(const Bargain& one, const std::vector<Bargain>& all) {
   const Bargain* best = nullptr;
   for (const Bargain& other : all)
-    if (other.error <= one.error && other.seconds < (1 - noise) * one.seconds && (!best || other.seconds < best->seconds)) best = &other;
+    if (other.error <= one.error && other.seconds < (1 - noise) * one.seconds &&
+        (!best || other.seconds < best->seconds))
+      best = &other;
   return best;
 }
 
 std::vector<Bargain> bargains_on_mesh(const Trade& trade, const TradeResults& results) {
-  return bargains(results, [&](int run) { return trade.runs[run].mesh == 0 ? mesh_error(trade, results, run) : std::nullopt; });
+  return bargains(results, [&](int run) {
+    return trade.runs[run].mesh == 0 ? mesh_error(trade, results, run) : std::nullopt;
+  });
 }
 
 std::vector<Bargain> bargains_on_all(const TradeResults& results) {

@@ -17,12 +17,14 @@ std::vector<std::string> knobs_of(const Trade& trade) {
 
 Chart::Mark mark_of(const Bargain& b) { return {b.seconds, std::log10(std::max(b.error, smallest)), true}; }
 
-// The scene as it is belongs to every knob's curve. Where a knob has no run here the series stays empty, so that the legend fits.
+// The scene as it is belongs to every knob's curve. Where a knob has no run here the series stays empty, so
+// that the legend fits.
 Chart::Series series_of(const Trade& trade, const std::string& knob, const std::vector<Bargain>& all) {
   Chart::Series series{knob, {}};
   const bool curve = knob != "reference" && knob != "scene" && knob != "mesh";
   for (const Bargain& b : all)
-    if (trade.runs[b.run].knob == knob || (curve && trade.runs[b.run].knob == "scene")) series.marks.push_back(mark_of(b));
+    if (trade.runs[b.run].knob == knob || (curve && trade.runs[b.run].knob == "scene"))
+      series.marks.push_back(mark_of(b));
   return series;
 }
 
@@ -44,10 +46,12 @@ Chart::Panel panel_of(const Trade& trade, const std::string& title, const std::v
 }  // namespace
 
 Chart chart_of(const Trade& trade, const TradeResults& results) {
-  Chart chart{.title = "speed and accuracy: " + trade.runs[1].scene.title, .note = "log10 of the largest relative error of any figure"};
+  Chart chart{.title = "speed and accuracy: " + trade.runs[1].scene.title,
+              .note = "log10 of the largest relative error of any figure"};
   chart.columns = 2;
   chart.panels.push_back(panel_of(trade, "against the same mesh", bargains_on_mesh(trade, results)));
-  if (trade.meshes.size() > 1) chart.panels.push_back(panel_of(trade, "against the extrapolated solution", bargains_on_all(results)));
+  if (trade.meshes.size() > 1)
+    chart.panels.push_back(panel_of(trade, "against the extrapolated solution", bargains_on_all(results)));
   return chart;
 }
 

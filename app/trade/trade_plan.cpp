@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "app/trade/trade.hpp"
 #include "app/scene/wording.hpp"
+#include "app/trade/trade.hpp"
 
 namespace bulbus {
 namespace {
@@ -21,7 +21,9 @@ struct Knob {
 };
 
 const std::vector<Knob> knobs{
-    {"newton", {"solver.newton.force", "solver.newton.volume", "solver.newton.liquid"}, {"1e-2", "1e-3", "1e-4", "1e-5"}},
+    {"newton",
+     {"solver.newton.force", "solver.newton.volume", "solver.newton.liquid"},
+     {"1e-2", "1e-3", "1e-4", "1e-5"}},
     {"underway", {"solver.newton.underway"}, {"1e2", "1e4"}},
     {"increments", {"solver.stepping.increments"}, {".25", ".5", "2"}},
     {"eta_max", {"solver.newton.eta_max"}, {"1e-2", "3e-3", "1e-4"}},
@@ -33,8 +35,9 @@ const std::vector<Knob> knobs{
     {"pressure patterns after", {"solver.linear.pressures.after"}, {"0", "40", "100000"}},
     {"method", {"solver.linear.method"}, {"direct"}}};
 
-const Settings reference{"solver.newton.force=1e-9",    "solver.newton.volume=1e-9",      "solver.newton.liquid=1e-10",
-                         "solver.newton.eta_max=1e-3",  "solver.linear.smoothing=double", "solver.linear.reuse=0",
+const Settings reference{"solver.newton.force=1e-9",       "solver.newton.volume=1e-9",
+                         "solver.newton.liquid=1e-10",     "solver.newton.eta_max=1e-3",
+                         "solver.linear.smoothing=double", "solver.linear.reuse=0",
                          "solver.linear.method=iterative"};
 
 Settings joined(Settings a, const Settings& b) {
@@ -60,18 +63,23 @@ Settings augmentation(const Prepared& prepared, const char* tolerance) {
 // Cells of the generated shape, by key.
 std::vector<std::pair<std::string, int>> cells_of(const MeshSource& mesh) {
   if (mesh.eye) return {{"mesh.eye.n", mesh.eye->n}};
-  if (mesh.block) return {{"mesh.block.nx", mesh.block->nx}, {"mesh.block.ny", mesh.block->ny}, {"mesh.block.nz", mesh.block->nz}};
+  if (mesh.block)
+    return {{"mesh.block.nx", mesh.block->nx},
+            {"mesh.block.ny", mesh.block->ny},
+            {"mesh.block.nz", mesh.block->nz}};
   if (mesh.shell) return {{"mesh.shell.n", mesh.shell->n}, {"mesh.shell.layers", mesh.shell->layers}};
   if (mesh.ball) return {{"mesh.ball.n", mesh.ball->n}, {"mesh.ball.layers", mesh.ball->layers}};
   if (const auto& c = mesh.cylinder; c)
-    return {{"mesh.cylinder.n", c->n}, {"mesh.cylinder.rings", c->rings}, {"mesh.cylinder.layers", c->layers}};
+    return {
+        {"mesh.cylinder.n", c->n}, {"mesh.cylinder.rings", c->rings}, {"mesh.cylinder.layers", c->layers}};
   return {};
 }
 
 // A wall's cells through its thickness, twice as many as they are.
 std::optional<TradeMesh> layered(const MeshSource& mesh) {
   const auto twice = [](const char* shape, int layers) {
-    return TradeMesh{fmt::format("layers {}", 2 * layers), {}, {fmt::format("mesh.{}.layers={}", shape, 2 * layers)}};
+    return TradeMesh{
+        fmt::format("layers {}", 2 * layers), {}, {fmt::format("mesh.{}.layers={}", shape, 2 * layers)}};
   };
   if (mesh.eye) return twice("eye", mesh.eye->layers);
   if (mesh.shell) return twice("shell", mesh.shell->layers);
@@ -82,7 +90,8 @@ std::optional<TradeMesh> layered(const MeshSource& mesh) {
 TradeMesh mesh_with(const std::vector<std::pair<std::string, int>>& cells, double factor) {
   TradeMesh mesh;
   for (const auto& [key, count] : cells) {
-    const int step = count % 2 ? 1 : 2, scaled = std::max(step, static_cast<int>(std::lround(factor * count / step)) * step);
+    const int step = count % 2 ? 1 : 2,
+              scaled = std::max(step, static_cast<int>(std::lround(factor * count / step)) * step);
     if (mesh.words.empty()) {
       mesh.h = static_cast<double>(count) / scaled;
       mesh.words = key.substr(key.rfind('.') + 1) + " " + std::to_string(scaled);
@@ -94,15 +103,20 @@ TradeMesh mesh_with(const std::vector<std::pair<std::string, int>>& cells, doubl
 
 class Planner {
  public:
-  Planner(const std::string& path, Settings overrides) : trade_{path, {}, {}}, overrides_(std::move(overrides)) {}
+  Planner(const std::string& path, Settings overrides)
+      : trade_{path, {}, {}}, overrides_(std::move(overrides)) {}
 
   /// Nothing if there is such a run already. Returns its number.
   int add(const std::string& knob, const std::string& value, const Settings& set, int mesh = 0) {
     const std::string name = fmt::format("run_{:03d}", trade_.runs.size() + 1);
-    TradeRun run{name, knob, value, joined({"output.vtk=false"}, joined(overrides_, joined(trade_.meshes[mesh].set, set))), mesh, {}};
+    TradeRun run{
+        name,  knob,
+        value, joined({"output.vtk=false"}, joined(overrides_, joined(trade_.meshes[mesh].set, set))),
+        mesh,  {}};
     run.scene = read_scene(trade_.scene, run.set);
     const std::string way = way_of(run.scene);
-    if (const auto same = std::ranges::find(ways_, way); same != ways_.end()) return static_cast<int>(same - ways_.begin());
+    if (const auto same = std::ranges::find(ways_, way); same != ways_.end())
+      return static_cast<int>(same - ways_.begin());
     ways_.push_back(way);
     trade_.runs.push_back(std::move(run));
     return static_cast<int>(trade_.runs.size()) - 1;
@@ -115,11 +129,14 @@ class Planner {
   void add_on(const TradeMesh& other, std::initializer_list<const char*> accuracies) {
     const int number = mesh(other);
     for (const char* accuracy : accuracies) {
-      const int run = add("mesh", other.words + ", " + accuracy, {std::string("solver.accuracy=") + accuracy}, number);
+      const int run =
+          add("mesh", other.words + ", " + accuracy, {std::string("solver.accuracy=") + accuracy}, number);
       if (trade_.meshes[number].reference < 0) trade_.meshes[number].reference = run;
     }
   }
-  Scene scene_on(const TradeMesh& mesh) const { return read_scene(trade_.scene, joined(overrides_, mesh.set)); }
+  Scene scene_on(const TradeMesh& mesh) const {
+    return read_scene(trade_.scene, joined(overrides_, mesh.set));
+  }
   Trade& trade() { return trade_; }
 
  private:
@@ -134,8 +151,10 @@ class Planner {
   std::vector<std::string> ways_;  // of the runs
 };
 
-// The first of these sizes of cells that the scene is at home on: sets of an eye may need certain numbers of cells.
-std::optional<TradeMesh> fitting_mesh(const Planner& planner, const std::vector<std::pair<std::string, int>>& cells,
+// The first of these sizes of cells that the scene is at home on: sets of an eye may need certain numbers of
+// cells.
+std::optional<TradeMesh> fitting_mesh(const Planner& planner,
+                                      const std::vector<std::pair<std::string, int>>& cells,
                                       std::span<const double> factors, const Comm& comm) {
   if (cells.empty()) return {};  // of a file, which has the cells that it has
   for (double factor : factors) {
@@ -152,7 +171,8 @@ std::optional<TradeMesh> fitting_mesh(const Planner& planner, const std::vector<
 
 }  // namespace
 
-Trade plan_trade(const std::string& scene, const std::vector<std::string>& overrides, const Prepared& prepared) {
+Trade plan_trade(const std::string& scene, const std::vector<std::string>& overrides,
+                 const Prepared& prepared) {
   const Scene given = read_scene(scene, overrides);
   const auto cells = cells_of(given.mesh);
   Planner planner(scene, overrides);

@@ -7,10 +7,12 @@ namespace bulbus {
 /// For people: every run with cost and largest errors, the Pareto fronts, and what is dominated by what.
 std::vector<std::string> lines_of(const Trade& trade, const TradeResults& results);
 
-/// Writes trade.csv: a row per run done, with every figure and both its errors. Throws std::runtime_error. Not collective.
+/// Writes trade.csv: a row per run done, with every figure and both its errors. Throws std::runtime_error.
+/// Not collective.
 void write_trade_csv(const std::string& path, const Trade& trade, const TradeResults& results);
 
-/// Error over processor time, a curve per knob, once against the same mesh and once against the extrapolated solution.
+/// Error over processor time, a curve per knob, once against the same mesh and once against the extrapolated
+/// solution.
 Chart chart_of(const Trade& trade, const TradeResults& results);
 
 }  // namespace bulbus

@@ -24,12 +24,14 @@ void BlockTangent::add_action(std::span<const double> dx, std::span<double> forc
   visit([&](std::span<const int> nodes, std::span<const double> K) {
     const std::size_t n = 3 * nodes.size();
     for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t c = 0; c < n; ++c) force[3 * nodes[r / 3] + r % 3] += K[n * r + c] * dx[3 * nodes[c / 3] + c % 3];
+      for (std::size_t c = 0; c < n; ++c)
+        force[3 * nodes[r / 3] + r % 3] += K[n * r + c] * dx[3 * nodes[c / 3] + c % 3];
   });
 }
 
 void BlockTangent::visit(const ContributionVisitor& visitor) const {
-  for (const Place& p : places_) visitor({&nodes_[p.node], p.nodes}, {&values_[p.value], 9 * p.nodes * p.nodes});
+  for (const Place& p : places_)
+    visitor({&nodes_[p.node], p.nodes}, {&values_[p.value], 9 * p.nodes * p.nodes});
 }
 
 }  // namespace bulbus

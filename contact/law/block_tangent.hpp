@@ -10,7 +10,8 @@ namespace bulbus {
 class BlockTangent {
  public:
   void clear();
-  /// The block of these nodes, to be added to: 3k × 3k by rows, zeros at first. The last one again if the nodes are the same.
+  /// The block of these nodes, to be added to: 3k × 3k by rows, zeros at first. The last one again if the
+  /// nodes are the same.
   std::span<double> block(std::span<const int> nodes);
   void add_action(std::span<const double> dx, std::span<double> force) const;
   void visit(const ContributionVisitor& visitor) const;

@@ -19,7 +19,8 @@ Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
 
 namespace {
 
-// N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may stand at right angles.
+// N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may
+// stand at right angles.
 constexpr double same_side = 0.05, same_side_of_node = 0.5;
 
 }  // namespace
@@ -42,12 +43,14 @@ ContactFigures ContactTerm::figures(const State& state) const {
   return sum;
 }
 
-Overlap ContactTerm::inside(const State& state, const std::function<double(const SlavePoints::Point&, double)>& allowed) const {
+Overlap ContactTerm::inside(const State& state,
+                            const std::function<double(const SlavePoints::Point&, double)>& allowed) const {
   Overlap o;
   const Found& f = found(state);
   const std::vector<double> places = points_.places(state.x);
   for (const Touch& t : f.touches)
-    if (points_[t.point].mine && -gap(t) > allowed(points_[t.point], f.shape.areas[t.point])) o.add(-gap(t), at(places, t.point));
+    if (points_[t.point].mine && -gap(t) > allowed(points_[t.point], f.shape.areas[t.point]))
+      o.add(-gap(t), at(places, t.point));
   return o;
 }
 
@@ -57,7 +60,8 @@ Overlap ContactTerm::behind(const State& state) const {
   const std::vector<double> places = points_.places(state.x);
   const double most = points_.on_faces() ? same_side : same_side_of_node;
   for (const Touch& t : f.touches)
-    if (points_[t.point].mine && pressure(t).value > 0 && dot(t.pair.normal, f.shape.normals[t.point]) > most) o.add(-gap(t), at(places, t.point));
+    if (points_[t.point].mine && pressure(t).value > 0 && dot(t.pair.normal, f.shape.normals[t.point]) > most)
+      o.add(-gap(t), at(places, t.point));
   return o;
 }
 

@@ -11,12 +11,15 @@ struct Wrench {
   Vec3<double> moment{0, 0, 0};  ///< about the origin, N·mm
 };
 
-inline Vec3<double> moment_about(const Vec3<double>& point, const Wrench& w) { return minus(w.moment, cross(point, w.force)); }
+inline Vec3<double> moment_about(const Vec3<double>& point, const Wrench& w) {
+  return minus(w.moment, cross(point, w.force));
+}
 
 /// Figures of one contact on one rank: sums and the largest penetration are those of its slave points.
 struct ContactFigures {
-  int pairs = 0;                  ///< active ones
-  double area = 0;                ///< current area in contact: of faces up to where contact ends on them, of points on faces all that are active, mm²
+  int pairs = 0;    ///< active ones
+  double area = 0;  ///< current area in contact: of faces up to where contact ends on them, of points on
+                    ///< faces all that are active, mm²
   double penetration = 0;         ///< largest, mm
   std::vector<Wrench> on_master;  ///< per part of a rigid body; one in all for a master of the mesh
 };
@@ -34,7 +37,7 @@ struct ContactNode {
 struct Overlap {
   int points = 0;
   Vec3<double> place{0, 0, 0};  ///< of the deepest
-  double depth = 0;           ///< mm
+  double depth = 0;             ///< mm
   void add(double other, const Vec3<double>& where) {
     if (++points == 1 || other > depth) depth = other, place = where;
   }
@@ -46,7 +49,8 @@ Overlap of_all_ranks(const Overlap& mine, const Comm& comm);
 /// How the augmented-Lagrangian loop of the current increment went, the same on every rank.
 struct Augmentation {
   int updates = 0;
-  double violation = 0;  ///< largest penetration, or gap that a multiplier presses across, at the last look, mm
+  double violation =
+      0;  ///< largest penetration, or gap that a multiplier presses across, at the last look, mm
   bool gave_up = false;  ///< still above the tolerance after the last allowed update
 };
 
@@ -54,7 +58,8 @@ struct Augmentation {
 struct ContactMemory {
   std::vector<int> triangle;     ///< where tracking starts, −1: none
   std::vector<double> pressure;  ///< multiplier p, MPa
-  std::vector<double> overlap;   ///< mm inside at the start, made good while the first step proceeds; empty: none
+  std::vector<double>
+      overlap;  ///< mm inside at the start, made good while the first step proceeds; empty: none
 };
 
 }  // namespace bulbus

@@ -77,8 +77,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
       rest = rest.subspan(candidates.size());
       const int start = how != Search::whole ? committed_.triangle[slot] : -1;
       Selection chosen = select(master, x, f.shape.normals[i], start, candidates, limits);
-      if (history)
-        follow(master, {at(start_.points, i), x}, f.shape.normals[i], start, candidates, chosen);
+      if (history) follow(master, {at(start_.points, i), x}, f.shape.normals[i], start, candidates, chosen);
       nearest = std::min(nearest, chosen.distance);
       if (chosen.triangle < 0) continue;
       const std::size_t before = f.touches.size();
@@ -166,9 +165,11 @@ void ContactTerm::add_touches(const MasterSurface& master, const Vec3<double>& x
     touches.push_back(touch(master, x, point, slot + static_cast<int>(k) * slots(), faces[k].triangle));
 }
 
-// The faces that meet in a convex edge or corner, one for each side of it: of triangles that go on smoothly into one another the one nearest
-// to the point's foot, so that a point is measured alike from every triangle of the edge.
-std::vector<FaceGap> ContactTerm::faces_at_edge(const MasterSurface& master, const Vec3<double>& x, int triangle) const {
+// The faces that meet in a convex edge or corner, one for each side of it: of triangles that go on smoothly
+// into one another the one nearest to the point's foot, so that a point is measured alike from every triangle
+// of the edge.
+std::vector<FaceGap> ContactTerm::faces_at_edge(const MasterSurface& master, const Vec3<double>& x,
+                                                int triangle) const {
   struct Face {
     int side;
     double beside;
@@ -191,8 +192,10 @@ std::vector<FaceGap> ContactTerm::faces_at_edge(const MasterSurface& master, con
   std::ranges::stable_sort(all, {}, [](const Face& f) { return std::pair(f.side, f.beside); });
   std::vector<FaceGap> sides;
   for (std::size_t k = 0; k < all.size(); ++k)
-    if ((k == 0 || all[k].side != all[k - 1].side) && all[k].gap.gap > -edge_radius_) sides.push_back(all[k].gap);
-  if (sides.empty()) sides.push_back(std::ranges::max_element(all, {}, [](const Face& f) { return f.gap.gap; })->gap);
+    if ((k == 0 || all[k].side != all[k - 1].side) && all[k].gap.gap > -edge_radius_)
+      sides.push_back(all[k].gap);
+  if (sides.empty())
+    sides.push_back(std::ranges::max_element(all, {}, [](const Face& f) { return f.gap.gap; })->gap);
   return sides;
 }
 
@@ -206,7 +209,8 @@ ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<do
     return t;
   }
   FaceGap g = face_gap(master, x, t.pair, triangle);
-  if (const auto across = master_.across_edges(triangle); !across.empty()) g = rounded_gap(faces_at_edge(master, x, triangle), edge_radius_);
+  if (const auto across = master_.across_edges(triangle); !across.empty())
+    g = rounded_gap(faces_at_edge(master, x, triangle), edge_radius_);
   t.pair.gap = g.gap;
   t.pair.normal = g.normal;
   t.bend = g.bend;

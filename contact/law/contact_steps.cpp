@@ -43,14 +43,17 @@ std::string ContactTerm::refusal(const State& state) const {
   const double motion = comm_.max(found(state).motion), most = farthest_search * limits_.reach;
   if (motion > most)
     return fmt::format(
-        "contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than the "
+        "contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than "
+        "the "
         "search looks ({:.3g} mm), so that a contact may have been missed. Give the step more increments",
         name_, motion, most);
   const Overlap o = of_all_ranks(behind(state), comm_);
   if (o.points == 0) return {};
   return fmt::format(
-      "contact '{}': {} points of the slave have slipped around the master to its far side, the deepest at ({:.4g}, {:.4g}, {:.4g}). "
-      "The master is finer than the slave's faces can follow: give the contact more `divisions`, or refine the slave",
+      "contact '{}': {} points of the slave have slipped around the master to its far side, the deepest at "
+      "({:.4g}, {:.4g}, {:.4g}). "
+      "The master is finer than the slave's faces can follow: give the contact more `divisions`, or refine "
+      "the slave",
       name_, o.points, o.place[0], o.place[1], o.place[2]);
 }
 
@@ -139,7 +142,8 @@ bool ContactTerm::released(const Found& f) {
   return comm_.any(any);
 }
 
-// A set of active pairs that the last linear solution was not found with may not be the final one. Tried once.
+// A set of active pairs that the last linear solution was not found with may not be the final one. Tried
+// once.
 bool ContactTerm::set_changed(const Found& f) {
   if (!linearized_ || retried_) return false;
   std::vector<int> now;

@@ -8,10 +8,11 @@
 namespace bulbus {
 namespace {
 
-// Tolerance of a linear solve with the default penalty: its scaled norm weighs gaps by the root of the penalty.
+// Tolerance of a linear solve with the default penalty: its scaled norm weighs gaps by the root of the
+// penalty.
 constexpr double usual_solve = 1e-3;
-// In shear moduli: an error of pressure that lets no contact open or close; pressures whose geometric stiffness is
-// of no account beside the material's.
+// In shear moduli: an error of pressure that lets no contact open or close; pressures whose geometric
+// stiffness is of no account beside the material's.
 constexpr double telling = 0.01, weak = 0.01;
 // A pressure that differs from the predicted one by no more than this factor has geometric terms.
 constexpr double settling = 2;
@@ -133,7 +134,8 @@ double ContactTerm::needed_tolerance(double highest) const {
   return tolerance;
 }
 
-// a D Dᵀ + b Wᵀ H W: the bend H of a rigid body at the point is shared out to its carriers, which are all nodes then.
+// a D Dᵀ + b Wᵀ H W: the bend H of a rigid body at the point is shared out to its carriers, which are all
+// nodes then.
 void ContactTerm::add_tangent(const Touch& t, const PairGradient& g, double a, double b) {
   const auto K = tangent_.block({g.nodes.data(), static_cast<std::size_t>(g.size)});
   const auto& weights = points_[t.point].weights;

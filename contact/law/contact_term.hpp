@@ -3,15 +3,15 @@
 #include <optional>
 
 #include "contact/law/block_tangent.hpp"
-#include "contact/search/clearances.hpp"
 #include "contact/law/contact_figures.hpp"
+#include "contact/law/pressure_law.hpp"
+#include "contact/search/clearances.hpp"
+#include "contact/search/position_codes.hpp"
+#include "contact/search/sweep.hpp"
 #include "contact/surfaces/master.hpp"
 #include "contact/surfaces/normal_projection.hpp"
-#include "contact/search/position_codes.hpp"
-#include "contact/law/pressure_law.hpp"
 #include "contact/surfaces/rounded_edge.hpp"
 #include "contact/surfaces/slave_points.hpp"
-#include "contact/search/sweep.hpp"
 #include "core/base/parallel.hpp"
 #include "core/problem/spec/contact_spec.hpp"
 #include "core/problem/term.hpp"
@@ -22,7 +22,8 @@ namespace bulbus {
 struct ContactSides {
   std::span<const double> X;  ///< reference places of the local nodes
   int owned;                  ///< the first ones are owned
-  std::span<const Quad> slave;  ///< local nodes, at least all faces that touch an owned node; normals outwards
+  std::span<const Quad>
+      slave;  ///< local nodes, at least all faces that touch an owned node; normals outwards
   Master master;
   std::span<const std::string> symmetry;  ///< planes "x", "y", "z" on which that coordinate is 0
 };
@@ -97,14 +98,15 @@ class ContactTerm final : public Term {
   /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;
   /// Points that are inside by more than is allowed (mm), as a function of a point and its area (mm²).
-  Overlap inside(const State& state, const std::function<double(const SlavePoints::Point&, double)>& allowed) const;
+  Overlap inside(const State& state,
+                 const std::function<double(const SlavePoints::Point&, double)>& allowed) const;
   /// Active points whose surface looks the way the master does, as if they had slipped around it.
   Overlap behind(const State& state) const;
   /// Lets the gap count from where each node is at the start; that fades linearly over the step that follows.
   void resolve(const State& start);
 
  private:
-  static constexpr int most_releases = 3;         // of a pair; then it is active no longer than the law says
+  static constexpr int most_releases = 3;        // of a pair; then it is active no longer than the law says
   static constexpr double farthest_search = 16;  // in reaches; a point that moves farther may miss a contact
   struct Touch {
     int point, slot, triangle;

@@ -19,27 +19,38 @@ ContactSpec of_middles(ContactSpec spec) {
 
 }  // namespace
 
-MidfaceCheck::MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides, const Comm& comm,
-                           const Halo& halo, std::shared_ptr<const ContactTerm> nodes)
-    : spec_(spec), comm_(comm), halo_(halo), rigid_(sides.master.rigid()), nodes_(std::move(nodes)), middles_(of_middles(spec), defaults, sides, comm) {}
+MidfaceCheck::MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defaults,
+                           const ContactSides& sides, const Comm& comm, const Halo& halo,
+                           std::shared_ptr<const ContactTerm> nodes)
+    : spec_(spec),
+      comm_(comm),
+      halo_(halo),
+      rigid_(sides.master.rigid()),
+      nodes_(std::move(nodes)),
+      middles_(of_middles(spec), defaults, sides, comm) {}
 
 Overlap MidfaceCheck::entered(const State& state) const {
   std::vector<double> active(state.x.size() / 3);
   for (const ContactNode& n : nodes_->nodes(state)) active[n.node] = n.active;
   halo_.update_ghosts(active, 1);
   const double depth = comm_.max(nodes_->figures(state).penetration);
-  return of_all_ranks(middles_.inside(state, [&](const SlavePoints::Point& p, double area) {
-    const bool any = std::ranges::any_of(p.nodes, [&](int n) { return active[n] > 0; });
-    return depth + (any ? held : free) * std::sqrt(area);
-  }), comm_);
+  return of_all_ranks(middles_.inside(state,
+                                      [&](const SlavePoints::Point& p, double area) {
+                                        const bool any = std::ranges::any_of(
+                                            p.nodes, [&](int n) { return active[n] > 0; });
+                                        return depth + (any ? held : free) * std::sqrt(area);
+                                      }),
+                      comm_);
 }
 
 std::string MidfaceCheck::refusal(const State& state) const {
   const Overlap o = entered(state);
   if (o.points == 0) return {};
   return fmt::format(
-      "contact '{}': '{}' enters between the nodes of '{}': the middles of {} faces lie inside, the deepest by {:.3g} mm at "
-      "({:.4g}, {:.4g}, {:.4g}). It is finer than the faces: give the contact `divisions: 4`{}, or refine '{}'",
+      "contact '{}': '{}' enters between the nodes of '{}': the middles of {} faces lie inside, the deepest "
+      "by {:.3g} mm at "
+      "({:.4g}, {:.4g}, {:.4g}). It is finer than the faces: give the contact `divisions: 4`{}, or refine "
+      "'{}'",
       spec_.name, spec_.master, spec_.slave, o.points, o.depth, o.place[0], o.place[1], o.place[2],
       rigid_ ? "" : " or `two_way: true`, or exchange slave and master", spec_.slave);
 }

@@ -4,15 +4,16 @@
 
 namespace bulbus {
 
-/// What a contact of nodes cannot feel: a master with corners, or a body, finer than the slave's faces, which enters between the nodes.
-/// The middles of the faces are followed as points of a contact without forces. A converged state is refused in which one lies deeper inside
-/// than the nodes do by more than a part of its face's width h: h/4 where a corner of the face is in contact, the chord height of a body as
-/// curved as the face is wide; h/10 where none is, so that nothing keeps the face out.
+/// What a contact of nodes cannot feel: a master with corners, or a body, finer than the slave's faces, which
+/// enters between the nodes. The middles of the faces are followed as points of a contact without forces. A
+/// converged state is refused in which one lies deeper inside than the nodes do by more than a part of its
+/// face's width h: h/4 where a corner of the face is in contact, the chord height of a body as curved as the
+/// face is wide; h/10 where none is, so that nothing keeps the face out.
 class MidfaceCheck final : public Term {
  public:
   /// `spec`: of the contact that `nodes` is.
-  MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides, const Comm& comm, const Halo& halo,
-               std::shared_ptr<const ContactTerm> nodes);
+  MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides,
+               const Comm& comm, const Halo& halo, std::shared_ptr<const ContactTerm> nodes);
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
   void linearize(const State&) override {}

@@ -148,7 +148,8 @@ void RigidMotion::place() {
     }
     if (surface_->normals.empty()) continue;
     for (int t = part.first_triangle; t < part.first_triangle + part.triangles; ++t)
-      for (int i = 0; i < 3; ++i) surface_->normals[t][i] = turned(now_[p].rotation, surface_->reference_normals[t][i]);
+      for (int i = 0; i < 3; ++i)
+        surface_->normals[t][i] = turned(now_[p].rotation, surface_->reference_normals[t][i]);
   }
 }
 

@@ -1,7 +1,7 @@
 #include "contact/rigid/rigid_shapes.hpp"
 
-#include "contact/surfaces/meridians.hpp"
 #include "contact/rigid/skin.hpp"
+#include "contact/surfaces/meridians.hpp"
 
 namespace bulbus {
 namespace {

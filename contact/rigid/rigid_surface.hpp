@@ -2,14 +2,14 @@
 #include <string>
 #include <vector>
 
-#include "contact/surfaces/smoothed_facets.hpp"
 #include "contact/surfaces/facets.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 #include "core/problem/state.hpp"
 
 namespace bulbus {
 
-/// The skin of a rigid body that the scene moves: band, tire, plane, ... Several parts may move each its own way (the
-/// arcs of a band close radially).
+/// The skin of a rigid body that the scene moves: band, tire, plane, ... Several parts may move each its own
+/// way (the arcs of a band close radially).
 struct RigidSurface {
   struct Part {
     int first_point = 0, points = 0;        ///< its run of points

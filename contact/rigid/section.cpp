@@ -82,8 +82,8 @@ void require_section(const Section& s, const std::string& key) {
                       "Give at least three.");
   if (n > most_corners)
     throw scene_error(key,
-                      "a section of " + std::to_string(n) + " corners is finer than any contact feels: at most " +
-                          std::to_string(most_corners),
+                      "a section of " + std::to_string(n) +
+                          " corners is finer than any contact feels: at most " + std::to_string(most_corners),
                       "Leave corners out; `spline` joins a few of them smoothly.");
   double length = 0;
   for (std::size_t i = 0; i < n; ++i) length += distance(s[i], s[(i + 1) % n]);

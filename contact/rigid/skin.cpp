@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
+#include "contact/rigid/stl.hpp"
 #include "contact/surfaces/facets.hpp"
 #include "contact/surfaces/meridians.hpp"
-#include "contact/rigid/stl.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 
 namespace bulbus {
@@ -46,10 +46,13 @@ Skin stl_body(const std::string& path) {
 // A body for an eye measures some millimetres.
 void warn_of_size(Skin& skin, const std::string& path) {
   Point low{skin.points[0], skin.points[1], skin.points[2]}, high = low;
-  for (std::size_t i = 0; i < skin.points.size(); ++i) low[i % 3] = std::min(low[i % 3], skin.points[i]), high[i % 3] = std::max(high[i % 3], skin.points[i]);
+  for (std::size_t i = 0; i < skin.points.size(); ++i)
+    low[i % 3] = std::min(low[i % 3], skin.points[i]), high[i % 3] = std::max(high[i % 3], skin.points[i]);
   if (const double size = norm(minus(high, low)); size < .1 || size > 1000)
-    skin.warnings.push_back(fmt::format("{} measures {:.3g} mm from corner to corner: are its coordinates in {}? Then give `scale: {}` beside its path.", path,
-                                        size, size < .1 ? "metres" : "micrometres", size < .1 ? "1000" : "0.001"));
+    skin.warnings.push_back(
+        fmt::format("{} measures {:.3g} mm from corner to corner: are its coordinates in {}? Then give "
+                    "`scale: {}` beside its path.",
+                    path, size, size < .1 ? "metres" : "micrometres", size < .1 ? "1000" : "0.001"));
 }
 
 }  // namespace

@@ -49,7 +49,9 @@ class Collector {
   }
   StlSkin take(const std::string& path, bool text) {
     if (flat_ + repeated_ > 0)
-      skin_.warnings.push_back(fmt::format("{}: {} facets with two equal corners and {} that repeat an earlier one are left out.", path, flat_, repeated_));
+      skin_.warnings.push_back(
+          fmt::format("{}: {} facets with two equal corners and {} that repeat an earlier one are left out.",
+                      path, flat_, repeated_));
     skin_.text = text;
     return std::move(skin_);
   }
@@ -124,7 +126,8 @@ class TextReader {
     const char* first = w.data() + (w[0] == '+');
     double value = 0;
     const auto [end, fault] = std::from_chars(first, w.data() + w.size(), value);
-    if (fault != std::errc() || end != w.data() + w.size()) fail(fmt::format("'{}' is no number", printable(w)));
+    if (fault != std::errc() || end != w.data() + w.size())
+      fail(fmt::format("'{}' is no number", printable(w)));
     return value;
   }
   void skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
@@ -152,7 +155,8 @@ std::string claim_of(const std::string& bytes) {
   std::uint32_t count = 0;
   if (bytes.size() < header + sizeof count) return "";
   std::memcpy(&count, bytes.data() + header, sizeof count);
-  return fmt::format(", which {} triangles would have to be {}", count, header + sizeof count + facet * count);
+  return fmt::format(", which {} triangles would have to be {}", count,
+                     header + sizeof count + facet * count);
 }
 
 StlSkin read_binary(const std::string& path, const std::string& bytes, std::uint32_t count) {
@@ -171,7 +175,9 @@ StlSkin read_binary(const std::string& path, const std::string& bytes, std::uint
 
 bool begins_as_text(const std::string& bytes) {
   const std::string solid = "solid";
-  return bytes.size() >= solid.size() && std::equal(solid.begin(), solid.end(), bytes.begin(), [](char a, unsigned char b) { return a == std::tolower(b); });
+  return bytes.size() >= solid.size() &&
+         std::equal(solid.begin(), solid.end(), bytes.begin(),
+                    [](char a, unsigned char b) { return a == std::tolower(b); });
 }
 
 }  // namespace
@@ -181,7 +187,8 @@ StlSkin read_stl(const std::string& path) {
   const auto count = binary_count(bytes);
   if (!count && !begins_as_text(bytes))
     throw input_error(path, 0,
-                      fmt::format("is neither a text STL file, which begins with 'solid', nor a binary one, whose size fits its number "
+                      fmt::format("is neither a text STL file, which begins with 'solid', nor a binary one, "
+                                  "whose size fits its number "
                                   "of triangles (it has {} bytes{})",
                                   bytes.size(), claim_of(bytes)),
                       "Save the STL file again: it is cut short, or of another kind.");

@@ -23,14 +23,17 @@ struct Edge {
 
 class Body {
  public:
-  Body(const StlSkin& skin, const std::string& path) : skin_(skin), path_(path), neighbours_(skin.triangles.size()) {}
+  Body(const StlSkin& skin, const std::string& path)
+      : skin_(skin), path_(path), neighbours_(skin.triangles.size()) {}
 
   void require() {
     refuse_flat();
     join();
     orient();
     if (open_)
-      refuse(open_->triangle, fmt::format("the surface is open: nothing continues the {} across its edge from {} to {}", facet(open_->triangle), place(open_->a), place(open_->b)),
+      refuse(open_->triangle,
+             fmt::format("the surface is open: nothing continues the {} across its edge from {} to {}",
+                         facet(open_->triangle), place(open_->a), place(open_->b)),
              "Close the surface; equal corners must have equal coordinates.");
     require_outside();
   }
@@ -42,9 +45,13 @@ class Body {
   };
 
   Point point(int p) const { return {skin_.points[3 * p], skin_.points[3 * p + 1], skin_.points[3 * p + 2]}; }
-  std::string place(int p) const { return fmt::format("({:g}, {:g}, {:g})", skin_.points[3 * p], skin_.points[3 * p + 1], skin_.points[3 * p + 2]); }
+  std::string place(int p) const {
+    return fmt::format("({:g}, {:g}, {:g})", skin_.points[3 * p], skin_.points[3 * p + 1],
+                       skin_.points[3 * p + 2]);
+  }
   std::string facet(int t) const {
-    return skin_.text ? fmt::format("facet in line {}", skin_.places[t]) : fmt::format("facet {}", skin_.places[t]);
+    return skin_.text ? fmt::format("facet in line {}", skin_.places[t])
+                      : fmt::format("facet {}", skin_.places[t]);
   }
   std::string corners(int t) const {
     const auto& [a, b, c] = skin_.triangles[t];
@@ -84,8 +91,9 @@ class Body {
   void join(std::vector<Edge>::const_iterator e, int count) {
     if (count > 2)
       refuse(e[2].triangle,
-             fmt::format("the edge from {} to {} belongs to {} facets, the {}, the {} and the {} among them", place(e->a), place(e->b), count,
-                         facet(e[0].triangle), facet(e[1].triangle), facet(e[2].triangle)),
+             fmt::format("the edge from {} to {} belongs to {} facets, the {}, the {} and the {} among them",
+                         place(e->a), place(e->b), count, facet(e[0].triangle), facet(e[1].triangle),
+                         facet(e[2].triangle)),
              "Let two facets meet at every edge; save bodies that touch each other as files of their own.");
     if (count == 1) {
       if (!open_ || e->triangle < open_->triangle) open_ = *e;
@@ -96,7 +104,8 @@ class Body {
     neighbours_[e[1].triangle].push_back({e[0].triangle, agrees});
   }
 
-  // Facets that hang together are one shell; the fewer of those that disagree on which side is out are turned.
+  // Facets that hang together are one shell; the fewer of those that disagree on which side is out are
+  // turned.
   void orient() {
     std::vector<int> side(skin_.triangles.size());
     for (int t = 0; t < static_cast<int>(side.size()); ++t) {
@@ -108,9 +117,11 @@ class Body {
       if (turned.empty()) continue;
       const int first = *std::ranges::min_element(turned);
       refuse(first,
-             fmt::format("{} of {} facets {} turned against the others, first the {} with the corners {}", turned.size(), skin_.triangles.size(),
-                         turned.size() == 1 ? "is" : "are", facet(first), corners(first)),
-             "Exchange two of its corners, or let a mesh program orient all facets alike (Blender: Recalculate Outside).");
+             fmt::format("{} of {} facets {} turned against the others, first the {} with the corners {}",
+                         turned.size(), skin_.triangles.size(), turned.size() == 1 ? "is" : "are",
+                         facet(first), corners(first)),
+             "Exchange two of its corners, or let a mesh program orient all facets alike (Blender: "
+             "Recalculate Outside).");
     }
   }
 
@@ -124,7 +135,10 @@ class Body {
           side[other] = wanted;
           shell.push_back(other);
         } else if (side[other] != wanted) {
-          refuse(other, fmt::format("the surface has one side only, like a Moebius strip: the {} cannot agree with all of its neighbours", facet(other)),
+          refuse(other,
+                 fmt::format("the surface has one side only, like a Moebius strip: the {} cannot agree with "
+                             "all of its neighbours",
+                             facet(other)),
                  "Mesh the body again.");
         }
       }
@@ -147,7 +161,8 @@ class Body {
     for (int t : shell) {
       triangles.push_back(skin_.triangles[t]);
       for (int p : skin_.triangles[t])
-        for (int c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], point(p)[c]), box.high[c] = std::max(box.high[c], point(p)[c]);
+        for (int c = 0; c < 3; ++c)
+          box.low[c] = std::min(box.low[c], point(p)[c]), box.high[c] = std::max(box.high[c], point(p)[c]);
     }
     box.volume = enclosed_volume(skin_.points, triangles);
     return box;
@@ -157,11 +172,16 @@ class Body {
   void require_outside() const {
     std::vector<Box> boxes;
     for (const auto& shell : shells_) boxes.push_back(box_of(shell));
-    const std::string what = "the body is inside out: its triangles turn their normals inwards", remedy = "Turn all triangles of it and save the file again.";
+    const std::string what = "the body is inside out: its triangles turn their normals inwards",
+                      remedy = "Turn all triangles of it and save the file again.";
     if (boxes.size() == 1 && !(boxes[0].volume > 0)) throw input_error(path_, 0, what, remedy);
     for (std::size_t i = 0; i < boxes.size(); ++i)
-      if (!(boxes[i].volume > 0) && std::ranges::none_of(boxes, [&](const Box& o) { return o.volume > 0 && o.holds(boxes[i]); }))
-        refuse(shells_[i][0], fmt::format("{} (closed surface {} of {}, from the {} on)", what, i + 1, boxes.size(), facet(shells_[i][0])), remedy);
+      if (!(boxes[i].volume > 0) &&
+          std::ranges::none_of(boxes, [&](const Box& o) { return o.volume > 0 && o.holds(boxes[i]); }))
+        refuse(shells_[i][0],
+               fmt::format("{} (closed surface {} of {}, from the {} on)", what, i + 1, boxes.size(),
+                           facet(shells_[i][0])),
+               remedy);
   }
 
   const StlSkin& skin_;

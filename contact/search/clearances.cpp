@@ -8,7 +8,8 @@ namespace bulbus {
 double greatest_motion(std::span<const double> now, std::span<const double> before) {
   double most = 0;
   for (std::size_t i = 0; i < now.size(); i += 3)
-    most = std::max(most, std::pow(now[i] - before[i], 2) + std::pow(now[i + 1] - before[i + 1], 2) + std::pow(now[i + 2] - before[i + 2], 2));
+    most = std::max(most, std::pow(now[i] - before[i], 2) + std::pow(now[i + 1] - before[i + 1], 2) +
+                              std::pow(now[i + 2] - before[i + 2], 2));
   return std::sqrt(most);
 }
 

@@ -7,7 +7,8 @@ namespace bulbus {
 /// Largest distance between two places of one point, 3 numbers each.
 double greatest_motion(std::span<const double> now, std::span<const double> before);
 
-/// Which points are too far from the surface to matter: each once measured, less what points and surface have moved since.
+/// Which points are too far from the surface to matter: each once measured, less what points and surface have
+/// moved since.
 class Clearances {
  public:
   /// Where points and surface are now, 3 numbers each; always the same ones.
@@ -17,8 +18,8 @@ class Clearances {
   void set(int point, double distance) { until_[point] = way_ + distance; }
 
  private:
-  double way_ = 0;              // an upper bound of all relative motion so far, mm
-  std::vector<double> until_;   // way_ at which the point may matter again
+  double way_ = 0;             // an upper bound of all relative motion so far, mm
+  std::vector<double> until_;  // way_ at which the point may matter again
   std::vector<double> points_, surface_;
 };
 

@@ -8,8 +8,8 @@
 namespace bulbus {
 namespace {
 
-constexpr double on_edge = 1e-9;    // weights: what is round-off of an edge
-constexpr double away = -1e-6;      // N·n above this: not facing
+constexpr double on_edge = 1e-9;  // weights: what is round-off of an edge
+constexpr double away = -1e-6;    // N·n above this: not facing
 constexpr int longest_walk = 20;
 
 // Differences below round-off do not decide between triangles: the lower number does, it comes first.
@@ -31,13 +31,16 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
              std::span<const int> candidates, const SearchLimits& limits) {
   if (start >= 0)
     if (const int t = track(master, x, N, start); t >= 0)
-      if (const double d = cross_line(x, N, master.corners(t)).distance; std::abs(d) <= limits.reach) return {t, d};
+      if (const double d = cross_line(x, N, master.corners(t)).distance; std::abs(d) <= limits.reach)
+        return {t, d};
   Hit best;
   for (int t : candidates) {
     if (passes_by(x, N, master.spheres[t])) continue;
     const Triangle corners = master.corners(t);
     const Crossing c = cross_line(x, N, corners);
-    if (!c.facing || !c.inside(master.facets.neighbours[t], master.rim) || std::abs(c.distance) > limits.reach) continue;
+    if (!c.facing || !c.inside(master.facets.neighbours[t], master.rim) ||
+        std::abs(c.distance) > limits.reach)
+      continue;
     if (best.triangle >= 0 && !nearer(std::abs(c.distance), std::abs(best.distance), limits)) continue;
     if (project(x, corners).gap > -limits.depth) best = {t, c.distance};
   }
@@ -60,7 +63,8 @@ struct Around {
   std::vector<double> shares;
 };
 
-Around around(const MasterSurface& master, int triangle, const std::array<double, 3>& weights, std::span<const int> candidates) {
+Around around(const MasterSurface& master, int triangle, const std::array<double, 3>& weights,
+              std::span<const int> candidates) {
   const Facets& f = master.facets;
   const auto zeros = std::ranges::count(weights, 0.);
   if (zeros == 0) return {{triangle}, {1}};
@@ -84,7 +88,8 @@ Around around(const MasterSurface& master, int triangle, const std::array<double
 
 }  // namespace
 
-MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::span<const CornerNormals> n) : facets(f), places(p), normals(n) {
+MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::span<const CornerNormals> n)
+    : facets(f), places(p), normals(n) {
   for (int t = 0; t < static_cast<int>(facets.triangles.size()); ++t) {
     const Triangle v = corners(t);
     Sphere s{{}, 0};
@@ -152,7 +157,8 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
   NearestPoint foot{{}, on_line.distance};
   for (int t : candidates) {
     if (farther(x, master.spheres[t], foot.distance)) continue;
-    if (const NearestPoint p = nearest_point(x, master.corners(t)); nearer(p.distance, foot.distance, limits)) nearest = t, foot = p;
+    if (const NearestPoint p = nearest_point(x, master.corners(t)); nearer(p.distance, foot.distance, limits))
+      nearest = t, foot = p;
   }
   if (nearest < 0) return on_line;
   const Around ring = around(master, nearest, foot.weights, candidates);

@@ -16,8 +16,10 @@ struct MasterSurface {
     Vec3<double> center;
     double radius;
   };
-  /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. The surface and its places must stay.
-  MasterSurface(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals = {});
+  /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. The surface and its
+  /// places must stay.
+  MasterSurface(const Facets& facets, std::span<const double> places,
+                std::span<const CornerNormals> normals = {});
   Triangle corners(int triangle) const { return corners_of(facets, places, triangle); }
 
   const Facets& facets;
@@ -28,23 +30,27 @@ struct MasterSurface {
   std::vector<Sphere> spheres;  ///< around every triangle
 };
 
-/// Where the line x + d N meets a triangle's plane. With A = x1 − x, B = x2 − x, C = x3 − x the weights of the meeting point are
+/// Where the line x + d N meets a triangle's plane. With A = x1 − x, B = x2 − x, C = x3 − x the weights of
+/// the meeting point are
 ///     w1 = N·(B×C), w2 = N·(C×A), w3 = N·(A×B) over their sum, and d = A·(B×C) over it
 struct Crossing {
-  bool facing = false;            ///< N·n < 0: the triangle looks at the slave; nothing else is given if not
+  bool facing = false;  ///< N·n < 0: the triangle looks at the slave; nothing else is given if not
   std::array<double, 3> weights;
-  double distance;                ///< d; negative where the node is behind the plane
-  /// Edges belong to both sides. A rim, where `neighbours` of the triangle are −1, reaches past itself by the part `rim` of its height.
+  double distance;  ///< d; negative where the node is behind the plane
+  /// Edges belong to both sides. A rim, where `neighbours` of the triangle are −1, reaches past itself by the
+  /// part `rim` of its height.
   bool inside(const std::array<int, 3>& neighbours = {}, double rim = 0) const;
 };
 Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle& corners);
 
-/// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative weight. −1 at a rim (but for what
-/// it reaches past itself), at a triangle that looks away, or after 20 steps.
+/// Walks from `start` towards the triangle that the line meets: across the edge opposite the most negative
+/// weight. −1 at a rim (but for what it reaches past itself), at a triangle that looks away, or after 20
+/// steps.
 int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start);
 
-/// Of a curved surface: walks from `start` to the triangle in which x has its foot along the interpolated normals (foot_along_normals), or as near to it
-/// as a walk across smooth edges (planes within 30 degrees) leads.
+/// Of a curved surface: walks from `start` to the triangle in which x has its foot along the interpolated
+/// normals (foot_along_normals), or as near to it as a walk across smooth edges (planes within 30 degrees)
+/// leads.
 int foot_of(const MasterSurface& master, const Vec3<double>& x, int start);
 
 struct SearchLimits {
@@ -58,11 +64,13 @@ struct Selection {
 };
 
 /// The triangle whose plane keeps the node out.
-/// 1. The one that the slave's normal line meets: found by tracking from `start` (−1: none), on whose right side the node is
+/// 1. The one that the slave's normal line meets: found by tracking from `start` (−1: none), on whose right
+/// side the node is
 ///    known to have been, so that `depth` does not count; otherwise the nearest one among the candidates.
-/// 2. Where the line meets none, or only one that the node is in front of, the node may still be inside: in a concave corner, or
-///    where the line slips past a rim. The nearest point of the surface decides, behind an edge or a corner by the sum of the normals
-///    around it (angle-weighted). A rim stops nothing that it does not reach.
+/// 2. Where the line meets none, or only one that the node is in front of, the node may still be inside: in a
+/// concave corner, or
+///    where the line slips past a rim. The nearest point of the surface decides, behind an edge or a corner
+///    by the sum of the normals around it (angle-weighted). A rim stops nothing that it does not reach.
 /// `candidates`: ascending; all triangles within reach of x.
 Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start,
                  std::span<const int> candidates, const SearchLimits& limits);

@@ -4,8 +4,10 @@ namespace bulbus {
 namespace {
 
 std::array<double, 3> nearest_weights(const Vec3<double>& x, const Triangle& v) {
-  const Vec3<double> ab = minus(v[1], v[0]), ac = minus(v[2], v[0]), ax = minus(x, v[0]), bx = minus(x, v[1]), cx = minus(x, v[2]);
-  const double d1 = dot(ab, ax), d2 = dot(ac, ax), d3 = dot(ab, bx), d4 = dot(ac, bx), d5 = dot(ab, cx), d6 = dot(ac, cx);
+  const Vec3<double> ab = minus(v[1], v[0]), ac = minus(v[2], v[0]), ax = minus(x, v[0]), bx = minus(x, v[1]),
+                     cx = minus(x, v[2]);
+  const double d1 = dot(ab, ax), d2 = dot(ac, ax), d3 = dot(ab, bx), d4 = dot(ac, bx), d5 = dot(ab, cx),
+               d6 = dot(ac, cx);
   if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
   if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
   if (d6 >= 0 && d5 <= d6) return {0, 0, 1};

@@ -56,7 +56,8 @@ class Cells {
     size_ = std::max({size, box_.extent() / most_cells, 1e-300});
     for (int c = 0; c < 3; ++c) count_[c] = static_cast<Code>((box_.high[c] - box_.low[c]) / size_) + 1;
     std::vector<std::pair<Code, int>> coded(n);
-    for (int i = 0; i < n; ++i) coded[i] = {code(cell(points[3 * i], 0), cell(points[3 * i + 1], 1), cell(points[3 * i + 2], 2)), i};
+    for (int i = 0; i < n; ++i)
+      coded[i] = {code(cell(points[3 * i], 0), cell(points[3 * i + 1], 1), cell(points[3 * i + 2], 2)), i};
     std::sort(coded.begin(), coded.end());
     point_.reserve(n);
     for (const auto& [code, i] : coded) {
@@ -127,7 +128,8 @@ Candidates find_candidates(std::span<const double> points, std::span<const std::
   return found;
 }
 
-const Candidates& GlobalSearch::update(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
+const Candidates& GlobalSearch::update(std::span<const double> points,
+                                       std::span<const std::array<int, 3>> triangles,
                                        std::span<const double> places, double reach) {
   reach = std::max(reach, least_reach_);
   if (searches_ > 0 && reach <= reach_ && motion(points, places) <= margin_ / 2) return candidates_;
@@ -151,7 +153,8 @@ double GlobalSearch::motion(std::span<const double> points, std::span<const doub
   double most = 0;
   for (std::size_t i = 0; i < points.size(); ++i) most = std::max(most, std::abs(points[i] - points_[i]));
   for (std::size_t i = 0; i < corners_.size(); ++i)
-    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(places[3 * corners_[i] + c] - corner_places_[3 * i + c]));
+    for (int c = 0; c < 3; ++c)
+      most = std::max(most, std::abs(places[3 * corners_[i] + c] - corner_places_[3 * i + c]));
   return most;
 }
 

@@ -14,8 +14,8 @@ bool degenerate(const Triangle& v) { return !(norm(cross(minus(v[1], v[0]), minu
 
 }  // namespace
 
-int entered_through(const MasterSurface& now, std::span<const double> before, const Way& way, std::span<const int> candidates,
-                    double on_surface) {
+int entered_through(const MasterSurface& now, std::span<const double> before, const Way& way,
+                    std::span<const int> candidates, double on_surface) {
   int first = -1;
   double earliest = 2;
   for (int t : candidates) {

@@ -10,17 +10,19 @@ struct Way {
   Vec3<double> from, to;
 };
 
-/// The triangle through which a point's way leads from the front of a moving surface to its back; of several the one that it meets
-/// first; −1: none. In the frame of a triangle that goes along with it the gap and the weights of the foot change linearly:
+/// The triangle through which a point's way leads from the front of a moving surface to its back; of several
+/// the one that it meets first; −1: none. In the frame of a triangle that goes along with it the gap and the
+/// weights of the foot change linearly:
 ///     t = G0 / (G0 − G1),  L = (1 − t) L0 + t L1
-/// exact where the surface moves rigidly. Crossings that miss a triangle by a twentieth of its height count: whether the point is inside
-/// is then decided where it is now. `before`: places of the corners at the start of the way; `candidates`: all triangles within the
-/// length of the way, relative to the surface, of its end. `on_surface`: gaps that are 0 but for rounding, mm.
-int entered_through(const MasterSurface& now, std::span<const double> before, const Way& way, std::span<const int> candidates,
-                    double on_surface);
+/// exact where the surface moves rigidly. Crossings that miss a triangle by a twentieth of its height count:
+/// whether the point is inside is then decided where it is now. `before`: places of the corners at the start
+/// of the way; `candidates`: all triangles within the length of the way, relative to the surface, of its end.
+/// `on_surface`: gaps that are 0 but for rounding, mm.
+int entered_through(const MasterSurface& now, std::span<const double> before, const Way& way,
+                    std::span<const int> candidates, double on_surface);
 
-/// Walks from triangle to triangle as long as the nearest point comes no farther from x: the triangle of the nearest point of that part of
-/// the surface.
+/// Walks from triangle to triangle as long as the nearest point comes no farther from x: the triangle of the
+/// nearest point of that part of the surface.
 int nearest_from(const MasterSurface& master, const Vec3<double>& x, int start);
 
 }  // namespace bulbus

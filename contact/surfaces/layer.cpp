@@ -41,7 +41,8 @@ HexesOfFace hexes_of_faces(const Mesh& mesh) {
   return hexes;
 }
 
-// The way through the tissue from a face: hexahedra of one region, each across from the one before, and the last one's far face.
+// The way through the tissue from a face: hexahedra of one region, each across from the one before, and the
+// last one's far face.
 struct Way {
   std::vector<int> hexes;
   Quad end;
@@ -56,7 +57,8 @@ Way way_under(const Mesh& mesh, const HexesOfFace& hexes, const Quad& face) {
     way.hexes.push_back(h);
     way.end = opposite(mesh.hexes[h], way.end);
     const auto& sides = hexes.at(key_of(way.end));
-    const auto next = std::ranges::find_if(sides, [&](int k) { return k != h && mesh.region[k] == mesh.region[h]; });
+    const auto next =
+        std::ranges::find_if(sides, [&](int k) { return k != h && mesh.region[k] == mesh.region[h]; });
     if (next == sides.end()) return way;
     h = *next;
   }
@@ -77,7 +79,8 @@ double refined_thickness(const Mesh& base, const Way& way, const Quad& face, int
   for (int h : way.hexes) hexes[h] = true;
   Extract column = extract(base, hexes, std::vector<bool>(base.points.size()));
   Quad top;
-  for (int i = 0; i < 4; ++i) top[i] = static_cast<int>(std::ranges::lower_bound(column.nodes, face[i]) - column.nodes.begin());
+  for (int i = 0; i < 4; ++i)
+    top[i] = static_cast<int>(std::ranges::lower_bound(column.nodes, face[i]) - column.nodes.begin());
   column.mesh.node_sets.clear();
   column.mesh.bars.clear();
   column.mesh.surfaces = {{"top", {top}}};

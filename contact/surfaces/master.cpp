@@ -26,7 +26,8 @@ Master::Master(std::shared_ptr<const RigidSurface> surface)
       pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),
       piece_(surface_->facets.triangles.size()) {
   for (std::size_t k = 0; k < surface_->parts.size(); ++k)
-    std::fill_n(piece_.begin() + surface_->parts[k].first_triangle, surface_->parts[k].triangles, static_cast<int>(k));
+    std::fill_n(piece_.begin() + surface_->parts[k].first_triangle, surface_->parts[k].triangles,
+                static_cast<int>(k));
 }
 
 std::span<const double> Master::places(const State& state) const {

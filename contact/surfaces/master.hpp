@@ -1,17 +1,19 @@
 #pragma once
 #include <memory>
 
+#include "contact/rigid/rigid_surface.hpp"
 #include "contact/search/local_search.hpp"
 #include "contact/surfaces/master_normals.hpp"
-#include "contact/rigid/rigid_surface.hpp"
 #include "contact/surfaces/sharp_edges.hpp"
 
 namespace bulbus {
 
-/// The side that nodes are kept out of: faces of the mesh (one piece), or the parts of a rigid body, each a master of its own.
+/// The side that nodes are kept out of: faces of the mesh (one piece), or the parts of a rigid body, each a
+/// master of its own.
 class Master {
  public:
-  /// Corners are local nodes, renumbered to those in use; all triangles on every rank that has slave nodes, in the same order.
+  /// Corners are local nodes, renumbered to those in use; all triangles on every rank that has slave nodes,
+  /// in the same order.
   explicit Master(Facets faces);
   explicit Master(std::shared_ptr<const RigidSurface> surface);
 
@@ -21,15 +23,19 @@ class Master {
   int pieces() const { return pieces_; }
   int piece_of(int triangle) const { return piece_[triangle]; }
   MasterSurface at(const State& state) const;
-  /// Which components of the nodes' normals vanish, as of symmetry planes that they lie on: of each of nodes().
+  /// Which components of the nodes' normals vanish, as of symmetry planes that they lie on: of each of
+  /// nodes().
   void mirror(std::vector<std::array<bool, 3>> components);
   /// ∂n/∂x of the normal at corner `node`, an index of nodes(), of a surface of the mesh.
-  std::vector<NormalShare> turning(int node, std::span<const double> places) const { return node_normals_->turning(node, places); }
+  std::vector<NormalShare> turning(int node, std::span<const double> places) const {
+    return node_normals_->turning(node, places);
+  }
   /// Where its corners are, 3 numbers each, mm; until the next call or the next motion of a rigid body.
   std::span<const double> places(const State& state) const;
   /// The mesh nodes of its corners, ascending; none of a rigid body.
   const std::vector<int>& nodes() const { return nodes_; }
-  /// Triangles that one of a rigid body meets in a sharp convex edge or corner; none of a surface of the mesh.
+  /// Triangles that one of a rigid body meets in a sharp convex edge or corner; none of a surface of the
+  /// mesh.
   std::span<const int> across_edges(int triangle) const { return edges_.of(triangle); }
   /// The same of sharp concave edges and corners.
   std::span<const int> across_hollows(int triangle) const { return hollows_.of(triangle); }

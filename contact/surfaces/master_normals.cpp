@@ -5,12 +5,10 @@
 namespace bulbus {
 namespace {
 
-Vec3<double> diagonal(std::span<const double> x, int from, int to) {
-  return minus(at(x, to), at(x, from));
-}
+Vec3<double> diagonal(std::span<const double> x, int from, int to) { return minus(at(x, to), at(x, from)); }
 
-// δN = (1 − N Nᵀ) M (s × δx) / |m| of the unit normal N = m/|m| with δm = M (s × δx); M drops the components that are
-// `mirrored`.
+// δN = (1 − N Nᵀ) M (s × δx) / |m| of the unit normal N = m/|m| with δm = M (s × δx); M drops the components
+// that are `mirrored`.
 Mat3<double> turn_of_unit(const Vec3<double>& s, const Vec3<double>& m, const std::array<bool, 3>& mirrored) {
   Mat3<double> turn{};
   const double length = norm(m);

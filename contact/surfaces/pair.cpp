@@ -3,7 +3,8 @@
 namespace bulbus {
 
 Pair project(const Vec3<double>& x, const Triangle& corners) {
-  const Vec3<double> e1 = minus(corners[1], corners[0]), e2 = minus(corners[2], corners[0]), r = minus(x, corners[0]);
+  const Vec3<double> e1 = minus(corners[1], corners[0]), e2 = minus(corners[2], corners[0]),
+                     r = minus(x, corners[0]);
   Vec3<double> n = cross(e1, e2);
   const double j = norm(n);
   for (double& v : n) v /= j;

@@ -23,7 +23,8 @@ Mat3<double> gram(std::span<const FaceGap* const> active) {
   Mat3<double> G{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      G(i, j) = i < active.size() && j < active.size() ? dot(active[i]->normal, active[j]->normal) : 1. * (i == j);
+      G(i, j) =
+          i < active.size() && j < active.size() ? dot(active[i]->normal, active[j]->normal) : 1. * (i == j);
   return G;
 }
 
@@ -38,7 +39,8 @@ std::optional<Mat3<double>> inverse_gram(std::span<const FaceGap* const> active)
   return inverse;
 }
 
-std::optional<Foot> shortest(std::span<const FaceGap* const> active, const Mat3<double>& inverse, double radius) {
+std::optional<Foot> shortest(std::span<const FaceGap* const> active, const Mat3<double>& inverse,
+                             double radius) {
   Foot f;
   for (std::size_t i = 0; i < active.size(); ++i) {
     for (std::size_t j = 0; j < active.size(); ++j) f.l[i] += inverse(i, j) * (radius + active[j]->gap);
@@ -49,11 +51,13 @@ std::optional<Foot> shortest(std::span<const FaceGap* const> active, const Mat3<
 }
 
 bool allowed(const Vec3<double>& y, std::span<const FaceGap> faces, double radius) {
-  return std::ranges::all_of(faces, [&](const FaceGap& f) { return dot(f.normal, y) >= radius + f.gap - alike * radius; });
+  return std::ranges::all_of(
+      faces, [&](const FaceGap& f) { return dot(f.normal, y) >= radius + f.gap - alike * radius; });
 }
 
 // ∇∇|y| = (P − ŷŷᵀ)/|y| + Σ l_i/|y| ∇∇G_i, P onto the normals in action
-FaceGap at(const Foot& foot, std::span<const FaceGap* const> active, const Mat3<double>& inverse, double radius) {
+FaceGap at(const Foot& foot, std::span<const FaceGap* const> active, const Mat3<double>& inverse,
+           double radius) {
   const double length = norm(foot.y);
   FaceGap g{length - radius, (1 / length) * foot.y};
   for (int r = 0; r < 3; ++r)
@@ -61,7 +65,8 @@ FaceGap at(const Foot& foot, std::span<const FaceGap* const> active, const Mat3<
       double P = 0;
       for (std::size_t i = 0; i < active.size(); ++i) {
         g.bend(r, c) += foot.l[i] / length * active[i]->bend(r, c);
-        for (std::size_t j = 0; j < active.size(); ++j) P += active[i]->normal[r] * inverse(i, j) * active[j]->normal[c];
+        for (std::size_t j = 0; j < active.size(); ++j)
+          P += active[i]->normal[r] * inverse(i, j) * active[j]->normal[c];
       }
       if (active.size() > 1) g.bend(r, c) += (P - g.normal[r] * g.normal[c]) / length;
     }

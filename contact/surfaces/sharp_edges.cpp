@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "contact/surfaces/smoothed_facets.hpp"
 #include "contact/search/local_search.hpp"
 #include "contact/surfaces/meridians.hpp"
+#include "contact/surfaces/smoothed_facets.hpp"
 
 namespace bulbus {
 namespace {
@@ -34,8 +34,8 @@ SharpEdges::SharpEdges(const Facets& facets, std::span<const double> places, Kin
   for (int t = 0; t < n; ++t) {
     for (int corner : facets.triangles[t])
       for (int other : around[corner])
-        if (dot(planes[t].normal, planes[other].normal) < smooth_edge && behind(planes[t], planes[other]) == convex &&
-            behind(planes[other], planes[t]) == convex)
+        if (dot(planes[t].normal, planes[other].normal) < smooth_edge &&
+            behind(planes[t], planes[other]) == convex && behind(planes[other], planes[t]) == convex)
           others_.push_back(other);
     const auto first = others_.begin() + start_.back();
     std::sort(first, others_.end());

@@ -25,7 +25,8 @@ SlavePoints::SlavePoints(const SlaveSurface& surface, int owned, std::span<const
       for (int i = 0; i < divisions; ++i) {
         Point p{{q[0], q[1], q[2], q[3]}, {}, 4, q[0] < owned, 0};
         for (int k = 0; k < 4; ++k)
-          p.weights[k] = (1 + corner_xi[k] * midpoint(i, divisions)) * (1 + corner_eta[k] * midpoint(j, divisions)) / 4;
+          p.weights[k] =
+              (1 + corner_xi[k] * midpoint(i, divisions)) * (1 + corner_eta[k] * midpoint(j, divisions)) / 4;
         points_.push_back(p);
       }
   }
@@ -45,7 +46,8 @@ std::vector<long long> SlavePoints::keys(const SlaveSurface& surface) const {
   return keys;
 }
 
-void SlavePoints::chordal_offset(std::span<const double> X, std::span<const Quad> all, std::span<const std::string> symmetry) {
+void SlavePoints::chordal_offset(std::span<const double> X, std::span<const Quad> all,
+                                 std::span<const std::string> symmetry) {
   if (!on_faces()) return;
   const SlaveSurface whole(X, static_cast<int>(X.size() / 3), all, {}, symmetry);
   const auto normals = whole.shape(X).normals, own = shape(X).normals;
@@ -54,9 +56,11 @@ void SlavePoints::chordal_offset(std::span<const double> X, std::span<const Quad
     Point& p = points_[i];
     bool smooth = true;
     for (int k = 0; k < 4; ++k) {
-      const Vec3<double>& n = normals[std::ranges::lower_bound(whole.nodes(), p.nodes[k]) - whole.nodes().begin()];
+      const Vec3<double>& n =
+          normals[std::ranges::lower_bound(whole.nodes(), p.nodes[k]) - whole.nodes().begin()];
       smooth = smooth && dot(n, own[i]) > smooth_edge;
-      for (int c = 0; c < 3; ++c) p.chordal_offset += p.weights[k] * n[c] * (X[3 * p.nodes[k] + c] - at[3 * i + c]) / 2;
+      for (int c = 0; c < 3; ++c)
+        p.chordal_offset += p.weights[k] * n[c] * (X[3 * p.nodes[k] + c] - at[3 * i + c]) / 2;
     }
     if (!smooth) p.chordal_offset = 0;
   }
@@ -97,7 +101,8 @@ SlaveSurface::Shape SlavePoints::shape(std::span<const double> x) const {
 }
 
 // With N = a×b/j and m⊥ = m − (m·N) N:  m·δN = (δa·(b×m⊥) + δb·(m⊥×a)) / j
-std::array<Vec3<double>, 4> SlavePoints::shares(int i, std::span<const double> x, const Vec3<double>& m) const {
+std::array<Vec3<double>, 4> SlavePoints::shares(int i, std::span<const double> x,
+                                                const Vec3<double>& m) const {
   const Point& p = points_[i];
   std::array<Vec3<double>, 4> g;
   for (int k = 0; k < 4; ++k)

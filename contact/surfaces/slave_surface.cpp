@@ -6,18 +6,20 @@
 #include "core/element/q1.hpp"
 
 namespace bulbus {
-std::vector<std::array<bool, 3>> mirrored(std::span<const double> X, std::span<const int> nodes, std::span<const std::string> symmetry) {
+std::vector<std::array<bool, 3>> mirrored(std::span<const double> X, std::span<const int> nodes,
+                                          std::span<const std::string> symmetry) {
   double size = 0;
   for (int n : nodes)
     for (int c = 0; c < 3; ++c) size = std::max(size, std::abs(X[3 * n + c]));
   std::vector<std::array<bool, 3>> flat(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (const std::string& plane : symmetry) flat[i][plane[0] - 'x'] = std::abs(X[3 * nodes[i] + plane[0] - 'x']) <= 1e-9 * size;
+    for (const std::string& plane : symmetry)
+      flat[i][plane[0] - 'x'] = std::abs(X[3 * nodes[i] + plane[0] - 'x']) <= 1e-9 * size;
   return flat;
 }
 
-SlaveSurface::SlaveSurface(std::span<const double> X, int owned, std::span<const Quad> faces, std::span<const int> excluded,
-                           std::span<const std::string> symmetry) {
+SlaveSurface::SlaveSurface(std::span<const double> X, int owned, std::span<const Quad> faces,
+                           std::span<const int> excluded, std::span<const std::string> symmetry) {
   for (const Quad& q : faces)
     for (int n : q)
       if (n < owned) nodes_.push_back(n);
@@ -52,8 +54,10 @@ SlaveSurface::Shape SlaveSurface::shape(std::span<const double> x) const {
       }
       const Vec3<double> normal = cross(a, b);
       const double area = norm(normal);
-      for (const auto& [corner, N] : {std::pair{p, gauss_near * gauss_near}, {next, gauss_near * gauss_far},
-                                      {opposite, gauss_far * gauss_far}, {before, gauss_near * gauss_far}})
+      for (const auto& [corner, N] : {std::pair{p, gauss_near * gauss_near},
+                                      {next, gauss_near * gauss_far},
+                                      {opposite, gauss_far * gauss_far},
+                                      {before, gauss_near * gauss_far}})
         if (const int at = corners_[f][corner]; at >= 0) {
           for (int c = 0; c < 3; ++c) s.normals[at][c] += N * normal[c];
           s.areas[at] += N * area;

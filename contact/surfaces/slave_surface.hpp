@@ -8,8 +8,10 @@
 
 namespace bulbus {
 
-/// Which components of a normal vanish at each of `nodes`: on the planes ("x", "y", "z") of `symmetry`, where that coordinate is 0.
-std::vector<std::array<bool, 3>> mirrored(std::span<const double> X, std::span<const int> nodes, std::span<const std::string> symmetry);
+/// Which components of a normal vanish at each of `nodes`: on the planes ("x", "y", "z") of `symmetry`, where
+/// that coordinate is 0.
+std::vector<std::array<bool, 3>> mirrored(std::span<const double> X, std::span<const int> nodes,
+                                          std::span<const std::string> symmetry);
 
 /// The owned nodes of a surface with what its faces give them: outward normal and tributary area,
 ///     normal ∥ Σ ∫ N_I (a×b) dξdη,   area = Σ ∫ N_I |a×b| dξdη     (2×2 Gauss)
@@ -21,10 +23,11 @@ class SlaveSurface {
     std::vector<double> areas;          ///< mm²
   };
 
-  /// `X`: reference places of the local nodes, the first `owned` of them owned; `faces`: all that touch an owned node; nodes in
-  /// `excluded` (ascending) are left out; `symmetry`: the planes ("x", "y", "z") where that coordinate is 0.
-  SlaveSurface(std::span<const double> X, int owned, std::span<const Quad> faces, std::span<const int> excluded,
-               std::span<const std::string> symmetry);
+  /// `X`: reference places of the local nodes, the first `owned` of them owned; `faces`: all that touch an
+  /// owned node; nodes in `excluded` (ascending) are left out; `symmetry`: the planes ("x", "y", "z") where
+  /// that coordinate is 0.
+  SlaveSurface(std::span<const double> X, int owned, std::span<const Quad> faces,
+               std::span<const int> excluded, std::span<const std::string> symmetry);
 
   /// Ascending.
   std::span<const int> nodes() const { return nodes_; }

@@ -17,7 +17,8 @@ std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const 
   std::vector<std::vector<int>> around(places.size() / 3);
   for (const auto& t : facets.triangles) {
     for (int corner : t) around[corner].push_back(static_cast<int>(areas.size()));
-    areas.push_back(cross(minus(at(places, t[1]), at(places, t[0])), minus(at(places, t[2]), at(places, t[0]))));
+    areas.push_back(
+        cross(minus(at(places, t[1]), at(places, t[0])), minus(at(places, t[2]), at(places, t[0]))));
   }
   std::vector<CornerNormals> normals(areas.size());
   for (std::size_t k = 0; k < areas.size(); ++k)
@@ -38,8 +39,9 @@ double rise(const Facets& facets, std::span<const double> places, std::span<cons
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const auto& t = facets.triangles[k];
-      most =
-          std::max(most, std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(places, t[i]), at(places, t[j])))) / 2);
+      most = std::max(
+          most,
+          std::abs(dot(minus(normals[k][i], normals[k][j]), minus(at(places, t[i]), at(places, t[j])))) / 2);
     }
   return most;
 }

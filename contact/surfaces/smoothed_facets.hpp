@@ -28,16 +28,18 @@ struct NormalFoot {
   Vec3<double> normal;            ///< n
   std::array<Vec3<double>, 3> inverse;  ///< rows of J⁻¹, J = [∂x/∂L2, ∂x/∂L3, n]: they give δL2, δL3 and δg
 };
-/// By Newton's method from `flat`, the foot in the triangle's plane; none where that lies farther beyond an edge
-/// than the triangle is wide, or it does not converge.
+/// By Newton's method from `flat`, the foot in the triangle's plane; none where that lies farther beyond an
+/// edge than the triangle is wide, or it does not converge.
 std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Pair& flat, const Triangle& corners,
                                              const CornerNormals& normals);
 
 /// Distance to the curved surface that a triangle stands for, along its interpolated normals:
 ///     G = g |n| − Σ_{i<j} s_ij L_i L_j,  s_ij = ½ (n_i − n_j)·(x_i − x_j)
-/// Exact to second order on a circle; n/|n| is ∇G to second order in the angle between the corners' normals, the
-/// bend the symmetric part of its derivative: positive where the surface is convex. Flat where there is no such foot.
-FaceGap smoothed_gap(const Vec3<double>& x, const Pair& flat, const Triangle& corners, const CornerNormals& normals);
+/// Exact to second order on a circle; n/|n| is ∇G to second order in the angle between the corners' normals,
+/// the bend the symmetric part of its derivative: positive where the surface is convex. Flat where there is
+/// no such foot.
+FaceGap smoothed_gap(const Vec3<double>& x, const Pair& flat, const Triangle& corners,
+                     const CornerNormals& normals);
 
 /// No gap is farther from that to the flat triangles than this, mm.
 double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals);

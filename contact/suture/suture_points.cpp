@@ -7,10 +7,10 @@
 #include <map>
 #include <numbers>
 
-#include "contact/surfaces/facets.hpp"
-#include "contact/surfaces/meridians.hpp"
 #include "contact/rigid/plane_section.hpp"
 #include "contact/rigid/skin.hpp"
+#include "contact/surfaces/facets.hpp"
+#include "contact/surfaces/meridians.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/problem/closed_surface.hpp"
 
@@ -40,11 +40,13 @@ std::vector<int> nodes_of_set(const Mesh& mesh, const std::string& set, const st
 }
 
 // A place may be off by what the mesh rounds off, not by more than a face is long.
-void require_on(const Mesh& mesh, const std::vector<Quad>& faces, const SutureSpec& spec, std::size_t i, const std::string& key) {
+void require_on(const Mesh& mesh, const std::vector<Quad>& faces, const SutureSpec& spec, std::size_t i,
+                const std::string& key) {
   const Embedding e = embed(mesh, faces, spec.points[i]);
   if (e.distance <= e.size) return;
   const Point p = position(mesh, e.point);
-  throw scene_error(fmt::format("{}.points.{}", key, i), fmt::format("the point lies {:.3g} mm off '{}'", e.distance, spec.surface),
+  throw scene_error(fmt::format("{}.points.{}", key, i),
+                    fmt::format("the point lies {:.3g} mm off '{}'", e.distance, spec.surface),
                     fmt::format("The nearest place on it is [{:.4g}, {:.4g}, {:.4g}].", p[0], p[1], p[2]));
 }
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "contact/surfaces/meridians.hpp"
 #include "contact/rigid/outline.hpp"
 #include "contact/rigid/rigid_surface.hpp"
+#include "contact/surfaces/meridians.hpp"
 #include "contact/suture/suture_points.hpp"
 #include "core/mesh/distributed/local_mesh.hpp"
 #include "core/problem/term.hpp"

@@ -6,10 +6,13 @@ namespace bulbus {
 namespace {
 
 // Indices in the Mesh of some local nodes, of all ranks, ascending; with their places.
-std::vector<int> gathered(const LocalMesh& mesh, const std::vector<int>& nodes, std::vector<Point>* places = nullptr) {
+std::vector<int> gathered(const LocalMesh& mesh, const std::vector<int>& nodes,
+                          std::vector<Point>* places = nullptr) {
   std::vector<double> mine;
   for (int n : nodes)
-    if (n < mesh.owned) mine.insert(mine.end(), {static_cast<double>(mesh.input_node[n]), mesh.X[3 * n], mesh.X[3 * n + 1], mesh.X[3 * n + 2]});
+    if (n < mesh.owned)
+      mine.insert(mine.end(), {static_cast<double>(mesh.input_node[n]), mesh.X[3 * n], mesh.X[3 * n + 1],
+                               mesh.X[3 * n + 2]});
   const auto all = mesh.comm.gather(std::span<const double>(mine));
   std::vector<std::array<double, 4>> rows(all.size() / 4);
   for (std::size_t i = 0; i < all.size(); ++i) rows[i / 4][i % 4] = all[i];
@@ -45,7 +48,8 @@ SuturedTissue sutured_tissue(const LocalMesh& mesh, const SutureSpec& spec) {
   t.input = gathered(mesh, nodes, &t.mesh.points);
 
   for (const std::string& set : spec.sets)
-    if (const auto* found = mesh.nodes_of(set)) renumber(t.mesh.node_sets[set] = gathered(mesh, *found), t.input);
+    if (const auto* found = mesh.nodes_of(set))
+      renumber(t.mesh.node_sets[set] = gathered(mesh, *found), t.input);
   if (shared != mesh.shared.end())
     for (Quad q : shared->second) {
       for (int& n : q) n = mesh.input_node[n];

@@ -5,8 +5,8 @@
 namespace bulbus {
 
 /// Wrong input: one message that names the place, the value and the remedy. The command exits with status 2.
-/// `key` is the path of the scene's key that is to blame ("steps.1.increments"), where only that is known: whoever knows the
-/// file adds its name and line.
+/// `key` is the path of the scene's key that is to blame ("steps.1.increments"), where only that is known:
+/// whoever knows the file adds its name and line.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& message, std::string key = "")
@@ -21,7 +21,8 @@ InputError input_error(const std::string& what, const std::string& remedy);
 /// The same for a key of the scene.
 InputError scene_error(const std::string& key, const std::string& what, const std::string& remedy);
 
-/// The entry of `known` with the smallest edit distance to `word` (empty if none is near enough to be a slip).
+/// The entry of `known` with the smallest edit distance to `word` (empty if none is near enough to be a
+/// slip).
 template <class Range>
 std::string nearest(const std::string& word, const Range& known);
 

@@ -9,7 +9,8 @@ namespace {
 
 std::atomic<int> came{0};
 std::atomic<pid_t> heir{0};
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);  // handlers may use these
+static_assert(std::atomic<int>::is_always_lock_free &&
+              std::atomic<pid_t>::is_always_lock_free);  // handlers may use these
 int depth = 0;
 struct sigaction before_int, before_term;
 

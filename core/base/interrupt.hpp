@@ -5,8 +5,8 @@
 
 namespace bulbus {
 
-/// While it lives, a first SIGINT or SIGTERM is kept for the next safe point; a second one ends the program at once.
-/// One inside of another changes nothing.
+/// While it lives, a first SIGINT or SIGTERM is kept for the next safe point; a second one ends the program
+/// at once. One inside of another changes nothing.
 class InterruptsHeeded {
  public:
   InterruptsHeeded();

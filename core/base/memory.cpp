@@ -39,7 +39,8 @@ std::size_t peak_resident_bytes() { return status_kib("VmHWM:") * 1024; }
 std::size_t address_space_bytes() { return status_kib("VmSize:") * 1024; }
 
 std::size_t machine_bytes() {
-  const std::size_t physical = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t physical =
+      static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t process = process_limit_bytes(), ranks = static_cast<std::size_t>(processes());
   return std::min({physical, cgroup_bytes(), process > no_limit / ranks ? no_limit : ranks * process});
 }

@@ -11,8 +11,8 @@ std::size_t resident_bytes();
 std::size_t peak_resident_bytes();
 /// Bytes of address space of this process (Linux /proc; 0 elsewhere).
 std::size_t address_space_bytes();
-/// Bytes of memory that all ranks may take on this machine, used or not: what it has, what control groups allow, or the ranks' limits of
-/// the shell (ulimit) together, whichever is least.
+/// Bytes of memory that all ranks may take on this machine, used or not: what it has, what control groups
+/// allow, or the ranks' limits of the shell (ulimit) together, whichever is least.
 std::size_t machine_bytes();
 
 /// Memory for LargePages, to be freed with std::free. Throws std::bad_alloc.
@@ -28,7 +28,8 @@ class MemoryTally {
   std::map<std::string, std::size_t> peaks_;
 };
 
-/// Storage in pages of 2 MB where the system has them: for large arrays that are read from end to end, again and again.
+/// Storage in pages of 2 MB where the system has them: for large arrays that are read from end to end, again
+/// and again.
 template <class T>
 struct LargePages {
   using value_type = T;

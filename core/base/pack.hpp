@@ -11,7 +11,8 @@ namespace bulbus {
 /// Eight elements are computed side by side, one per lane.
 constexpr int lanes = 8;
 
-/// Several numbers, of the compiler's vector type V, in a struct that broadcasts; wider or narrower machines split it.
+/// Several numbers, of the compiler's vector type V, in a struct that broadcasts; wider or narrower machines
+/// split it.
 template <class V>
 struct PackOf {
   using Vector = V;
@@ -40,8 +41,12 @@ using SinglePack = PackOf<SingleVector>;
 
 /// x, y and z of a node in single precision, loaded at once, and a number that nobody reads.
 using NodeSingle = float __attribute__((vector_size(4 * sizeof(float))));
-inline NodeSingle rounded(const double* v) { return NodeSingle{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0}; }
-inline std::span<float> numbers(std::span<NodeSingle> v) { return {reinterpret_cast<float*>(v.data()), 4 * v.size()}; }
+inline NodeSingle rounded(const double* v) {
+  return NodeSingle{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
+}
+inline std::span<float> numbers(std::span<NodeSingle> v) {
+  return {reinterpret_cast<float*>(v.data()), 4 * v.size()};
+}
 
 /// Is any of the numbers not zero?
 inline bool any(const Pack& x) {
@@ -68,7 +73,8 @@ inline void store(const Pack& x, float* p) {
   std::memcpy(p, &f, sizeof f);
 }
 
-/// Asks for `count` numbers that will be needed soon: the processor itself does not look beyond a page. They need not exist.
+/// Asks for `count` numbers that will be needed soon: the processor itself does not look beyond a page. They
+/// need not exist.
 inline void prefetch(const float* first, int count) {
   constexpr int line = 64 / sizeof(float);
   for (int i = 0; i < count; i += line) __builtin_prefetch(first + i, 0, 2);

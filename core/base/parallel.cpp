@@ -32,7 +32,8 @@ std::vector<T> gather_all(std::span<const T> x, MPI_Comm comm, int size, MPI_Dat
   return all;
 }
 
-// Open MPI has malloc keep all that is freed, for networks that pin memory: a third of a large run would be holes.
+// Open MPI has malloc keep all that is freed, for networks that pin memory: a third of a large run would be
+// holes.
 void give_freed_memory_back() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_MAX, 1 << 16);
@@ -42,9 +43,11 @@ void give_freed_memory_back() {
 }
 
 // Settings of Open MPI, where the environment has none:
-// - Shared file pointers, which nothing here uses, live in semaphores named after the file. One that a killed process leaves behind lets every
+// - Shared file pointers, which nothing here uses, live in semaphores named after the file. One that a killed
+// process leaves behind lets every
 //   later process hang that opens a file of that name.
-// - A process that mpirun has not started is no server of others: it needs none of the large files that Open MPI shares with them, which
+// - A process that mpirun has not started is no server of others: it needs none of the large files that Open
+// MPI shares with them, which
 //   fail where the disk is full.
 void set_up_open_mpi() {
   setenv("OMPI_MCA_sharedfp", "^sm", 0);
@@ -137,9 +140,11 @@ std::vector<std::vector<long long>> Comm::exchange(const std::vector<std::vector
   std::vector<long long> out, in(take_start.back());
   out.reserve(give_start.back());
   for (const auto& list : to_rank) out.insert(out.end(), list.begin(), list.end());
-  MPI_Alltoallv(out.data(), give.data(), give_start.data(), MPI_LONG_LONG, in.data(), take.data(), take_start.data(), MPI_LONG_LONG, comm_);
+  MPI_Alltoallv(out.data(), give.data(), give_start.data(), MPI_LONG_LONG, in.data(), take.data(),
+                take_start.data(), MPI_LONG_LONG, comm_);
   std::vector<std::vector<long long>> from_rank;
-  for (int r = 0; r < size_; ++r) from_rank.emplace_back(in.begin() + take_start[r], in.begin() + take_start[r + 1]);
+  for (int r = 0; r < size_; ++r)
+    from_rank.emplace_back(in.begin() + take_start[r], in.begin() + take_start[r + 1]);
   return from_rank;
 }
 

@@ -18,18 +18,18 @@ namespace bulbus {
 ///       }
 ///     };
 ///
-/// The scene reader, `help scene`, the schema, resolved.yaml and the docs are visitors of describe(). Members may be
-/// bool, int, double, std::string, Point, std::vector of these, another such struct, std::optional of any of them, and
-/// std::vector or std::map<std::string, ...> of any of them. A string with About::formula holds a number with its unit or an
-/// expression.
+/// The scene reader, `help scene`, the schema, resolved.yaml and the docs are visitors of describe(). Members
+/// may be bool, int, double, std::string, Point, std::vector of these, another such struct, std::optional of
+/// any of them, and std::vector or std::map<std::string, ...> of any of them. A string with About::formula
+/// holds a number with its unit or an expression.
 struct About {
   std::string help;
   Quantity quantity = Quantity::number;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool above = false;                ///< low itself is not allowed
+  bool above = false;  ///< low itself is not allowed
   bool required = false;
-  bool formula = false;              ///< a string that holds a number with a unit, or an expression in X, Y, Z, t, s
+  bool formula = false;  ///< a string that holds a number with a unit, or an expression in X, Y, Z, t, s
   std::vector<std::string> choices;  ///< the words a string may be
 
   About(std::string help, Quantity quantity = Quantity::number) : help(std::move(help)), quantity(quantity) {}

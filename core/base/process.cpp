@@ -5,8 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -20,7 +20,8 @@ std::vector<std::string> environment_at_start() {
   std::vector<std::string> all;
   std::ifstream in("/proc/self/environ", std::ios::binary);
   for (std::string entry; std::getline(in, entry, '\0');)
-    if (!entry.starts_with("OMP_NUM_THREADS=") && !entry.starts_with("OPENBLAS_NUM_THREADS=")) all.push_back(entry);
+    if (!entry.starts_with("OMP_NUM_THREADS=") && !entry.starts_with("OPENBLAS_NUM_THREADS="))
+      all.push_back(entry);
   all.insert(all.end(), {"OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1"});
   return all;
 }
@@ -33,11 +34,15 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 std::string reason_of(int status) {
-  if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGXCPU ? "out of time" : "ended by signal " + std::to_string(WTERMSIG(status));
+  if (WIFSIGNALED(status))
+    return WTERMSIG(status) == SIGXCPU ? "out of time"
+                                       : "ended by signal " + std::to_string(WTERMSIG(status));
   return WEXITSTATUS(status) ? "ended with status " + std::to_string(WEXITSTATUS(status)) : "";
 }
 
-double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
 
 }  // namespace
 
@@ -58,9 +63,12 @@ Ended run_process(const std::vector<std::string>& arguments, unsigned timeout) {
   int status = 0;
   rusage used{};
   pass_interrupts_to(child);
-  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {}
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
+  }
   pass_interrupts_to(0);
-  Ended e{.ran = WIFEXITED(status), .status = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .reason = reason_of(status)};
+  Ended e{.ran = WIFEXITED(status),
+          .status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          .reason = reason_of(status)};
   e.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   e.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
   e.peak_mb = static_cast<double>(used.ru_maxrss) * 1024e-6;

@@ -5,7 +5,8 @@
 
 namespace bulbus {
 
-/// 3×3 matrix over a scalar or a pack. Everything is unrolled by hand-sized loops; no temporaries on the heap.
+/// 3×3 matrix over a scalar or a pack. Everything is unrolled by hand-sized loops; no temporaries on the
+/// heap.
 template <class T>
 struct Mat3 {
   std::array<std::array<T, 3>, 3> m;

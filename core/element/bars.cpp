@@ -56,13 +56,15 @@ Bars::Pull Bars::pull(std::span<const double> x, std::size_t i) const {
   return {d, A * E_ / (L * L * L), A * E_ * e / L};
 }
 
-void Bars::add_residual(std::span<const double> x, std::span<double> force, std::span<double> magnitude) const {
+void Bars::add_residual(std::span<const double> x, std::span<double> force,
+                        std::span<double> magnitude) const {
   for (std::size_t i = 0; i < bars_.size(); ++i) {
     const Pull p = pull(x, i);
     const Ends e = ends(bars_[i]);
     add(e, {p.tension * p.d[0], p.tension * p.d[1], p.tension * p.d[2]}, force);
     if (!magnitude.empty())
-      for (int k = 0; k < e.count; ++k) magnitude[e.nodes[k]] += std::abs(e.weights[k] * p.tension) * norm(p.d);
+      for (int k = 0; k < e.count; ++k)
+        magnitude[e.nodes[k]] += std::abs(e.weights[k] * p.tension) * norm(p.d);
   }
 }
 
@@ -72,7 +74,10 @@ void Bars::add_stiffness(std::span<const double> x, std::span<const double> dx, 
     const Ends e = ends(bars_[i]);
     const Vec3<double> dd = difference(e, dx);
     const double along = p.stretch_stiffness * dot(p.d, dd);
-    add(e, {along * p.d[0] + p.tension * dd[0], along * p.d[1] + p.tension * dd[1], along * p.d[2] + p.tension * dd[2]}, out);
+    add(e,
+        {along * p.d[0] + p.tension * dd[0], along * p.d[1] + p.tension * dd[1],
+         along * p.d[2] + p.tension * dd[2]},
+        out);
   }
 }
 

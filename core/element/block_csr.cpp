@@ -7,13 +7,15 @@
 
 namespace bulbus {
 
-BlockCsr::BlockCsr(int nodes, const std::function<void(const ContributionVisitor&)>& visit) : start_(nodes + 1) {
+BlockCsr::BlockCsr(int nodes, const std::function<void(const ContributionVisitor&)>& visit)
+    : start_(nodes + 1) {
   std::vector<std::vector<int>> neighbours(nodes);
   visit([&](std::span<const int> n, std::span<const double>) {
     for (int a : n)
       for (int b : n) {
         auto& row = neighbours[a];
-        if (const auto at = std::lower_bound(row.begin(), row.end(), b); at == row.end() || *at != b) row.insert(at, b);
+        if (const auto at = std::lower_bound(row.begin(), row.end(), b); at == row.end() || *at != b)
+          row.insert(at, b);
       }
   });
   for (int n = 0; n < nodes; ++n) {
@@ -22,7 +24,8 @@ BlockCsr::BlockCsr(int nodes, const std::function<void(const ContributionVisitor
     std::vector<int>().swap(neighbours[n]);
   }
   columns_.shrink_to_fit();
-  values_.resize(9 * columns_.size() + 1);  // one more, as the last column of a block is loaded with what follows it
+  values_.resize(9 * columns_.size() +
+                 1);  // one more, as the last column of a block is loaded with what follows it
   visit([&](std::span<const int> n, std::span<const double> K) {
     const std::size_t width = 3 * n.size();
     for (std::size_t a = 0; a < n.size(); ++a)
@@ -35,8 +38,8 @@ BlockCsr::BlockCsr(int nodes, const std::function<void(const ContributionVisitor
   });
 }
 
-// A column of a block is three of four numbers loaded; the fourth sum is dropped. Two sets of sums hide the latency of the adds,
-// and the matrix, read once, is fetched well ahead.
+// A column of a block is three of four numbers loaded; the fourth sum is dropped. Two sets of sums hide the
+// latency of the adds, and the matrix, read once, is fetched well ahead.
 void BlockCsr::apply(std::span<const double> x, std::span<double> y) const {
   using Four = double __attribute__((vector_size(4 * sizeof(double))));
   constexpr int ahead = 288;  // numbers

@@ -7,8 +7,8 @@
 
 namespace bulbus {
 
-/// Matrix of 3×3 blocks between the local nodes of one rank, gathered from small dense contributions: the assembled
-/// counterpart of the tangent that is applied on the fly.
+/// Matrix of 3×3 blocks between the local nodes of one rank, gathered from small dense contributions: the
+/// assembled counterpart of the tangent that is applied on the fly.
 class BlockCsr {
  public:
   /// `visit` is called twice (pattern, values) and must hand over the same contributions.

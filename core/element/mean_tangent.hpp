@@ -8,9 +8,9 @@ namespace bulbus {
 ///
 ///     C_de = Σ cof(a)_d T(e ⊗ cof(a)_e)      3×3 blocks between ∂u/∂ξ_d and ∂u/∂ξ_e, C_ed = C_deᵀ.
 ///
-/// Exact between displacements that are linear in ξ, and where C does not vary; what it couples of different modes is lost. As an
-/// integral of products of modes it needs no Gauss points. It takes pressure in, too, unless that is many times the shear modulus: then
-/// λ ∂²V/∂x² is kept exact besides.
+/// Exact between displacements that are linear in ξ, and where C does not vary; what it couples of different
+/// modes is lost. As an integral of products of modes it needs no Gauss points. It takes pressure in, too,
+/// unless that is many times the shear modulus: then λ ∂²V/∂x² is kept exact besides.
 template <class T>
 struct MeanTangent {
   std::array<Sym3<T>, 3> along;   ///< C_dd
@@ -38,8 +38,8 @@ void add_transposed_product(const Mat3<T>& C, const Vec3<T>& u, Vec3<T>& f) {
   for (int i = 0; i < 3; ++i) f[i] = f[i] + C(0, i) * u[0] + C(1, i) * u[1] + C(2, i) * u[2];
 }
 
-/// Its forces on the modes. The gradient along ξ_d has linear_d, twist_f ξ_e + twist_e ξ_f and warp ξ_e ξ_f, whose squares have the
-/// means 1, 1/3 and 1/9.
+/// Its forces on the modes. The gradient along ξ_d has linear_d, twist_f ξ_e + twist_e ξ_f and warp ξ_e ξ_f,
+/// whose squares have the means 1, 1/3 and 1/9.
 template <class T>
 Modes<T> action(const MeanTangent<T>& C, const Modes<T>& u) {
   Modes<T> f{};

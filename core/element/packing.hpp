@@ -32,8 +32,8 @@ std::vector<PackNodes<N>> make_packs(int count, NodesOf nodes_of) {
   return packs;
 }
 
-/// x, y and z of eight nodes: whole nodes are loaded as four numbers, the fourth of which belongs to the next node and is dropped,
-/// and transposed. The node behind each must exist.
+/// x, y and z of eight nodes: whole nodes are loaded as four numbers, the fourth of which belongs to the next
+/// node and is dropped, and transposed. The node behind each must exist.
 inline Vec3<Pack> gather_nodes(const std::array<int, lanes>& node, const double* v) {
   using Four = double __attribute__((vector_size(4 * sizeof(double))));
   using Vector = Pack::Vector;
@@ -44,8 +44,10 @@ inline Vec3<Pack> gather_nodes(const std::array<int, lanes>& node, const double*
     return Pack(__builtin_shufflevector(lower, upper, 0, 1, 2, 3, 4, 5, 6, 7));
   };
   const Vector p = pair(0, 4).v, q = pair(1, 5).v, r = pair(2, 6).v, s = pair(3, 7).v;
-  const Vector pq = __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14), rs = __builtin_shufflevector(r, s, 0, 8, 2, 10, 4, 12, 6, 14);
-  const Vector pq_y = __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15), rs_y = __builtin_shufflevector(r, s, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Vector pq = __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14),
+               rs = __builtin_shufflevector(r, s, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Vector pq_y = __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15),
+               rs_y = __builtin_shufflevector(r, s, 1, 9, 3, 11, 5, 13, 7, 15);
   return {Pack(__builtin_shufflevector(pq, rs, 0, 1, 8, 9, 4, 5, 12, 13)),
           Pack(__builtin_shufflevector(pq_y, rs_y, 0, 1, 8, 9, 4, 5, 12, 13)),
           Pack(__builtin_shufflevector(pq, rs, 2, 3, 10, 11, 6, 7, 14, 15))};
@@ -65,8 +67,8 @@ std::array<Vec3<Pack>, N> gather(const PackNodes<N>& p, std::span<const double> 
   return out;
 }
 
-/// Adds x, y and z to eight nodes, one after the other: elements may share one. Always as a pair and a single number, so that the next
-/// load finds what a store has just written.
+/// Adds x, y and z to eight nodes, one after the other: elements may share one. Always as a pair and a single
+/// number, so that the next load finds what a store has just written.
 inline void scatter_add_nodes(const std::array<int, lanes>& node, int used, const Vec3<Pack>& in, double* v) {
   using Two = double __attribute__((vector_size(2 * sizeof(double))));
   alignas(64) double xy[2][lanes], z[lanes];

@@ -93,7 +93,8 @@ void PressureSurface::add_stiffness(std::span<const double> x, double factor, st
 }
 
 // ∂g_I/∂x_J = Σ N_I (−N_J,ξ [b]× + N_J,η [a]×)
-void PressureSurface::visit(std::span<const double> x, double factor, const ContributionVisitor& visitor) const {
+void PressureSurface::visit(std::span<const double> x, double factor,
+                            const ContributionVisitor& visitor) const {
   for (const auto& pack : packs_) {
     const Corners v = gather(pack, x);
     std::array<Pack, 144> K{};

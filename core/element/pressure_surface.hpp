@@ -8,7 +8,8 @@
 
 namespace bulbus {
 
-/// Faces under a fluid's pressure: a×b = ∂x/∂ξ × ∂x/∂η points out of the fluid, into the solid. 2×2 Gauss points.
+/// Faces under a fluid's pressure: a×b = ∂x/∂ξ × ∂x/∂η points out of the fluid, into the solid. 2×2 Gauss
+/// points.
 ///     V = ⅓ Σ ∫ (x − x0)·(a×b),   g_I = ∂V/∂x_I = Σ N_I (a×b),   force of the fluid on the solid: P g
 /// Sums are over this rank's faces; nodal vectors have 3 numbers per local node and are added to.
 class PressureSurface {
@@ -22,7 +23,8 @@ class PressureSurface {
   /// out += factor · g
   void add_gradient(std::span<const double> x, double factor, std::span<double> out) const;
   /// out += factor · (∂g/∂x) dx
-  void add_stiffness(std::span<const double> x, double factor, std::span<const double> dx, std::span<double> out) const;
+  void add_stiffness(std::span<const double> x, double factor, std::span<const double> dx,
+                     std::span<double> out) const;
   /// factor · ∂g/∂x, face by face. Unsymmetric per face; its sum over a closed surface is symmetric.
   void visit(std::span<const double> x, double factor, const ContributionVisitor& visitor) const;
   std::size_t bytes() const;

@@ -5,22 +5,23 @@
 
 namespace bulbus {
 
-/// Trilinear hexahedron with 2×2×2 Gauss points (weights 1), sum-factorised. Nodes and points are numbered i + 2j + 4k.
-/// The derivative in one direction does not vary along it, so each has only four distinct values. Fields go through their seven
-/// coefficients (modes), which costs a third less than interpolating in every direction, and gives volumes in closed form.
+/// Trilinear hexahedron with 2×2×2 Gauss points (weights 1), sum-factorised. Nodes and points are numbered i
+/// + 2j + 4k. The derivative in one direction does not vary along it, so each has only four distinct values.
+/// Fields go through their seven coefficients (modes), which costs a third less than interpolating in every
+/// direction, and gives volumes in closed form.
 
 /// Position of node i + 2j + 4k in the order of Gmsh and VTK.
 constexpr std::array<int, 8> vtk_of_lexicographic{0, 1, 3, 2, 4, 5, 7, 6};
 
 constexpr double gauss_near = 0.788675134594812882254574390251;  ///< ½ (1 + 1/√3): weight of the nearer node
-constexpr double gauss_far = 0.211324865405187117745425609749;   ///< ½ (1 − 1/√3)
-constexpr double gauss_point = gauss_near - gauss_far;            ///< 1/√3
+constexpr double gauss_far = 0.211324865405187117745425609749;  ///< ½ (1 − 1/√3)
+constexpr double gauss_point = gauss_near - gauss_far;          ///< 1/√3
 
 template <class T>
 using NodalVectors = std::array<Vec3<T>, 8>;
 
-/// A trilinear vector field without its mean: Σ linear_d ξ_d + Σ twist_d ξ_e ξ_f + warp ξ₀ ξ₁ ξ₂ with e, f the directions other
-/// than d. Or, dually, what a functional gives for each of these coefficients.
+/// A trilinear vector field without its mean: Σ linear_d ξ_d + Σ twist_d ξ_e ξ_f + warp ξ₀ ξ₁ ξ₂ with e, f
+/// the directions other than d. Or, dually, what a functional gives for each of these coefficients.
 template <class T>
 struct Modes {
   std::array<Vec3<T>, 3> linear, twist;
@@ -86,8 +87,10 @@ ReferenceGradient<T> reference_gradient(const Modes<T>& m) {
   for (int d = 0; d < 3; ++d) {
     const int e = d == 0 ? 1 : 0, f = d == 2 ? 1 : 2;
     for (int c = 0; c < 3; ++c) {
-      const T low = m.linear[d][c] - gauss_point * m.twist[f][c], high = m.linear[d][c] + gauss_point * m.twist[f][c];
-      const T low_slope = m.twist[e][c] - gauss_point * m.warp[c], high_slope = m.twist[e][c] + gauss_point * m.warp[c];
+      const T low = m.linear[d][c] - gauss_point * m.twist[f][c],
+              high = m.linear[d][c] + gauss_point * m.twist[f][c];
+      const T low_slope = m.twist[e][c] - gauss_point * m.warp[c],
+              high_slope = m.twist[e][c] + gauss_point * m.warp[c];
       g.along[d][c] = {low - gauss_point * low_slope, high - gauss_point * high_slope,
                        low + gauss_point * low_slope, high + gauss_point * high_slope};
     }
@@ -110,7 +113,8 @@ Modes<T> transposed_gradient(const ReferenceGradient<T>& q) {
     for (int d = 0; d < 3; ++d) {
       const int e = d == 0 ? 1 : 0, f = d == 2 ? 1 : 2;
       const auto& along = q.along[d][c];
-      const T low = along[0] + along[1], high = along[2] + along[3], low_twist = along[1] - along[0], high_twist = along[3] - along[2];
+      const T low = along[0] + along[1], high = along[2] + along[3], low_twist = along[1] - along[0],
+              high_twist = along[3] - along[2];
       m.linear[d][c] = low + high;
       twist[f] += low_twist + high_twist;
       twist[e] += high - low;
@@ -130,8 +134,10 @@ NodalVectors<T> nodal(const Modes<T>& m) {
     const T lower = m.linear[0][c] - m.twist[1][c], upper = m.linear[0][c] + m.twist[1][c];
     const T lower_twist = m.twist[2][c] - m.warp[c], upper_twist = m.twist[2][c] + m.warp[c];
     const T sum = m.linear[1][c] + m.linear[2][c], difference = m.linear[1][c] - m.linear[2][c];
-    const std::array<T, 4> even{m.twist[0][c] - sum, difference - m.twist[0][c], T(-difference) - m.twist[0][c], m.twist[0][c] + sum};
-    const std::array<T, 4> odd{lower - lower_twist, lower + lower_twist, upper - upper_twist, upper + upper_twist};
+    const std::array<T, 4> even{m.twist[0][c] - sum, difference - m.twist[0][c],
+                                T(-difference) - m.twist[0][c], m.twist[0][c] + sum};
+    const std::array<T, 4> odd{lower - lower_twist, lower + lower_twist, upper - upper_twist,
+                               upper + upper_twist};
     for (int n = 0; n < 4; ++n) {
       const T mean = 0.125 * even[n];
       v[2 * n][c] = mean - 0.125 * odd[n];
@@ -141,7 +147,8 @@ NodalVectors<T> nodal(const Modes<T>& m) {
   return v;
 }
 
-/// ∂V/∂(modes) from products of two coefficients: product(i, d, j, e) is that of number d of the coefficients i and number e of j.
+/// ∂V/∂(modes) from products of two coefficients: product(i, d, j, e) is that of number d of the coefficients
+/// i and number e of j.
 template <class T, class Product>
 Modes<T> volume_gradient_of(Product product) {
   constexpr auto linear = &Modes<T>::linear, twist = &Modes<T>::twist;

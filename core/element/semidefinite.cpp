@@ -6,7 +6,8 @@ namespace bulbus {
 namespace {
 
 constexpr int n = 9;
-// Of the mean eigenvalue: beyond this below zero a smoother suffers. Usual states of tissue have eigenvalues around zero.
+// Of the mean eigenvalue: beyond this below zero a smoother suffers. Usual states of tissue have eigenvalues
+// around zero.
 constexpr double clearly = 0.5;
 
 template <class T>
@@ -58,7 +59,8 @@ void diagonalise(Matrix<double>& A, Matrix<double>& V) {
       for (int q = p + 1; q < n; ++q) {
         if (std::abs(A[p][q]) <= 1e-14 * trace) continue;
         const double theta = (A[q][q] - A[p][p]) / (2 * A[p][q]);
-        const double t = std::copysign(1, theta) / (std::abs(theta) + std::hypot(theta, 1)), c = 1 / std::hypot(t, 1), s = t * c;
+        const double t = std::copysign(1, theta) / (std::abs(theta) + std::hypot(theta, 1)),
+                     c = 1 / std::hypot(t, 1), s = t * c;
         const auto rotate = [&](double& x, double& y) {
           const double before = x;
           x = c * before - s * y, y = s * before + c * y;

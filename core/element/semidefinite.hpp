@@ -4,8 +4,8 @@
 
 namespace bulbus {
 
-/// What a pressure adds to a mean tangent: nothing along, and skew matrices across, by their axial vectors, λ/det (cof_e × cof_f) for every
-/// cyclic (d, e, f).
+/// What a pressure adds to a mean tangent: nothing along, and skew matrices across, by their axial vectors,
+/// λ/det (cof_e × cof_f) for every cyclic (d, e, f).
 using PressureTangent = std::array<Vec3<Pack>, 3>;
 
 /// += the share of a Gauss point; `factor`: λ / det a, `cof`: cofactor of a.
@@ -19,8 +19,8 @@ inline void add_pressure_tangent(const Mat3<Pack>& cof, const Pack& factor, Pres
   }
 }
 
-/// Adds to C, as a matrix of 9 × 9, what makes C − P positive semidefinite in those elements where an eigenvalue of it lies clearly below
-/// zero. The others' numbers do not change.
+/// Adds to C, as a matrix of 9 × 9, what makes C − P positive semidefinite in those elements where an
+/// eigenvalue of it lies clearly below zero. The others' numbers do not change.
 void limit_to_semidefinite(MeanTangent<Pack>& C, const PressureTangent& P);
 
 }  // namespace bulbus

@@ -25,7 +25,11 @@ Pack volume_of(const ReferenceGradient<Pack>& x) {
 }  // namespace
 
 Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<SolidRegion> regions)
-    : X_(std::move(X)), regions_(std::move(regions)), V0_(hexes.size()), mu_(hexes.size()), penalty_(hexes.size()) {
+    : X_(std::move(X)),
+      regions_(std::move(regions)),
+      V0_(hexes.size()),
+      mu_(hexes.size()),
+      penalty_(hexes.size()) {
   for (SolidRegion& r : regions_) {
     auto packs = make_packs<8>(r.count, [&](int e) { return lexicographic(hexes[r.first + e]); });
     r.first_pack = static_cast<int>(packs_.size());
@@ -36,10 +40,14 @@ Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<Soli
     store_some(volume_of(reference_gradient(gather<8>(packs_[p], X_))), V0_, first, packs_[p].used);
   });
   for (int h = 0; h < this->hexes(); ++h)
-    if (std::ranges::none_of(regions_, [h](const SolidRegion& r) { return h >= r.first && h < r.first + r.count; })) rigid_.push_back(h);
-  const auto packs = make_packs<8>(static_cast<int>(rigid_.size()), [&](int i) { return lexicographic(hexes[rigid_[i]]); });
+    if (std::ranges::none_of(regions_,
+                             [h](const SolidRegion& r) { return h >= r.first && h < r.first + r.count; }))
+      rigid_.push_back(h);
+  const auto packs =
+      make_packs<8>(static_cast<int>(rigid_.size()), [&](int i) { return lexicographic(hexes[rigid_[i]]); });
   for (std::size_t i = 0; i < rigid_.size(); ++i)
-    V0_[rigid_[i]] = volume_of(reference_gradient(gather<8>(packs[i / lanes], X_)))[static_cast<int>(i % lanes)];
+    V0_[rigid_[i]] =
+        volume_of(reference_gradient(gather<8>(packs[i / lanes], X_)))[static_cast<int>(i % lanes)];
 }
 
 void Solid::residual(std::span<const double> x, std::span<const double> lambda, std::span<double> force,
@@ -47,8 +55,9 @@ void Solid::residual(std::span<const double> x, std::span<const double> lambda, 
   for_each_pack([&](const auto& material, int p, int first) {
     const auto& pack = packs_[p];
     Pack volume;
-    const auto f = internal_force(material, reference_gradient(gather(pack, x)), reference_gradient(gather<8>(pack, X_)),
-                                  load_some(lambda, first, pack.used), volume);
+    const auto f =
+        internal_force(material, reference_gradient(gather(pack, x)), reference_gradient(gather<8>(pack, X_)),
+                       load_some(lambda, first, pack.used), volume);
     scatter_add(pack, f, force);
     store_some(volume - load_some(V0_, first, pack.used), volume_defect, first, pack.used);
     if (magnitude.empty()) return;
@@ -61,7 +70,8 @@ void Solid::residual(std::span<const double> x, std::span<const double> lambda, 
 double Solid::least_jacobian(std::span<const double> x, int* hex) const {
   double least = std::numeric_limits<double>::infinity();
   for_each_pack([&](const auto&, int p, int first) {
-    const auto gx = reference_gradient(gather(packs_[p], x)), gX = reference_gradient(gather<8>(packs_[p], X_));
+    const auto gx = reference_gradient(gather(packs_[p], x)),
+               gX = reference_gradient(gather<8>(packs_[p], X_));
     for_each_gauss_point([&](int i, int j, int k) {
       const Pack J = determinant(gx.at(i, j, k)) / determinant(gX.at(i, j, k));
       for (int l = 0; l < packs_[p].used; ++l)
@@ -74,7 +84,8 @@ double Solid::least_jacobian(std::span<const double> x, int* hex) const {
   return least;
 }
 
-void Solid::linearize(std::span<const double> x, std::span<const double> lambda, double gamma, StrainSource source) {
+void Solid::linearize(std::span<const double> x, std::span<const double> lambda, double gamma,
+                      StrainSource source) {
   x_ = x;
   lambda_ = lambda;
   gamma_ = gamma;
@@ -82,8 +93,10 @@ void Solid::linearize(std::span<const double> x, std::span<const double> lambda,
   single_.x.clear();
   single_.tangents.clear();
   update_moduli();
-  if (source == StrainSource::cache) fill_cache();
-  else decltype(cache_)().swap(cache_);
+  if (source == StrainSource::cache)
+    fill_cache();
+  else
+    decltype(cache_)().swap(cache_);
 }
 
 void Solid::update_moduli() {
@@ -97,13 +110,15 @@ void Solid::update_moduli() {
           [&](const auto& material) {
             for (int p = 0; p < r.packs; ++p) {
               const auto& pack = packs_[r.first_pack + p];
-              const auto gx = reference_gradient(gather(pack, x_)), gX = reference_gradient(gather<8>(pack, X_));
+              const auto gx = reference_gradient(gather(pack, x_)),
+                         gX = reference_gradient(gather<8>(pack, X_));
               Pack mu(0.);
               for_each_gauss_point([&](int i, int j, int k) {
                 const Mat3<Pack> a = gx.at(i, j, k);
                 mu += 0.125 * material.shear_modulus(point_strain(a, determinant(a), gX.at(i, j, k)).b);
               });
-              for (int l = 0; l < pack.used; ++l) mu_[r.first + p * lanes + l] = std::max(mu[l], floor * initial);
+              for (int l = 0; l < pack.used; ++l)
+                mu_[r.first + p * lanes + l] = std::max(mu[l], floor * initial);
             }
           },
           r.material);
@@ -116,7 +131,8 @@ void Solid::fill_cache() {
   constexpr int per_point = cached_floats * lanes;
   cache_.resize(packs_.size() * pack_floats);
   for_each_pack([&](const auto&, int p, int) {
-    const auto gx = reference_gradient(gather(packs_[p], x_)), gX = reference_gradient(gather<8>(packs_[p], X_));
+    const auto gx = reference_gradient(gather(packs_[p], x_)),
+               gX = reference_gradient(gather<8>(packs_[p], X_));
     for_each_gauss_point([&](int i, int j, int k) {
       const Mat3<Pack> a = gx.at(i, j, k);
       const PointStrain<Pack> s = point_strain(a, determinant(a), gX.at(i, j, k));
@@ -135,10 +151,15 @@ void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, s
     const Pack dl = dlambda.empty() ? Pack(0.) : load_some(dlambda, first, pack.used);
     Pack theta;
     const auto add_action = [&](const auto& strain) {
-      scatter_add(pack, tangent_action(material, strain, gather(pack, x_), gather(pack, dx), lambda, dl, penalty, theta), force);
+      scatter_add(
+          pack,
+          tangent_action(material, strain, gather(pack, x_), gather(pack, dx), lambda, dl, penalty, theta),
+          force);
     };
-    if (source_ == StrainSource::cache) add_action(CachedStrain{cache_.data() + static_cast<std::size_t>(p) * pack_floats});
-    else add_action(RecomputedStrain{reference_gradient(gather<8>(pack, X_))});
+    if (source_ == StrainSource::cache)
+      add_action(CachedStrain{cache_.data() + static_cast<std::size_t>(p) * pack_floats});
+    else
+      add_action(RecomputedStrain{reference_gradient(gather<8>(pack, X_))});
     if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
   });
 }
@@ -155,13 +176,15 @@ void Solid::apply_pressure(std::span<const double> dlambda, std::span<double> fo
 void Solid::volume_change(std::span<const double> dx, std::span<double> volume_change) const {
   for_each_pack([&](const auto&, int p, int first) {
     const auto& pack = packs_[p];
-    const Pack theta = bulbus::volume_change(volume_gradient(modes(gather(pack, x_))), modes(gather(pack, dx)));
+    const Pack theta =
+        bulbus::volume_change(volume_gradient(modes(gather(pack, x_))), modes(gather(pack, dx)));
     store_some(theta, volume_change, first, pack.used);
   });
 }
 
 std::size_t Solid::bytes() const {
-  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) + bytes_of(single_.x);
+  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) +
+         bytes_of(single_.x);
 }
 
 std::size_t Solid::cache_bytes() const { return bytes_of(cache_) + bytes_of(single_.tangents); }

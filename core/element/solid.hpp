@@ -29,13 +29,14 @@ struct CellStress {
   double mises;         ///< MPa; mean of the points' Mises stresses
 };
 
-/// Total-Lagrangian Q1/P0 mixed hexahedra of one rank: nodal vectors have 3 numbers per local node (owned and ghost), element
-/// vectors one per hexahedron. Forces are added, so that ghosts can be folded to their owners afterwards.
+/// Total-Lagrangian Q1/P0 mixed hexahedra of one rank: nodal vectors have 3 numbers per local node (owned and
+/// ghost), element vectors one per hexahedron. Forces are added, so that ghosts can be folded to their owners
+/// afterwards.
 ///     R_u = Σ ∫ (τ + λJ I) : ∇ₓN dV0,   R_λ = V_e − V0_e
 class Solid {
  public:
-  /// `X`: reference places. The hexahedra of a region are consecutive; those of no region are rigid: they have a volume, but
-  /// neither forces nor a volume equation.
+  /// `X`: reference places. The hexahedra of a region are consecutive; those of no region are rigid: they
+  /// have a volume, but neither forces nor a volume equation.
   Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<SolidRegion> regions);
 
   int hexes() const { return static_cast<int>(V0_.size()); }
@@ -53,15 +54,17 @@ class Solid {
   double least_jacobian(std::span<const double> x, int* hex = nullptr) const;
 
   /// Fixes the state of the tangent; x and lambda must stay where they are until the next call.
-  /// `gamma` augments: penalty_e = γ μ_e / V0_e with the current μ_e = 2 (W1 + W2), floored at a tenth of the initial one.
-  void linearize(std::span<const double> x, std::span<const double> lambda, double gamma, StrainSource source);
+  /// `gamma` augments: penalty_e = γ μ_e / V0_e with the current μ_e = 2 (W1 + W2), floored at a tenth of the
+  /// initial one.
+  void linearize(std::span<const double> x, std::span<const double> lambda, double gamma,
+                 StrainSource source);
 
-  /// force += (K + γ b W bᵀ) dx + b dlambda; volume_change = bᵀ dx. An empty dlambda counts as zero, an empty volume_change is
-  /// not written.
+  /// force += (K + γ b W bᵀ) dx + b dlambda; volume_change = bᵀ dx. An empty dlambda counts as zero, an empty
+  /// volume_change is not written.
   void apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
              std::span<double> volume_change) const;
-  /// force += (K + γ b W bᵀ) dx in single precision and with the mean of K over every hexahedron (see MeanTangent): for smoothers. A node
-  /// each; a translation on top of the strain costs floats accuracy.
+  /// force += (K + γ b W bᵀ) dx in single precision and with the mean of K over every hexahedron (see
+  /// MeanTangent): for smoothers. A node each; a translation on top of the strain costs floats accuracy.
   void apply_single(std::span<const NodeSingle> dx, std::span<NodeSingle> force) const;
   /// force += b dlambda and volume_change = bᵀ dx in single precision.
   void apply_pressure_single(std::span<const double> dlambda, std::span<NodeSingle> force) const;
@@ -81,7 +84,8 @@ class Solid {
   /// The matrices that apply_single() stands for, with this part of the augmentation, in a fifth of the time.
   void visit_mean(const ContributionVisitor& visitor, double augmentation = 1) const;
   /// b_e = ∂V_e/∂u of every hexahedron: 8 local nodes, 24 numbers.
-  void visit_constraints(const std::function<void(int hex, std::span<const int> nodes, std::span<const double> b)>&) const;
+  void visit_constraints(
+      const std::function<void(int hex, std::span<const int> nodes, std::span<const double> b)>&) const;
 
   std::vector<CellStress> stresses(std::span<const double> x, std::span<const double> lambda) const;
   /// ∫ W dV0 of this rank.

@@ -5,8 +5,8 @@
 
 namespace bulbus {
 
-/// What happens inside one pack of Q1/P0 elements. All integrals are over the reference element with unit Gauss weights:
-/// dV0 = det ∂X/∂ξ, J dV0 = det ∂x/∂ξ.
+/// What happens inside one pack of Q1/P0 elements. All integrals are over the reference element with unit
+/// Gauss weights: dV0 = det ∂X/∂ξ, J dV0 = det ∂x/∂ξ.
 
 template <class Body>
 void for_each_gauss_point(Body body) {
@@ -40,7 +40,8 @@ struct RecomputedStrain {
   PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a, const Pack& det) const {
     const Mat3<Pack> reference = A.at(i, j, k), cof = cofactor(reference);
     const Pack dV0 = determinant(reference, cof);
-    const Pack product = det * dV0 * dV0, root = inverse_cube_root(Pack(product * product));  // (det² dV0⁴)^(-1/3) = J^(-2/3) / dV0²
+    const Pack product = det * dV0 * dV0,
+               root = inverse_cube_root(Pack(product * product));  // (det² dV0⁴)^(-1/3) = J^(-2/3) / dV0²
     return {gram(times_transposed(a, cof), root), dV0};
   }
 };
@@ -78,7 +79,8 @@ NodalVectors<Pack> internal_force(const Material& material, const ReferenceGradi
     const Pack scale = s.dV0 * inverse;
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c)
-        q(r, c) = scale * (tau(r, 0) * cof(0, c) + tau(r, 1) * cof(1, c) + tau(r, 2) * cof(2, c)) + lambda * cof(r, c);
+        q(r, c) = scale * (tau(r, 0) * cof(0, c) + tau(r, 1) * cof(1, c) + tau(r, 2) * cof(2, c)) +
+                  lambda * cof(r, c);
     flux.add(i, j, k, q);
   });
   return nodal(transposed_gradient(flux));
@@ -87,8 +89,9 @@ NodalVectors<Pack> internal_force(const Material& material, const ReferenceGradi
 /// Action of a pack's tangent: forces K δx + b (δλ + γ W θ), where θ = bᵀ δx, b = ∂V_e/∂u, is returned too.
 /// `penalty` is γ W = γ μ_e / V0_e.
 template <class P, class Material, class Strain>
-NodalVectors<P> tangent_action(const Material& material, const Strain& strain, const NodalVectors<P>& x, const NodalVectors<P>& dx,
-                               const P& lambda, const P& dlambda, const P& penalty, P& theta) {
+NodalVectors<P> tangent_action(const Material& material, const Strain& strain, const NodalVectors<P>& x,
+                               const NodalVectors<P>& dx, const P& lambda, const P& dlambda, const P& penalty,
+                               P& theta) {
   const Modes<P> place = modes(x), change = modes(dx), b = volume_gradient(place);
   theta = volume_change(b, change);
   const ReferenceGradient<P> gx = reference_gradient(place), gd = reference_gradient(change);
@@ -98,18 +101,22 @@ NodalVectors<P> tangent_action(const Material& material, const Strain& strain, c
     const P det = determinant(a, cof), inverse = 1.0 / det;
     const PointStrain<P> s = strain.at(i, j, k, a, det);
     const Mat3<P> l = times_transposed(gd.at(i, j, k), cof);  // l det
-    // T is linear in l: hand over l det and divide once. Everything carries one more 1/det for a⁻ᵀ = cof / det.
-    flux.add_product(i, j, k, material.tangent(s.b, l, P(s.dV0 * inverse * inverse), P(lambda * inverse)), cof);
+    // T is linear in l: hand over l det and divide once. Everything carries one more 1/det for a⁻ᵀ = cof /
+    // det.
+    flux.add_product(i, j, k, material.tangent(s.b, l, P(s.dV0 * inverse * inverse), P(lambda * inverse)),
+                     cof);
   });
   Modes<P> force = transposed_gradient(flux);
   add_pressure(b, P(dlambda + penalty * theta), force);
   return nodal(force);
 }
 
-/// The mean tangent of a pack, and the rest of λ: what is too large beside the shear modulus to be taken in. Where it is clearly indefinite
-/// without its pressure, it is limited to what is not: the pressure's part cancels between neighbours and says nothing.
+/// The mean tangent of a pack, and the rest of λ: what is too large beside the shear modulus to be taken in.
+/// Where it is clearly indefinite without its pressure, it is limited to what is not: the pressure's part
+/// cancels between neighbours and says nothing.
 template <class Material>
-MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient<Pack>& x, const ReferenceGradient<Pack>& X, const Pack& lambda,
+MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient<Pack>& x,
+                               const ReferenceGradient<Pack>& X, const Pack& lambda,
                                const Pack& shear_modulus, Pack& rest) {
   for (int l = 0; l < lanes; ++l) rest.v[l] = std::abs(lambda[l]) <= 10 * shear_modulus[l] ? 0 : lambda[l];
   const Pack taken = lambda - rest;
@@ -126,7 +133,9 @@ MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient
         Mat3<Pack> l{};
         for (int q = 0; q < 3; ++q) l(c, q) = cof(q, f);
         const Mat3<Pack> t = material.tangent(s.b, l, weight, pressure);
-        const auto row = [&](int r, int along) { return t(r, 0) * cof(0, along) + t(r, 1) * cof(1, along) + t(r, 2) * cof(2, along); };
+        const auto row = [&](int r, int along) {
+          return t(r, 0) * cof(0, along) + t(r, 1) * cof(1, along) + t(r, 2) * cof(2, along);
+        };
         for (int r = 0; r <= c; ++r) C.along[f](r, c) += row(r, f);
         for (int r = 0; r < 3; ++r) C.across[d](r, c) += row(r, e);
       }

@@ -15,7 +15,8 @@ ShapeGradients spatial_gradients(int i, int j, int k, const Mat3<Pack>& cof, con
   ShapeGradients g;
   for (int n = 0; n < 8; ++n)
     for (int c = 0; c < 3; ++c)
-      g[n][c] = factor * (cof(c, 0) * reference[n][0] + cof(c, 1) * reference[n][1] + cof(c, 2) * reference[n][2]);
+      g[n][c] =
+          factor * (cof(c, 0) * reference[n][0] + cof(c, 1) * reference[n][1] + cof(c, 2) * reference[n][2]);
   return g;
 }
 
@@ -87,7 +88,8 @@ Mat3<Pack> block_between(const MeanTangent<Pack>& C, const double (&m)[3][3]) {
   for (int d = 0; d < 3; ++d) {
     const int e = (d + 1) % 3, f = (d + 2) % 3;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) K(i, j) += m[d][d] * C.along[d](i, j) + m[e][f] * C.across[d](i, j) + m[f][e] * C.across[d](j, i);
+      for (int j = 0; j < 3; ++j)
+        K(i, j) += m[d][d] * C.along[d](i, j) + m[e][f] * C.across[d](i, j) + m[f][e] * C.across[d](j, i);
   }
   return K;
 }
@@ -103,8 +105,8 @@ void Solid::visit_mean(const ContributionVisitor& visitor, double augmentation) 
     const auto x = gather(pack, x_);
     const auto gx = reference_gradient(x);
     Pack rest;
-    const auto C = mean_tangent(material, gx, reference_gradient(gather<8>(pack, X_)), load_some(lambda_, first, pack.used),
-                                load_some(mu_, first, pack.used), rest);
+    const auto C = mean_tangent(material, gx, reference_gradient(gather<8>(pack, X_)),
+                                load_some(lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
     const auto w = any(rest) ? volume_curvature(gx, rest) : std::array<Vec3<Pack>, 64>{};
     const auto b = constraint(x);
     const Pack penalty = augmentation * load_some(penalty_, first, pack.used);
@@ -117,7 +119,8 @@ void Solid::visit_mean(const ContributionVisitor& visitor, double augmentation) 
           block(j, i) -= w[8 * m + n][k];
         }
         for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) K[24 * (3 * m + i) + 3 * n + j] = block(i, j) + penalty * b[3 * m + i] * b[3 * n + j];
+          for (int j = 0; j < 3; ++j)
+            K[24 * (3 * m + i) + 3 * n + j] = block(i, j) + penalty * b[3 * m + i] * b[3 * n + j];
       }
     for (int l = 0; l < pack.used; ++l) {
       for (int r = 0; r < 24; ++r)
@@ -138,7 +141,8 @@ void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
     for_each_gauss_point([&](int i, int j, int k) {
       const Mat3<Pack> a = gx.at(i, j, k), cof = cofactor(a);
       const Pack det = determinant(a, cof);
-      add_point(material, point_strain(a, det, gX.at(i, j, k)), spatial_gradients(i, j, k, cof, 1. / det), det, lambda, K);
+      add_point(material, point_strain(a, det, gX.at(i, j, k)), spatial_gradients(i, j, k, cof, 1. / det),
+                det, lambda, K);
     });
     if (augmented) {
       const auto b = constraint(gather(pack, x_));
@@ -178,7 +182,8 @@ std::vector<CellStress> Solid::stresses(std::span<const double> x, std::span<con
       const Pack per_J = s.dV0 / det, norm2 = contract(tau, tau);
       for (int l = 0; l < pack.used; ++l) {
         CellStress& cell = all[first + l];
-        for (int c = 0; c < 6; ++c) cell.cauchy.v[c] += 0.125 * (tau.v[c][l] * per_J[l] + (c < 3 ? lambda[first + l] : 0));
+        for (int c = 0; c < 6; ++c)
+          cell.cauchy.v[c] += 0.125 * (tau.v[c][l] * per_J[l] + (c < 3 ? lambda[first + l] : 0));
         cell.mises += 0.125 * std::sqrt(1.5 * norm2[l]) * per_J[l];
       }
     });

@@ -16,9 +16,11 @@ void for_each_coefficient(const MeanTangent<Pack>& C, MeanTangent<SinglePack>& s
   }
 }
 
-__attribute__((flatten)) void add_action(const PackPair& pair, const SingleTangent& tangent, std::span<const NodeSingle> x, std::span<const NodeSingle> dx,
+__attribute__((flatten)) void add_action(const PackPair& pair, const SingleTangent& tangent,
+                                         std::span<const NodeSingle> x, std::span<const NodeSingle> dx,
                                          std::span<NodeSingle> force) {
-  const Modes<SinglePack> change = modes(gather(pair, dx)), place = modes(gather(pair, x)), b = volume_gradient(place);
+  const Modes<SinglePack> change = modes(gather(pair, dx)), place = modes(gather(pair, x)),
+                          b = volume_gradient(place);
   Modes<SinglePack> f = action(tangent.C, change);
   if (tangent.curved) add_pressure(volume_gradient_change(place, change), tangent.lambda, f);
   add_pressure(b, tangent.penalty * volume_change(b, change), f);
@@ -44,11 +46,14 @@ void Solid::fill_tangents() const {
         const PackNodes<8>& pack = packs_[r.first_pack + p];
         const int first = r.first + p * lanes, half = p % 2 * lanes;
         Pack rest;
-        const auto C = mean_tangent(material, reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)),
-                                    load_some(lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
+        const auto C = mean_tangent(
+            material, reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)),
+            load_some(lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
         if (half == 0) single_.tangents.push_back({});
         SingleTangent& to = single_.tangents.back();
-        const auto put = [&](const Pack& from, SinglePack& single) { store(from, reinterpret_cast<float*>(&single.v) + half); };
+        const auto put = [&](const Pack& from, SinglePack& single) {
+          store(from, reinterpret_cast<float*>(&single.v) + half);
+        };
         for_each_coefficient(C, to.C, put);
         put(rest, to.lambda);
         to.curved |= any(rest);
@@ -64,7 +69,8 @@ template <class Body>
 void Solid::for_each_pair(Body body) const {
   for (const SolidRegion& r : regions_)
     for (int p = 0; p < r.packs; p += 2) {
-      const PackNodes<8>&low = packs_[r.first_pack + p], &high = packs_[r.first_pack + std::min(p + 1, r.packs - 1)];
+      const PackNodes<8>&low = packs_[r.first_pack + p],
+            &high = packs_[r.first_pack + std::min(p + 1, r.packs - 1)];
       body(PackPair{low, high, p + 1 < r.packs ? lanes + high.used : low.used}, r.first + p * lanes);
     }
 }
@@ -90,7 +96,8 @@ void Solid::apply_pressure_single(std::span<const double> dlambda, std::span<Nod
 void Solid::volume_change_single(std::span<const NodeSingle> dx, std::span<double> volume_change) const {
   round_places();
   for_each_pair([&](const PackPair& pair, int first) __attribute__((flatten)) {
-    const SinglePack theta = bulbus::volume_change(volume_gradient(modes(gather(pair, single_.x))), modes(gather(pair, dx)));
+    const SinglePack theta =
+        bulbus::volume_change(volume_gradient(modes(gather(pair, single_.x))), modes(gather(pair, dx)));
     for (int l = 0; l < pair.used; ++l) volume_change[first + l] = theta[l];
   });
 }

@@ -8,12 +8,13 @@ namespace bulbus {
 
 struct LocalMesh;
 
-/// Keeps what is given to it under a name, or gives back what was kept: whatever has a memory says in one function
-/// `serialize(Archive&)` what that is, for writing and for reading alike. All members are collective, with the same names on every
-/// rank.
+/// Keeps what is given to it under a name, or gives back what was kept: whatever has a memory says in one
+/// function `serialize(Archive&)` what that is, for writing and for reading alike. All members are
+/// collective, with the same names on every rank.
 class Archive {
  public:
-  /// What the rows of a table belong to, the same however many ranks there are. A row that several ranks hold is `mine` on one.
+  /// What the rows of a table belong to, the same however many ranks there are. A row that several ranks hold
+  /// is `mine` on one.
   struct Keys {
     std::vector<long long> keys;
     std::vector<char> mine;
@@ -22,7 +23,9 @@ class Archive {
   /// A part of the names while it lives.
   class Group {
    public:
-    Group(Archive& archive, const std::string& name) : archive_(archive), before_(archive.prefix_) { archive.prefix_ = archive.path_of(name) + "/"; }
+    Group(Archive& archive, const std::string& name) : archive_(archive), before_(archive.prefix_) {
+      archive.prefix_ = archive.path_of(name) + "/";
+    }
     ~Group() { archive_.prefix_ = before_; }
     Group(const Group&) = delete;
     Group& operator=(const Group&) = delete;
@@ -45,9 +48,13 @@ class Archive {
   /// `width` numbers per key. Rows that were not kept stay as they are.
   virtual void rows(const std::string& name, const Keys& keys, int width, std::vector<double>& values) = 0;
   /// 3 numbers per local node of the finest mesh, ghosts included.
-  void nodes(const std::string& name, std::vector<double>& values) { mesh_table(name, "node", nodes_, 3, values); }
+  void nodes(const std::string& name, std::vector<double>& values) {
+    mesh_table(name, "node", nodes_, 3, values);
+  }
   /// One number per local hexahedron of the finest mesh.
-  void hexes(const std::string& name, std::vector<double>& values) { mesh_table(name, "hexahedron", hexes_, 1, values); }
+  void hexes(const std::string& name, std::vector<double>& values) {
+    mesh_table(name, "hexahedron", hexes_, 1, values);
+  }
 
   /// Plain numbers one by one, the same on every rank.
   template <class... Number>

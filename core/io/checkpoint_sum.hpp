@@ -8,7 +8,8 @@
 
 namespace bulbus {
 
-/// Check sum over the datasets of a checkpoint: a sum over their numbers, so that ranks add up theirs in any order.
+/// Check sum over the datasets of a checkpoint: a sum over their numbers, so that ranks add up theirs in any
+/// order.
 class CheckpointSum {
  public:
   static constexpr std::uint64_t bits = (std::uint64_t{1} << 40) - 1;  // the sum of many ranks is no overflow

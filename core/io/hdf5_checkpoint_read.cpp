@@ -14,14 +14,16 @@ using hdf5::Handle;
 constexpr hsize_t block = 1 << 16;  // rows read at once: no rank holds the whole of a large table
 
 InputError damaged(const std::string& path) {
-  return input_error(path + ": no whole checkpoint: damaged, or another kind of file", "Restart from another, or run without --restart.");
+  return input_error(path + ": no whole checkpoint: damaged, or another kind of file",
+                     "Restart from another, or run without --restart.");
 }
 
 /// A dataset that is read in runs of rows.
 class Table {
  public:
   Table(hid_t file, const std::string& name)
-      : set_(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name), space_(H5Dget_space(set_), H5Sclose, name) {
+      : set_(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name),
+        space_(H5Dget_space(set_), H5Sclose, name) {
     hsize_t size[2] = {1, 1};  // a list is a table of one column
     if (H5Sget_simple_extent_ndims(space_) > 2) throw std::runtime_error(name);
     H5Sget_simple_extent_dims(space_, size, nullptr);
@@ -37,7 +39,8 @@ class Table {
     if (values.empty()) return values;
     hdf5::check(H5Sselect_hyperslab(space_, H5S_SELECT_SET, start, nullptr, size, nullptr), "selection");
     Handle memory(H5Screate_simple(H5Sget_simple_extent_ndims(space_), size, nullptr), H5Sclose, "selection");
-    hdf5::check(H5Dread(set_, hdf5::type_of<T>(), memory, space_, H5P_DEFAULT, values.data()), "rows cannot be read");
+    hdf5::check(H5Dread(set_, hdf5::type_of<T>(), memory, space_, H5P_DEFAULT, values.data()),
+                "rows cannot be read");
     return values;
   }
   template <class T>
@@ -46,7 +49,8 @@ class Table {
   }
   template <class T, class Visit>
   void in_blocks(Visit visit) const {
-    for (hsize_t first = 0; first < rows_; first += block) visit(first, read<T>(first, std::min(block, rows_ - first)));
+    for (hsize_t first = 0; first < rows_; first += block)
+      visit(first, read<T>(first, std::min(block, rows_ - first)));
   }
   H5T_class_t kind() const { return H5Tget_class(Handle(H5Dget_type(set_), H5Tclose, "type")); }
   std::size_t bytes() const { return H5Tget_size(Handle(H5Dget_type(set_), H5Tclose, "type")); }
@@ -57,7 +61,8 @@ class Table {
     hsize_t held = 0;
     hdf5::check(H5Fget_filesize(Handle(H5Iget_file_id(set_), H5Fclose, name), &held), name);
     const double rows = static_cast<double>(rows_), most = static_cast<double>(held);
-    if (rows > most || rows * static_cast<double>(width_) * static_cast<double>(bytes()) > most) throw std::runtime_error(name);
+    if (rows > most || rows * static_cast<double>(width_) * static_cast<double>(bytes()) > most)
+      throw std::runtime_error(name);
   }
 
   Handle set_, space_;
@@ -86,22 +91,30 @@ void prove_whole(hid_t file) {
   for (const std::string& name : datasets(file)) {
     if (name == "sum") continue;
     const Table table(file, name);
-    if (table.kind() == H5T_FLOAT) add_to<double>(sum, name, table);
-    else if (table.bytes() == 1) add_to<unsigned char>(sum, name, table);
-    else add_to<long long>(sum, name, table);
+    if (table.kind() == H5T_FLOAT)
+      add_to<double>(sum, name, table);
+    else if (table.bytes() == 1)
+      add_to<unsigned char>(sum, name, table);
+    else
+      add_to<long long>(sum, name, table);
   }
-  if (Table(file, "sum").all<long long>().at(0) != sum.value()) throw std::runtime_error("the check sum differs");
+  if (Table(file, "sum").all<long long>().at(0) != sum.value())
+    throw std::runtime_error("the check sum differs");
 }
 
 class Reader final : public Archive {
  public:
   Reader(const std::string& path, const LocalMesh& mesh)
-      : Archive(mesh), path_(path), file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path) {
+      : Archive(mesh),
+        path_(path),
+        file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path) {
     if (mesh.comm.rank() == 0) prove_whole(file_);
   }
 
   bool reading() const override { return true; }
-  bool knows(const std::string& name) const override { return H5Lexists(file_, path_of(name).c_str(), H5P_DEFAULT) > 0; }
+  bool knows(const std::string& name) const override {
+    return H5Lexists(file_, path_of(name).c_str(), H5P_DEFAULT) > 0;
+  }
   void numbers(const std::string& name, std::vector<double>& values) override {
     values = Table(file_, path_of(name)).all<double>();
   }
@@ -112,14 +125,16 @@ class Reader final : public Archive {
   void rows(const std::string& name, const Keys& keys, int width, std::vector<double>& values) override {
     if (knows(name)) fill(path_of(name) + "/key", path_of(name) + "/value", keys, width, values);
   }
-  void mesh_table(const std::string& name, const std::string& of, const Keys& keys, int width, std::vector<double>& values) override {
+  void mesh_table(const std::string& name, const std::string& of, const Keys& keys, int width,
+                  std::vector<double>& values) override {
     if (fill(of, path_of(name), keys, width, values) != keys.keys.size())
       throw input_error(path_ + ": it is of another mesh", "Restart with the scene that wrote it.");
   }
 
  private:
   // The number of keys that were found.
-  std::size_t fill(const std::string& key, const std::string& value, const Keys& keys, int width, std::vector<double>& values) {
+  std::size_t fill(const std::string& key, const std::string& value, const Keys& keys, int width,
+                   std::vector<double>& values) {
     const Table all_keys(file_, key), table(file_, value);
     if (table.width() != static_cast<hsize_t>(width) || table.rows() != all_keys.rows()) throw damaged(path_);
     values.resize(keys.keys.size() * width);

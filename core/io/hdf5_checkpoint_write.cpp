@@ -16,7 +16,9 @@ class Writer final : public Archive {
 
   bool reading() const override { return false; }
   bool knows(const std::string&) const override { return true; }
-  void numbers(const std::string& name, std::vector<double>& values) override { write_first(path_of(name), std::span<const double>(values)); }
+  void numbers(const std::string& name, std::vector<double>& values) override {
+    write_first(path_of(name), std::span<const double>(values));
+  }
   void text(const std::string& name, std::string& value) override {
     write_first(path_of(name), std::span(reinterpret_cast<const unsigned char*>(value.data()), value.size()));
   }
@@ -24,7 +26,8 @@ class Writer final : public Archive {
     write_keys(path_of(name) + "/key", keys);
     write(path_of(name) + "/value", std::span<const double>(of_mine(keys, width, values)), width);
   }
-  void mesh_table(const std::string& name, const std::string& of, const Keys& keys, int width, std::vector<double>& values) override {
+  void mesh_table(const std::string& name, const std::string& of, const Keys& keys, int width,
+                  std::vector<double>& values) override {
     if (kept_.insert(of).second) write_keys(of, keys);
     write(path_of(name), std::span<const double>(of_mine(keys, width, values)), width);
   }
@@ -55,7 +58,8 @@ class Writer final : public Archive {
   void write(const std::string& name, std::span<const T> values, int columns) {
     for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
       if (groups_.insert(name.substr(0, slash)).second)
-        Handle(H5Gcreate2(file_, name.substr(0, slash).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
+        Handle(H5Gcreate2(file_, name.substr(0, slash).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+               H5Gclose, name);
     sum_.add(name, comm_.offset(static_cast<long long>(values.size())), values);
     hdf5::write_rows(file_, name, values, columns, comm_);
   }
@@ -97,7 +101,8 @@ class Measure final : public Archive {
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const LocalMesh& mesh, const std::function<void(Archive&)>& remember) {
+void write_checkpoint(const std::string& path, const LocalMesh& mesh,
+                      const std::function<void(Archive&)>& remember) {
   Measure measure(mesh);
   serialize(measure);
   hdf5::write_whole(path, mesh.comm, mesh.comm.sum(measure.bytes()), [&](hid_t file) {

@@ -16,7 +16,8 @@ namespace {
 std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen screen, FileStart start) {
   std::vector<spdlog::sink_ptr> sinks;
   if (screen == Log::Screen::shown) sinks.push_back(std::make_shared<spdlog::sinks::stdout_sink_st>());
-  if (!path.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, start == FileStart::anew));
+  if (!path.empty())
+    sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(path, start == FileStart::anew));
   return sinks;
 }
 

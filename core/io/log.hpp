@@ -17,7 +17,8 @@ class Log {
   enum class Screen { shown, silent };
   /// Collective. An empty path means the screen only. Throws OutputError on
   /// every rank if the file cannot be opened.
-  Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown, FileStart start = FileStart::anew);
+  Log(const std::string& path, const Comm& comm, Screen screen = Screen::shown,
+      FileStart start = FileStart::anew);
 
   void info(const std::string& line) const;
   /// The line behind "warning: ".

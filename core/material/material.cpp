@@ -6,9 +6,12 @@ Material make_material(const std::vector<Polynomial::Term>& terms) {
   double c10 = 0, c01 = 0;
   bool linear = true;
   for (const auto& [r, s, c] : terms) {
-    if (r == 1 && s == 0) c10 += c;
-    else if (r == 0 && s == 1) c01 += c;
-    else if (c != 0 && r + s > 0) linear = false;
+    if (r == 1 && s == 0)
+      c10 += c;
+    else if (r == 0 && s == 1)
+      c01 += c;
+    else if (c != 0 && r + s > 0)
+      linear = false;
   }
   if (!linear) return Isotropic<Polynomial>{{terms}};
   if (c01 != 0) return Isotropic<MooneyRivlin>{{c10, c01}};

@@ -8,15 +8,16 @@ namespace bulbus {
 
 /// Isochoric hyperelasticity as pointwise mathematics in the current frame, on doubles or packs alike.
 ///
-/// With b the isochoric left Cauchy-Green tensor J^(-2/3) F Fᵀ (so Ī1 = tr b, Ī2 = ½(Ī1² − b:b)) and m = Ī1 b − b²:
+/// With b the isochoric left Cauchy-Green tensor J^(-2/3) F Fᵀ (so Ī1 = tr b, Ī2 = ½(Ī1² − b:b)) and m = Ī1 b
+/// − b²:
 ///
 ///     τ = 2 W1 dev b + 2 W2 dev m          deviatoric Kirchhoff stress
 ///     T(l) = δτ − τ lᵀ                     its change under δx with l = ∇ₓδx, ready for ∫ T : ∇ₓv dV0
 ///     δb = l b + b lᵀ − ⅔ tr(l) b
 ///
 /// The element adds λJ I to τ and λJ (tr(l) I − lᵀ) to T. Every material offers deviatoric(b), energy(b),
-/// shear_modulus(b) = 2 (W1 + W2) and tangent(b, l, w, p) = w T(l) + p (tr(l) I − lᵀ): folding the weight and the pressure part in
-/// saves a tenth of the operations of an application.
+/// shear_modulus(b) = 2 (W1 + W2) and tangent(b, l, w, p) = w T(l) + p (tr(l) I − lᵀ): folding the weight and
+/// the pressure part in saves a tenth of the operations of an application.
 
 template <class T>
 Sym3<T> deviator(Sym3<T> a, const T& factor) {
@@ -36,7 +37,8 @@ struct NeoHooke {
   }
 
   /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]; here b carries 2 c10 w.
-  /// With e = ⅔ tr l and q = (l − e I) b, whose trace is b:l − e tr b, this is q + ⅓ tr b lᵀ − ⅔ tr q I − ⅓ e tr b I.
+  /// With e = ⅔ tr l and q = (l − e I) b, whose trace is b:l − e tr b, this is q + ⅓ tr b lᵀ − ⅔ tr q I − ⅓ e
+  /// tr b I.
   template <class T>
   Mat3<T> tangent(Sym3<T> b, const Mat3<T>& l, const T& w, const T& p) const {
     const T weight = 2 * c10 * w;
@@ -141,7 +143,8 @@ struct Isotropic {
     Mat3<T> t;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
-        t(i, j) = w * (dtau(i, j) - (tau(i, 0) * l(j, 0) + tau(i, 1) * l(j, 1) + tau(i, 2) * l(j, 2))) - p * l(j, i);
+        t(i, j) = w * (dtau(i, j) - (tau(i, 0) * l(j, 0) + tau(i, 1) * l(j, 1) + tau(i, 2) * l(j, 2))) -
+                  p * l(j, i);
       t(i, i) += p * trace(l);
     }
     return t;

@@ -21,7 +21,9 @@ class Corners {
   };
   Corners(std::span<const Hex> hexes, int nodes);
   /// Ascending by hexahedra.
-  std::span<const Corner> at(int node) const { return std::span(corners_).subspan(start_[node], start_[node + 1] - start_[node]); }
+  std::span<const Corner> at(int node) const {
+    return std::span(corners_).subspan(start_[node], start_[node + 1] - start_[node]);
+  }
 
  private:
   std::vector<int> start_;

@@ -29,17 +29,19 @@ struct Bar {
 /// Where a node is in the lattice of a generated shape; what the numbers mean is the shape's own.
 using Parameters = std::array<double, 5>;
 
-/// A hexahedral mesh with its names: what is read or generated, whole on every rank, or a rank's part of its refinement.
+/// A hexahedral mesh with its names: what is read or generated, whole on every rank, or a rank's part of its
+/// refinement.
 struct Mesh {
   std::vector<Point> points;
   std::vector<Hex> hexes;
-  std::vector<int> region;                          ///< per hexahedron, an index of region_names
+  std::vector<int> region;  ///< per hexahedron, an index of region_names
   std::vector<std::string> region_names;
   std::map<std::string, std::vector<Quad>> surfaces;
   std::map<std::string, std::vector<int>> node_sets;
   std::map<std::string, std::vector<Bar>> bars;
-  std::vector<Parameters> parameters;                ///< per node of a generated shape that is curved; else empty
-  std::function<Point(const Parameters&)> place;     ///< the analytic shape: between nodes, parameters are linear
+  std::vector<Parameters> parameters;  ///< per node of a generated shape that is curved; else empty
+  std::function<Point(const Parameters&)>
+      place;  ///< the analytic shape: between nodes, parameters are linear
 };
 
 /// Adds the node that the mesh's shape has at these parameters.
@@ -48,7 +50,8 @@ int add_node(Mesh& mesh, const Parameters& parameters);
 /// The six faces of a hexahedron as local node numbers, normals outwards.
 extern const std::array<std::array<int, 4>, 6> hex_faces;
 
-/// Faces that belong to one hexahedron only, with normals out of the mesh; hexahedron k of `owner` has face i.
+/// Faces that belong to one hexahedron only, with normals out of the mesh; hexahedron k of `owner` has face
+/// i.
 std::vector<Quad> boundary_faces(const Mesh& mesh, std::vector<int>* owner = nullptr);
 
 /// Nodes of a named set: a node set, or all nodes of a surface or of a region of that name. Sorted.

@@ -10,7 +10,8 @@ namespace bulbus {
 namespace {
 
 // Corners of the unit cube in the order of a Hex.
-constexpr double corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+constexpr double corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
 struct Weights {
   double value[8];
@@ -92,7 +93,8 @@ Prolongation::Prolongation(const ParentsOf& parents_of, const LocalMesh& coarse,
   }
 }
 
-Interpolation Prolongation::at(std::span<const double> coarse_x, std::span<const double> fine_x, std::span<const double> stiffness) const {
+Interpolation Prolongation::at(std::span<const double> coarse_x, std::span<const double> fine_x,
+                               std::span<const double> stiffness) const {
   struct Site {
     int hex = -1, child = 0, corner = 0;
   };
@@ -125,6 +127,8 @@ void Prolongation::inject(std::span<const double> fine, std::span<double> coarse
   coarse_.halo.update_ghosts(coarse);
 }
 
-std::size_t Prolongation::bytes() const { return bytes_of(same_) + bytes_of(lone_start_) + bytes_of(lone_parents_); }
+std::size_t Prolongation::bytes() const {
+  return bytes_of(same_) + bytes_of(lone_start_) + bytes_of(lone_parents_);
+}
 
 }  // namespace bulbus

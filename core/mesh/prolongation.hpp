@@ -8,7 +8,8 @@
 
 namespace bulbus {
 
-/// A linear map from nodal vectors (3 numbers per local node) of one rank's part of a mesh to those of its part of the refined one.
+/// A linear map from nodal vectors (3 numbers per local node) of one rank's part of a mesh to those of its
+/// part of the refined one.
 class Interpolation {
  public:
   struct Stencil {
@@ -34,20 +35,24 @@ class Interpolation {
   std::vector<float> weights_;
 };
 
-/// How one rank's parts of a mesh and of the refined one hang together; hexahedra lie on the ranks of their parents.
+/// How one rank's parts of a mesh and of the refined one hang together; hexahedra lie on the ranks of their
+/// parents.
 class Prolongation {
  public:
-  /// `parents_of`: those of a node of the finer Mesh, in the coarser. The local meshes have to stay where they are.
+  /// `parents_of`: those of a node of the finer Mesh, in the coarser. The local meshes have to stay where
+  /// they are.
   using ParentsOf = std::function<std::vector<int>(int)>;
   Prolongation(const ParentsOf& parents_of, const LocalMesh& coarse, const LocalMesh& fine);
   Prolongation(const RefinedMesh& whole, const LocalMesh& coarse, const LocalMesh& fine)
       : Prolongation([&](int n) { return whole.parents_of(n); }, coarse, fine) {}
 
-  /// Trilinear in a hexahedron around the node, extended to where the node really is: a curved surface lies beside the coarser
-  /// faces, and with plain means of the parents a rigid rotation would strain it. Linear fields of the places are reproduced.
+  /// Trilinear in a hexahedron around the node, extended to where the node really is: a curved surface lies
+  /// beside the coarser faces, and with plain means of the parents a rigid rotation would strain it. Linear
+  /// fields of the places are reproduced.
   ///     w_a = N_a(ξ) + ∇N_a(ξ)·(∂x/∂ξ)⁻¹ (x_fine − x(ξ)),   ξ amid the parents
   /// `x`: places on both meshes; `stiffness` per coarser hexahedron: the stiffest around a node is taken.
-  Interpolation at(std::span<const double> coarse_x, std::span<const double> fine_x, std::span<const double> stiffness) const;
+  Interpolation at(std::span<const double> coarse_x, std::span<const double> fine_x,
+                   std::span<const double> stiffness) const;
   /// coarse = fine at the coarser nodes. Collective.
   void inject(std::span<const double> fine, std::span<double> coarse) const;
   std::size_t bytes() const;
@@ -55,8 +60,9 @@ class Prolongation {
  private:
   const LocalMesh& coarse_;
   const LocalMesh& fine_;
-  std::vector<int> same_;                      // fine node at every owned coarser node
-  std::vector<int> lone_start_, lone_parents_; // parents of ghosts that no hexahedron of this rank has, from first_lone_ on
+  std::vector<int> same_;  // fine node at every owned coarser node
+  std::vector<int> lone_start_,
+      lone_parents_;  // parents of ghosts that no hexahedron of this rank has, from first_lone_ on
   int first_lone_;
 };
 

@@ -59,7 +59,8 @@ void summarise(RegionQuality& q, std::vector<double> values, const Comm& comm) {
 void refuse(const std::array<Point, 8>& x, int input_hex, const std::string& region) {
   Point c{};
   for (const Point& p : x) c = c + .125 * p;
-  throw input_error(fmt::format("hexahedron {} of region '{}' about ({:.4g}, {:.4g}, {:.4g}) mm is inside out or flat (scaled Jacobian {:.3g})",
+  throw input_error(fmt::format("hexahedron {} of region '{}' about ({:.4g}, {:.4g}, {:.4g}) mm is inside "
+                                "out or flat (scaled Jacobian {:.3g})",
                                 input_hex + 1, region, c[0], c[1], c[2], scaled_jacobian(x)),
                     "smooth or refine the mesh there");
 }
@@ -102,7 +103,8 @@ std::vector<RegionQuality> quality(const LocalMesh& mesh) {
 
 void refuse_inverted(const Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-    if (const auto x = corners(mesh, e); !(scaled_jacobian(x) > 0)) refuse(x, static_cast<int>(e), mesh.region_names[mesh.region[e]]);
+    if (const auto x = corners(mesh, e); !(scaled_jacobian(x) > 0))
+      refuse(x, static_cast<int>(e), mesh.region_names[mesh.region[e]]);
 }
 
 void refuse_inverted(const LocalMesh& mesh) {
@@ -110,9 +112,11 @@ void refuse_inverted(const LocalMesh& mesh) {
   std::string region;
   for (std::size_t r = 0; r < mesh.regions.size(); ++r)
     for (int h = mesh.regions[r].first; h < mesh.regions[r].first + mesh.regions[r].count; ++h)
-      if ((first < 0 || mesh.input_hex[h] < mesh.input_hex[first]) && !(scaled_jacobian(corners(mesh, h)) > 0))
+      if ((first < 0 || mesh.input_hex[h] < mesh.input_hex[first]) &&
+          !(scaled_jacobian(corners(mesh, h)) > 0))
         first = h, region = mesh.region_names[r];
-  const double none = std::numeric_limits<double>::infinity(), mine = first < 0 ? none : mesh.input_hex[first];
+  const double none = std::numeric_limits<double>::infinity(),
+               mine = first < 0 ? none : mesh.input_hex[first];
   const double least = mesh.comm.min(mine);
   mesh.comm.together([&] {
     if (mine == least && least < none) refuse(corners(mesh, first), mesh.input_hex[first], region);

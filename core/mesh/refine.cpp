@@ -12,7 +12,8 @@ namespace {
 using Edge = std::array<int, 2>;
 
 // Corners of the unit cube in the order of a Hex.
-constexpr int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+constexpr int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                              {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
 template <class Key>
 void sort_unique(std::vector<Key>& keys) {
@@ -21,11 +22,12 @@ void sort_unique(std::vector<Key>& keys) {
   keys.shrink_to_fit();
 }
 
-// New nodes: edges in the order of their sorted ends, then faces, then hexahedra. Two sets of nodes that rise together so get
-// children that do.
+// New nodes: edges in the order of their sorted ends, then faces, then hexahedra. Two sets of nodes that rise
+// together so get children that do.
 class NewNodes {
  public:
-  explicit NewNodes(const Mesh& mesh) : coarse_(static_cast<int>(mesh.points.size())), hexes_(mesh.hexes.size()) {
+  explicit NewNodes(const Mesh& mesh)
+      : coarse_(static_cast<int>(mesh.points.size())), hexes_(mesh.hexes.size()) {
     edges_.reserve(12 * mesh.hexes.size());
     faces_.reserve(6 * mesh.hexes.size());
     for (const Hex& h : mesh.hexes) {
@@ -45,7 +47,8 @@ class NewNodes {
 
   // The four parts of a face, each with its corner in the same place.
   std::array<Quad, 4> split(const Quad& q) const {
-    const int a = of_edge(q[0], q[1]), b = of_edge(q[1], q[2]), c = of_edge(q[2], q[3]), d = of_edge(q[3], q[0]), m = of_face(q);
+    const int a = of_edge(q[0], q[1]), b = of_edge(q[1], q[2]), c = of_edge(q[2], q[3]),
+              d = of_edge(q[3], q[0]), m = of_face(q);
     return {{{q[0], a, m, d}, {a, q[1], b, m}, {m, b, q[2], c}, {d, m, c, q[3]}}};
   }
 
@@ -151,7 +154,8 @@ void extend_sets(const Mesh& mesh, const RefinedMesh& r, Mesh& fine) {
     for (int n : set) in[n] = true;
     const std::vector<int> old = set;
     for (std::size_t i = 0; i + 1 < r.start.size(); ++i)
-      if (std::all_of(r.parents.begin() + r.start[i], r.parents.begin() + r.start[i + 1], [&](int n) { return in[n]; }))
+      if (std::all_of(r.parents.begin() + r.start[i], r.parents.begin() + r.start[i + 1],
+                      [&](int n) { return in[n]; }))
         set.push_back(r.coarse_nodes + static_cast<int>(i));
     for (int n : old) in[n] = false;
   }

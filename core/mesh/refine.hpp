@@ -6,9 +6,9 @@
 
 namespace bulbus {
 
-/// A mesh with every hexahedron split in eight. The nodes of the coarser mesh come first, under their numbers; a new node is the
-/// mean of two, four or eight of them, its parents: the ends of an edge, the corners of a face or those of a hexahedron.
-/// Child c of hexahedron h is 8h + c and has h's corner c.
+/// A mesh with every hexahedron split in eight. The nodes of the coarser mesh come first, under their
+/// numbers; a new node is the mean of two, four or eight of them, its parents: the ends of an edge, the
+/// corners of a face or those of a hexahedron. Child c of hexahedron h is 8h + c and has h's corner c.
 struct RefinedMesh {
   Mesh mesh;
   int coarse_nodes = 0;
@@ -19,9 +19,9 @@ struct RefinedMesh {
   std::vector<int> parents_of(int node) const;
 };
 
-/// New places: where the mesh has an analytic shape (Mesh::place), at the means of the parents' parameters; else the means of the
-/// parents' places. Regions, surfaces and bars carry over; a node set gains the nodes whose parents are all in it, in the order
-/// of their parents.
+/// New places: where the mesh has an analytic shape (Mesh::place), at the means of the parents' parameters;
+/// else the means of the parents' places. Regions, surfaces and bars carry over; a node set gains the nodes
+/// whose parents are all in it, in the order of their parents.
 RefinedMesh refine(const Mesh& mesh);
 
 /// A mesh and how many times it is to be refined.

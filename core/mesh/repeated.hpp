@@ -6,8 +6,8 @@
 
 namespace bulbus {
 
-/// Hexahedra that have the same eight nodes as an earlier one, in whatever order: (the earliest, the later one), ascending in the
-/// later one.
+/// Hexahedra that have the same eight nodes as an earlier one, in whatever order: (the earliest, the later
+/// one), ascending in the later one.
 std::vector<std::pair<int, int>> repeated(const std::vector<Hex>& hexes);
 
 }  // namespace bulbus

@@ -4,11 +4,13 @@
 
 namespace bulbus {
 
-RunningSums::RunningSums(std::span<const int> keys, std::span<const int> counts, long long all, const Comm& comm)
+RunningSums::RunningSums(std::span<const int> keys, std::span<const int> counts, long long all,
+                         const Comm& comm)
     : comm_(comm), run_(all / comm.size() + 1), before_(run_) {
   std::vector<std::vector<long long>> given(comm.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
-    if (counts[i] != 0) given[keeper_of(keys[i])].insert(given[keeper_of(keys[i])].end(), {keys[i], counts[i]});
+    if (counts[i] != 0)
+      given[keeper_of(keys[i])].insert(given[keeper_of(keys[i])].end(), {keys[i], counts[i]});
   const long long first = run_ * comm.rank();
   for (const auto& pairs : comm.exchange(given))
     for (std::size_t i = 0; i < pairs.size(); i += 2) before_[pairs[i] - first] += pairs[i + 1];

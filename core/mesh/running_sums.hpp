@@ -6,8 +6,8 @@
 
 namespace bulbus {
 
-/// Counts of the keys 0, 1, ... all − 1, given in pieces by all ranks, summed up in the order of the keys. Each rank keeps a run
-/// of the keys.
+/// Counts of the keys 0, 1, ... all − 1, given in pieces by all ranks, summed up in the order of the keys.
+/// Each rank keeps a run of the keys.
 class RunningSums {
  public:
   /// Counts of keys that no rank gives are 0. Collective.

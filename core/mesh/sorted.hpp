@@ -3,7 +3,8 @@
 
 namespace bulbus {
 
-/// The nodes of an edge, a face or a hexahedron in ascending order: the same for all that have the same nodes.
+/// The nodes of an edge, a face or a hexahedron in ascending order: the same for all that have the same
+/// nodes.
 template <class Nodes>
 Nodes sorted(Nodes nodes) {
   std::ranges::sort(nodes);

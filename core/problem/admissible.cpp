@@ -16,8 +16,8 @@ constexpr double tolerance = 1e-5;     // beyond a plane, relative to the mesh's
 std::string empty_liquid(const Problem& problem, const State& state) {
   for (const Liquid& liquid : problem.liquids())
     if (const double V = liquid.volume(state.x); !(V > least_volume * liquid.scale()))
-      return fmt::format("liquid '{}' would have the volume {:.4g} mm3: its surface is turned inside out", liquid.name(),
-                         problem.multiplicity() * V);
+      return fmt::format("liquid '{}' would have the volume {:.4g} mm3: its surface is turned inside out",
+                         liquid.name(), problem.multiplicity() * V);
   return "";
 }
 

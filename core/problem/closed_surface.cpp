@@ -29,18 +29,20 @@ void require_closed(const Mesh& mesh, const std::vector<Quad>& faces, std::span<
   const auto in_plane = [&](const std::pair<int, int>& e) {
     return std::ranges::any_of(symmetry, [&](const std::string& s) {
       const int c = axis_of(s);
-      return std::abs(mesh.points[e.first][c]) <= tolerance && std::abs(mesh.points[e.second][c]) <= tolerance;
+      return std::abs(mesh.points[e.first][c]) <= tolerance &&
+             std::abs(mesh.points[e.second][c]) <= tolerance;
     });
   };
   for (auto e = edges.begin(); e != edges.end();) {
     const auto next = std::find_if(e, edges.end(), [&](const auto& other) { return other != *e; });
     if ((next - e) % 2 != 0 && !in_plane(*e)) {
       const Point &a = mesh.points[e->first], &b = mesh.points[e->second];
-      throw scene_error(key,
-                        fmt::format("surface '{}' does not enclose a volume: its edge from ({:.4g}, {:.4g}, {:.4g}) to "
-                                    "({:.4g}, {:.4g}, {:.4g}) mm is open",
-                                    surface, a[0], a[1], a[2], b[0], b[1], b[2]),
-                        "Close the surface, or name the plane that cuts it under `symmetry`.");
+      throw scene_error(
+          key,
+          fmt::format("surface '{}' does not enclose a volume: its edge from ({:.4g}, {:.4g}, {:.4g}) to "
+                      "({:.4g}, {:.4g}, {:.4g}) mm is open",
+                      surface, a[0], a[1], a[2], b[0], b[1], b[2]),
+          "Close the surface, or name the plane that cuts it under `symmetry`.");
     }
     e = next;
   }

@@ -7,8 +7,9 @@
 
 namespace bulbus {
 
-/// Refuses a surface that neither closes by itself nor by the symmetry planes through the origin ("x", "y", "z"): every edge
-/// belongs to an even number of faces, or lies in such a plane. Throws InputError with the place of the first open edge.
+/// Refuses a surface that neither closes by itself nor by the symmetry planes through the origin ("x", "y",
+/// "z"): every edge belongs to an even number of faces, or lies in such a plane. Throws InputError with the
+/// place of the first open edge.
 void require_closed(const Mesh& mesh, const std::vector<Quad>& faces, std::span<const std::string> symmetry,
                     const std::string& surface, const std::string& key);
 

@@ -29,7 +29,8 @@ double shortest_edge(const Mesh& mesh) {
   return std::sqrt(least);
 }
 
-// A node in a cell of a grid; one that is nearer than the tolerance to the cell's side is in the next cell too.
+// A node in a cell of a grid; one that is nearer than the tolerance to the cell's side is in the next cell
+// too.
 struct Entry {
   std::uint64_t cell;
   int node;
@@ -81,8 +82,11 @@ void drop_contacts(const Mesh& mesh, const Model& model, std::vector<Pair>& pair
   for (const ContactSpec& c : model.contacts) {
     if (pairs.empty() || !mesh.surfaces.contains(c.slave) || !mesh.surfaces.contains(c.master)) continue;
     const auto slave = nodes_of(mesh, c.slave), master = nodes_of(mesh, c.master);
-    const auto across = [&](int a, int b) { return std::ranges::binary_search(slave, a) && std::ranges::binary_search(master, b); };
-    std::erase_if(pairs, [&](const Pair& p) { return across(p.first, p.second) || across(p.second, p.first); });
+    const auto across = [&](int a, int b) {
+      return std::ranges::binary_search(slave, a) && std::ranges::binary_search(master, b);
+    };
+    std::erase_if(pairs,
+                  [&](const Pair& p) { return across(p.first, p.second) || across(p.second, p.first); });
   }
 }
 
@@ -99,8 +103,10 @@ std::string sentence(const Mesh& mesh, const Pair& regions, const std::vector<in
   const std::string &a = mesh.region_names[regions.first], &b = mesh.region_names[regions.second];
   const Point& p = mesh.points[nodes.front()];
   return fmt::format(
-      "{} nodes of region '{}' stand where {} stand, without being joined to them, first at ({:.4g}, {:.4g}, {:.4g}) mm: the bodies "
-      "part there. Merge the nodes (in Gmsh: Coherence, or Coherence Mesh), or describe a contact between the two surfaces.",
+      "{} nodes of region '{}' stand where {} stand, without being joined to them, first at ({:.4g}, {:.4g}, "
+      "{:.4g}) mm: the bodies "
+      "part there. Merge the nodes (in Gmsh: Coherence, or Coherence Mesh), or describe a contact between "
+      "the two surfaces.",
       nodes.size(), a, a == b ? "other nodes of it" : "nodes of region '" + b + "'", p[0], p[1], p[2]);
 }
 

@@ -7,7 +7,8 @@
 
 namespace bulbus {
 
-/// Connected parts of the hexahedra of these regions, over all ranks: hexahedra that share a node belong to one.
+/// Connected parts of the hexahedra of these regions, over all ranks: hexahedra that share a node belong to
+/// one.
 struct ConnectedParts {
   int count = 0;                   ///< the same on every rank
   std::vector<int> of_node;        ///< of every local node, −1: none of these regions

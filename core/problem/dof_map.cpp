@@ -38,7 +38,9 @@ void DofMap::serialize(Archive& archive) {
     }
     archive.rows("hold " + name, nodes, 4, rows);
     for (std::size_t i = 0; i < holds.size(); ++i)
-      holds[i] = {holds[i].node, {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]}, [end = rows[4 * i + 3]](double) { return end; }};
+      holds[i] = {holds[i].node,
+                  {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]},
+                  [end = rows[4 * i + 3]](double) { return end; }};
   }
 }
 
@@ -59,11 +61,12 @@ void DofMap::add(Node& node, const Hold& hold, const std::string& name) const {
   if (length < 1e-8) {
     for (double s : {0.5, 1.0})
       if (const double gap = rest(s); std::abs(gap) > 1e-9 * (1 + std::abs(hold.value(s))))
-        throw input_error(fmt::format("over-constrained: node {} at ({:.4g}, {:.4g}, {:.4g}) is given two displacements in "
-                                      "one direction that differ by {:.3g} mm, one of them by '{}'",
-                                      mesh_.input_node[node.node] + 1, mesh_.X[3 * node.node], mesh_.X[3 * node.node + 1],
-                                      mesh_.X[3 * node.node + 2], gap, name.substr(name.find(' ') + 1)),
-                          "Take the node out of one of the sets, or give both the same displacement.");
+        throw input_error(
+            fmt::format("over-constrained: node {} at ({:.4g}, {:.4g}, {:.4g}) is given two displacements in "
+                        "one direction that differ by {:.3g} mm, one of them by '{}'",
+                        mesh_.input_node[node.node] + 1, mesh_.X[3 * node.node], mesh_.X[3 * node.node + 1],
+                        mesh_.X[3 * node.node + 2], gap, name.substr(name.find(' ') + 1)),
+            "Take the node out of one of the sets, or give both the same displacement.");
     return;
   }
   for (double& c : n) c /= length;
@@ -205,7 +208,8 @@ double DofMap::defect(const State& state, double s, std::span<double> du) const 
   return mesh_.comm.max(largest);
 }
 
-void DofMap::move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const {
+void DofMap::move(State& state, std::span<const double> dx, std::span<const double> primal,
+                  double step) const {
   for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += step * dx[i];
   const auto q = bodies_part(primal);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -220,7 +224,8 @@ long long DofMap::free_unknowns() const {
   long long held = 0;
   for (const Node& h : nodes_)
     if (h.node < mesh_.owned) held += h.count;
-  for (const RigidBody& b : bodies_) held += 3 * std::ranges::count_if(b.nodes(), [&](int n) { return n < mesh_.owned; });
+  for (const RigidBody& b : bodies_)
+    held += 3 * std::ranges::count_if(b.nodes(), [&](int n) { return n < mesh_.owned; });
   long long rigid = 0;
   for (const RigidBody& b : bodies_) rigid += std::ranges::count(b.free(), true);
   return mesh_.comm.sum(3LL * mesh_.owned - held) + rigid;

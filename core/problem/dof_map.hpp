@@ -20,8 +20,9 @@ struct Hold {
   std::function<double(double s)> value;
 };
 
-/// u = T q + ū, in the one place where it is applied. Nodes keep three components each: held directions are projected out,
-/// du = P q with P = I − Σ n nᵀ, and appear as identity rows; nodes of rigid bodies follow six unknowns of their body.
+/// u = T q + ū, in the one place where it is applied. Nodes keep three components each: held directions are
+/// projected out, du = P q with P = I − Σ n nᵀ, and appear as identity rows; nodes of rigid bodies follow six
+/// unknowns of their body.
 ///
 /// A primal vector on one rank: 3 numbers per owned node, then, on rank 0, 6 per rigid body.
 class DofMap {
@@ -33,9 +34,11 @@ class DofMap {
   bool release(const std::string& name);
   /// From now on every hold stays where it is at s = 1.
   void freeze();
-  /// What steps before the present one prescribe: direction and place of every hold. Read before the next build().
+  /// What steps before the present one prescribe: direction and place of every hold. Read before the next
+  /// build().
   void serialize(Archive& archive);
-  /// To be called after a change of holds. Throws InputError where two holds of one node contradict each other.
+  /// To be called after a change of holds. Throws InputError where two holds of one node contradict each
+  /// other.
   void build();
 
   const LocalMesh& mesh() const { return mesh_; }
@@ -43,7 +46,8 @@ class DofMap {
   int primal_size() const { return 3 * mesh_.owned + tail_size(); }
   int tail_size() const { return mesh_.comm.rank() == 0 ? 6 * static_cast<int>(bodies_.size()) : 0; }
 
-  /// Free directions only: v ← P v on all local nodes, or on the owned ones if v has no more; nodes of bodies become zero.
+  /// Free directions only: v ← P v on all local nodes, or on the owned ones if v has no more; nodes of bodies
+  /// become zero.
   void project(std::span<double> v) const;
   void project(std::span<NodeSingle> v) const;
   /// y += factor · (I − P) x on owned nodes, bodies' nodes included.
@@ -52,11 +56,12 @@ class DofMap {
   void expand(const State& state, std::span<const double> primal, std::span<double> dx) const;
   /// The transpose, for nodal forces already folded to their owners; held rows become zero. Collective.
   void reduce(const State& state, std::span<const double> force, std::span<double> primal) const;
-  /// The parts of bodies' nodes in these two: `primal` may be its bodies' part alone; force and moment of every body. Collective.
+  /// The parts of bodies' nodes in these two: `primal` may be its bodies' part alone; force and moment of
+  /// every body. Collective.
   void expand_bodies(const State& state, std::span<const double> primal, std::span<double> dx) const;
   std::vector<double> reduce_bodies(const State& state, std::span<const double> force) const;
-  /// ū increments that remain: Σ n (value(s) − n·u) for every local node. Returns the largest. Throws InputError on every rank where a
-  /// formula is not finite. Collective.
+  /// ū increments that remain: Σ n (value(s) − n·u) for every local node. Returns the largest. Throws
+  /// InputError on every rank where a formula is not finite. Collective.
   double defect(const State& state, double s, std::span<double> du) const;
   /// x += step · dx for nodes and poses; rigid nodes are placed again. Collective.
   void move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const;
@@ -69,13 +74,14 @@ class DofMap {
   bool holds_direction(int node, const Vec3<double>& d) const;
   /// Number of free displacement unknowns of all ranks, rigid ones included. Collective.
   long long free_unknowns() const;
-  std::vector<double> bodies_part(std::span<const double> primal) const;  ///< 6 per body on every rank. Collective.
+  std::vector<double> bodies_part(
+      std::span<const double> primal) const;  ///< 6 per body on every rank. Collective.
 
  private:
   struct Node {
     int node, count = 0;
-    std::array<Vec3<double>, 3> normal;                          // orthonormal
-    std::array<std::function<double(double)>, 3> value;          // of each normal
+    std::array<Vec3<double>, 3> normal;                  // orthonormal
+    std::array<std::function<double(double)>, 3> value;  // of each normal
     Vec3<double> free_part(Vec3<double> v) const;
   };
   void add(Node& node, const Hold& hold, const std::string& name) const;

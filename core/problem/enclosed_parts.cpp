@@ -28,7 +28,8 @@ std::vector<double> volume_gradient(const Problem& problem, const State& at) {
 }
 
 // ‖free part of g‖² and ‖g‖² of every part.
-std::vector<double> squares(const Problem& problem, const State& at, const ConnectedParts& parts, const std::vector<double>& g) {
+std::vector<double> squares(const Problem& problem, const State& at, const ConnectedParts& parts,
+                            const std::vector<double>& g) {
   const std::size_t count = parts.count;
   std::vector<double> sums(2 * count), free(g);
   problem.dofs().project(free);
@@ -39,14 +40,17 @@ std::vector<double> squares(const Problem& problem, const State& at, const Conne
   const auto bodies = problem.dofs().reduce_bodies(at, g);
   for (std::size_t b = 0; b < problem.dofs().bodies().size(); ++b) {
     double part = -1;
-    for (int n : problem.dofs().bodies()[b].nodes()) part = std::max(part, static_cast<double>(parts.of_node[n]));
+    for (int n : problem.dofs().bodies()[b].nodes())
+      part = std::max(part, static_cast<double>(parts.of_node[n]));
     part = problem.comm().max(part);
-    for (int i = 0; i < 6 && part >= 0; ++i) sums[static_cast<int>(part)] += bodies[6 * b + i] * bodies[6 * b + i];
+    for (int i = 0; i < 6 && part >= 0; ++i)
+      sums[static_cast<int>(part)] += bodies[6 * b + i] * bodies[6 * b + i];
   }
   return sums;
 }
 
-std::vector<double> volumes(const Problem& problem, std::span<const double> x, std::span<const int> part, std::size_t count) {
+std::vector<double> volumes(const Problem& problem, std::span<const double> x, std::span<const int> part,
+                            std::size_t count) {
   const Solid& solid = problem.solid();
   std::vector<double> force(x.size()), defect(solid.hexes()), lambda(solid.hexes()), sums(count);
   solid.residual(x, lambda, force, defect);
@@ -90,10 +94,14 @@ EnclosedParts::EnclosedParts(const Problem& problem, const State& start, int ste
     const auto room = volumes(problem, x, part_, count);
     for (std::size_t p = 0; p < count; ++p)
       if (const double gap = room[p] - volume_[p]; std::abs(gap) > least_flux * volume_[p])
-        throw scene_error("steps." + std::to_string(step),
-                          fmt::format("no solution: the constraints prescribe the whole surface of {}, which is incompressible, and leave it {:.6g} mm3 "
-                                      "for its {:.6g} mm3: {:.4g} mm3 {}", names_[p], room[p], volume_[p], std::abs(gap), gap < 0 ? "have no place" : "are missing"),
-                          "Leave a part of its surface free to give way, or prescribe motions that keep its volume.");
+        throw scene_error(
+            "steps." + std::to_string(step),
+            fmt::format("no solution: the constraints prescribe the whole surface of {}, which is "
+                        "incompressible, and leave it {:.6g} mm3 "
+                        "for its {:.6g} mm3: {:.4g} mm3 {}",
+                        names_[p], room[p], volume_[p], std::abs(gap),
+                        gap < 0 ? "have no place" : "are missing"),
+            "Leave a part of its surface free to give way, or prescribe motions that keep its volume.");
   }
 }
 
@@ -101,8 +109,10 @@ std::vector<std::string> EnclosedParts::sentences() const {
   std::vector<std::string> sentences;
   for (const std::string& name : names_)
     sentences.push_back("the constraints fix the volume of " + name +
-                        ", which is incompressible: its pressure, and with it every reaction, is determined up to one number. Its mean "
-                        "pressure is kept as it was (0 at first); leave a part of its surface free for a pressure that means something");
+                        ", which is incompressible: its pressure, and with it every reaction, is determined "
+                        "up to one number. Its mean "
+                        "pressure is kept as it was (0 at first); leave a part of its surface free for a "
+                        "pressure that means something");
   return sentences;
 }
 

@@ -7,22 +7,25 @@
 
 namespace bulbus {
 
-/// Connected parts of the deformable hexahedra whose volume the constraints of a step fix: no free motion changes it, Σ_e ∂V_e/∂x
-/// vanishes on all free directions. Their pressures are then determined up to one number a part, which is left as it was.
+/// Connected parts of the deformable hexahedra whose volume the constraints of a step fix: no free motion
+/// changes it, Σ_e ∂V_e/∂x vanishes on all free directions. Their pressures are then determined up to one
+/// number a part, which is left as it was.
 class EnclosedParts {
  public:
   /// None.
   EnclosedParts() = default;
-  /// Of the step that begins in `start`, its constraints built. Throws InputError where a part's walls leave more or less room than
-  /// it has volume. Collective.
+  /// Of the step that begins in `start`, its constraints built. Throws InputError where a part's walls leave
+  /// more or less room than it has volume. Collective.
   EnclosedParts(const Problem& problem, const State& start, int step);
 
   bool any() const { return !names_.empty(); }
   /// A sentence for every part.
   std::vector<std::string> sentences() const;
-  /// Shifts the pressures of every part by one number: their mean is what it was at the start of the step. Collective.
+  /// Shifts the pressures of every part by one number: their mean is what it was at the start of the step.
+  /// Collective.
   void settle(std::span<double> lambda) const;
-  /// Compressibility, mm³/MPa, by which a factorisation tells the undetermined pressure of a local hexahedron; 0 elsewhere.
+  /// Compressibility, mm³/MPa, by which a factorisation tells the undetermined pressure of a local
+  /// hexahedron; 0 elsewhere.
   double compliance(int hex) const { return part_.empty() || part_[hex] < 0 ? 0 : compliance_[hex]; }
 
  private:

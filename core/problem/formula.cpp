@@ -49,7 +49,8 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
               (bare_ || rest == " " + unit_of(Quantity::length) || rest == " " + unit_of(Quantity::stress));
   if (constant_) return;
   bare_ = false;
-  if (has_stray_comma(text)) throw scene_error(where, "the formula '" + text + "' has a comma outside of a function", decimal_point);
+  if (has_stray_comma(text))
+    throw scene_error(where, "the formula '" + text + "' has a comma outside of a function", decimal_point);
   parser_ = std::make_unique<Parser>();
   auto& p = *parser_;
   try {
@@ -59,9 +60,10 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
     p.expression.SetExpr(text);
     p.expression.Eval();
   } catch (const mu::ParserError& e) {
-    throw scene_error(where, "cannot read the formula '" + text + "': " + e.GetMsg(),
-                      std::string("Give a number, or an expression in X, Y, Z, s (0 to 1 over the step) and t.") +
-                          (text.find(',') == std::string::npos ? "" : std::string(" ") + decimal_point));
+    throw scene_error(
+        where, "cannot read the formula '" + text + "': " + e.GetMsg(),
+        std::string("Give a number, or an expression in X, Y, Z, s (0 to 1 over the step) and t.") +
+            (text.find(',') == std::string::npos ? "" : std::string(" ") + decimal_point));
   }
 }
 
@@ -71,9 +73,12 @@ double Formula::operator()(const Vec3<double>& X, double s, double t) const {
   p.X = X[0], p.Y = X[1], p.Z = X[2], p.s = s, p.t = t;
   const double value = p.expression.Eval();
   if (!std::isfinite(value))
-    throw scene_error(where_, fmt::format("the formula '{}' is not a finite number at X = {:.6g}, Y = {:.6g}, Z = {:.6g}, s = {:.4g}, t = {:.4g}: it is {}",
-                                          text_, X[0], X[1], X[2], s, t, std::isnan(value) ? "not a number" : "infinite"),
-                      "It must have a value everywhere on its set, from s = 0 to s = 1.");
+    throw scene_error(
+        where_,
+        fmt::format("the formula '{}' is not a finite number at X = {:.6g}, Y = {:.6g}, Z = {:.6g}, s = "
+                    "{:.4g}, t = {:.4g}: it is {}",
+                    text_, X[0], X[1], X[2], s, t, std::isnan(value) ? "not a number" : "infinite"),
+        "It must have a value everywhere on its set, from s = 0 to s = 1.");
   return value;
 }
 
@@ -86,8 +91,11 @@ void Formula::require_uniform() const {
   if (constant_) return;
   for (const auto& [name, variable] : parser_->expression.GetUsedVar())
     if (name == "X" || name == "Y" || name == "Z")
-      throw scene_error(where_, "the formula '" + text_ + "' depends on " + name + ", but a pressure is the same on the whole surface",
-                        "Give a number, or an expression in s (0 to 1 over the step) and t; cut the surface into several for a pressure that varies.");
+      throw scene_error(where_,
+                        "the formula '" + text_ + "' depends on " + name +
+                            ", but a pressure is the same on the whole surface",
+                        "Give a number, or an expression in s (0 to 1 over the step) and t; cut the surface "
+                        "into several for a pressure that varies.");
 }
 
 }  // namespace bulbus

@@ -6,11 +6,12 @@
 
 namespace bulbus {
 
-/// A number, with or without the unit it is kept in, or an expression in the reference place X, Y, Z (mm), the part s of the step
-/// done and the time t.
+/// A number, with or without the unit it is kept in, or an expression in the reference place X, Y, Z (mm),
+/// the part s of the step done and the time t.
 class Formula {
  public:
-  /// `where` names the key in error messages. Throws InputError if the text cannot be read or has a decimal comma.
+  /// `where` names the key in error messages. Throws InputError if the text cannot be read or has a decimal
+  /// comma.
   Formula(const std::string& text, const std::string& where);
   ~Formula();
   Formula(Formula&&) noexcept;

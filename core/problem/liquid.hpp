@@ -8,8 +8,8 @@
 
 namespace bulbus {
 
-/// Enclosed liquid with the law P = P_i + K (V_i − V)/V_i, or with a given pressure. Volumes are the model's (half of the eye's
-/// with one symmetry plane).
+/// Enclosed liquid with the law P = P_i + K (V_i − V)/V_i, or with a given pressure. Volumes are the model's
+/// (half of the eye's with one symmetry plane).
 class Liquid {
  public:
   Liquid(std::string name, PressureSurface surface, const Point& x0, double K, const Comm& comm)

@@ -11,7 +11,8 @@ void add_magnitude(std::span<const double> force, std::span<double> magnitude) {
     magnitude[n] += std::hypot(force[3 * n], force[3 * n + 1], force[3 * n + 2]);
 }
 
-void FollowerPressure::add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const {
+void FollowerPressure::add_residual(const State& state, std::span<double> force,
+                                    std::span<double> magnitude) const {
   if (now_ == 0) return;
   std::vector<double> own(force.size());
   surface_.add_gradient(state.x, -now_, own);  // the body is pushed by + p g
@@ -29,7 +30,8 @@ void FollowerPressure::visit(const ContributionVisitor& visitor) const {
 
 void DeadLoad::add_residual(const State&, std::span<double> force, std::span<double> magnitude) const {
   std::vector<double> own(pattern_);
-  for (std::size_t i = 0; i < own.size(); ++i) force[i] += own[i] = -(base_.empty() ? 0 : base_[i]) - now_ * own[i];
+  for (std::size_t i = 0; i < own.size(); ++i)
+    force[i] += own[i] = -(base_.empty() ? 0 : base_[i]) - now_ * own[i];
   add_magnitude(own, magnitude);
 }
 
@@ -39,7 +41,8 @@ std::vector<double> DeadLoad::at_end() const {
   return f;
 }
 
-std::vector<double> dead_pressure_pattern(std::span<const double> X, std::span<const Quad> faces, const Point& direction) {
+std::vector<double> dead_pressure_pattern(std::span<const double> X, std::span<const Quad> faces,
+                                          const Point& direction) {
   std::vector<double> pattern(X.size());
   const double length = norm(direction);
   if (length == 0) {

@@ -25,7 +25,8 @@ class Load : public Term {
   std::function<double(double)> value_;
 };
 
-/// Pressure against the body that follows its faces. The tangent is taken as it is, not symmetric: it would be where the surface's rim is constrained.
+/// Pressure against the body that follows its faces. The tangent is taken as it is, not symmetric: it would
+/// be where the surface's rim is constrained.
 class FollowerPressure final : public Load {
  public:
   FollowerPressure(PressureSurface surface, std::function<double(double)> value, bool symmetric)
@@ -81,7 +82,9 @@ class BarsTerm final : public Term {
 /// magnitude[node] += |force of the node| for a nodal vector.
 void add_magnitude(std::span<const double> force, std::span<double> magnitude);
 
-/// ∫ N dA of the faces along a fixed direction (zero: against the reference normal out of the body), 3 per local node.
-std::vector<double> dead_pressure_pattern(std::span<const double> X, std::span<const Quad> faces, const Point& direction);
+/// ∫ N dA of the faces along a fixed direction (zero: against the reference normal out of the body), 3 per
+/// local node.
+std::vector<double> dead_pressure_pattern(std::span<const double> X, std::span<const Quad> faces,
+                                          const Point& direction);
 
 }  // namespace bulbus

@@ -18,10 +18,17 @@ struct Mode {
 };
 
 const std::array<Mode, 3>& modes() {
-  static const std::array<Mode, 3> all{
-      Mode{"uniaxial", [](double l) { return std::array{l, 1 / std::sqrt(l), 1 / std::sqrt(l)}; }},
-      Mode{"equibiaxial", [](double l) { return std::array{l, l, 1 / (l * l)}; }},
-      Mode{"planar", [](double l) { return std::array{l, 1.0, 1 / l}; }}};
+  static const std::array<Mode, 3> all{Mode{"uniaxial",
+                                            [](double l) {
+                                              return std::array{l, 1 / std::sqrt(l), 1 / std::sqrt(l)};
+                                            }},
+                                       Mode{"equibiaxial",
+                                            [](double l) {
+                                              return std::array{l, l, 1 / (l * l)};
+                                            }},
+                                       Mode{"planar", [](double l) {
+                                              return std::array{l, 1.0, 1 / l};
+                                            }}};
   return all;
 }
 
@@ -35,7 +42,8 @@ double boundary(const Material& material, const Mode& mode, double stable, doubl
 }
 
 std::string words(const StabilityLimit& limit) {
-  return fmt::format("{} {} at stretch {:.4g}", limit.mode, limit.stretch > 1 ? "tension" : "compression", limit.stretch);
+  return fmt::format("{} {} at stretch {:.4g}", limit.mode, limit.stretch > 1 ? "tension" : "compression",
+                     limit.stretch);
 }
 
 }  // namespace
@@ -43,11 +51,13 @@ std::string words(const StabilityLimit& limit) {
 bool is_stable(const Material& material, const std::array<double, 3>& stretches) {
   constexpr double h = 1e-3;  // of logarithmic stretches
   const auto W = [&](double a, double b) {
-    const std::array e{std::log(stretches[0]) + a, std::log(stretches[1]) + b, std::log(stretches[2]) - a - b};
+    const std::array e{std::log(stretches[0]) + a, std::log(stretches[1]) + b,
+                       std::log(stretches[2]) - a - b};
     const Sym3<double> left{{std::exp(2 * e[0]), std::exp(2 * e[1]), std::exp(2 * e[2]), 0, 0, 0}};
     return std::visit([&](const auto& m) { return m.energy(left); }, material);
   };
-  const double middle = W(0, 0), aa = (W(h, 0) - 2 * middle + W(-h, 0)) / (h * h), bb = (W(0, h) - 2 * middle + W(0, -h)) / (h * h);
+  const double middle = W(0, 0), aa = (W(h, 0) - 2 * middle + W(-h, 0)) / (h * h),
+               bb = (W(0, h) - 2 * middle + W(0, -h)) / (h * h);
   const double ab = (W(h, h) - W(h, -h) - W(-h, h) + W(-h, -h)) / (4 * h * h);
   return aa > 0 && bb > 0 && aa * bb > ab * ab;
 }
@@ -78,8 +88,10 @@ std::vector<std::string> unstable_regions(const Model& model) {
     if (limits.empty()) continue;
     std::string list;
     for (const StabilityLimit& limit : limits) list += (list.empty() ? "" : ", ") + words(limit);
-    sentences.push_back(fmt::format("the law of region '{}' loses stability (an increment of strain meets no growing stress) in {}: "
-                                    "beyond, results are not to be trusted; choose constants that stay stable, such as none below 0", name, list));
+    sentences.push_back(fmt::format(
+        "the law of region '{}' loses stability (an increment of strain meets no growing stress) in {}: "
+        "beyond, results are not to be trusted; choose constants that stay stable, such as none below 0",
+        name, list));
   }
   return sentences;
 }

@@ -11,8 +11,8 @@
 
 namespace bulbus {
 
-/// What a scene says of the physics, as plain data: Problem is built from a Mesh and a Model. Defaults, units and bounds
-/// stand here and nowhere else.
+/// What a scene says of the physics, as plain data: Problem is built from a Mesh and a Model. Defaults, units
+/// and bounds stand here and nowhere else.
 
 /// W = Σ c_rs (Ī1 − 3)^r (Ī2 − 3)^s of one region, or a rigid body in its place.
 struct RegionSpec {
@@ -31,7 +31,8 @@ struct RegionSpec {
   bool rigid = false;
   template <class V>
   void describe(V&& v) {
-    v("c10", c10, About{"coefficient of (I1 - 3); half the shear modulus of a neo-Hookean tissue", Quantity::stress});
+    v("c10", c10,
+      About{"coefficient of (I1 - 3); half the shear modulus of a neo-Hookean tissue", Quantity::stress});
     v("c01", c01, About{"coefficient of (I2 - 3) (Mooney-Rivlin)", Quantity::stress});
     v("c20", c20, About{"coefficient of (I1 - 3)^2", Quantity::stress});
     v("c11", c11, About{"coefficient of (I1 - 3)(I2 - 3)", Quantity::stress});
@@ -76,8 +77,8 @@ struct FixSpec {
   }
 };
 
-/// Prescribed displacement of a set. A plain number is reached linearly by the end of the step; a formula in X, Y, Z (mm,
-/// reference place), s (0 to 1 over the step) and t (steps done + s) is taken as it stands.
+/// Prescribed displacement of a set. A plain number is reached linearly by the end of the step; a formula in
+/// X, Y, Z (mm, reference place), s (0 to 1 over the step) and t (steps done + s) is taken as it stands.
 struct DisplaceSpec {
   using Rotation = RotationSpec;
   std::string set;
@@ -93,7 +94,8 @@ struct DisplaceSpec {
     v("x", x, About{"displacement in x", Quantity::length}.expression());
     v("y", y, About{"displacement in y", Quantity::length}.expression());
     v("z", z, About{"displacement in z", Quantity::length}.expression());
-    v("radial", radial, About{"displacement away from `axis`, tangentially free", Quantity::length}.expression());
+    v("radial", radial,
+      About{"displacement away from `axis`, tangentially free", Quantity::length}.expression());
     v("axis", axis, About{"axis of `radial`"});
     v("center", center, About{"a point of the axis of `radial`", Quantity::length});
     v("along", along, About{"a direction of your own, for `by`"});
@@ -101,13 +103,14 @@ struct DisplaceSpec {
     v("affine", affine, About{"nine numbers, rows of F: the set goes to x = F X"});
     v("rotate", rotate, About{"rigid rotation of the set from its place at the start of the step"});
     v("translate", translate, About{"rigid translation, together with `rotate` or alone", Quantity::length});
-    v("from", from, About{"x, y, z, radial, by count from the `reference` place or from the `start` of the step"}
-                        .one_of({"reference", "start"}));
+    v("from", from,
+      About{"x, y, z, radial, by count from the `reference` place or from the `start` of the step"}.one_of(
+          {"reference", "start"}));
   }
 };
 
-/// Load on a surface (pressure) or on the nodes of a set (force). Reached linearly by the end of the step unless it is a
-/// formula in s and t.
+/// Load on a surface (pressure) or on the nodes of a set (force). Reached linearly by the end of the step
+/// unless it is a formula in s and t.
 struct LoadSpec {
   std::string surface, set, region;
   std::optional<std::string> pressure;
@@ -117,7 +120,8 @@ struct LoadSpec {
   template <class V>
   void describe(V&& v) {
     v("surface", surface, About{"surface that carries `pressure`"});
-    v("pressure", pressure, About{"pressure against the body; follows the deformed face", Quantity::stress}.expression());
+    v("pressure", pressure,
+      About{"pressure against the body; follows the deformed face", Quantity::stress}.expression());
     v("region", region, About{"region that `pressure` acts on, where the surface lies between two"});
     v("dead", dead, About{"pressure per reference area in a fixed direction instead"});
     v("direction", direction, About{"direction of a dead pressure; zero: against the reference normal"});
@@ -141,52 +145,74 @@ struct StepSpec {
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"name in the records"});
-    v("increments", increments, About{"increments to begin with; cut and grown as Newton finds it"}.between(1, 100000));
-    v("pressures", pressures, About{"liquids whose pressure is given, and the pressure reached at the end of the step",
-                                    Quantity::stress}.expression());
-    v("couple", couple, About{"liquids enclosed from here on: V_i and P_i are taken at the start of the step"});
-    v("add", add, About{"volume added to (or, negative, drained from) an enclosed liquid of the whole eye in this step",
-                        Quantity::volume});
+    v("increments", increments,
+      About{"increments to begin with; cut and grown as Newton finds it"}.between(1, 100000));
+    v("pressures", pressures,
+      About{"liquids whose pressure is given, and the pressure reached at the end of the step",
+            Quantity::stress}
+          .expression());
+    v("couple", couple,
+      About{"liquids enclosed from here on: V_i and P_i are taken at the start of the step"});
+    v("add", add,
+      About{"volume added to (or, negative, drained from) an enclosed liquid of the whole eye in this step",
+            Quantity::volume});
     v("displace", displace, About{"prescribed displacements"});
     v("loads", loads, About{"pressures on surfaces, forces on nodes"});
     v("move", move, About{"motions of rigid bodies"});
-    v("sew", sew, About{"sutures, and the force per point of the whole eye reached at the end of the step", Quantity::force});
-    v("release", release, About{"sets whose prescribed displacement and surfaces or sets whose load ends here"});
+    v("sew", sew,
+      About{"sutures, and the force per point of the whole eye reached at the end of the step",
+            Quantity::force});
+    v("release", release,
+      About{"sets whose prescribed displacement and surfaces or sets whose load ends here"});
   }
 };
 
-/// A figure to record at every increment. Areas, volumes and, but for `of`, forces and moments are of the whole model, symmetry images included.
+/// A figure to record at every increment. Areas, volumes and, but for `of`, forces and moments are of the
+/// whole model, symmetry images included.
 struct ProbeSpec {
-  std::string name, kind, set, to, liquid, region, contact, body, suture, component = "magnitude", of = "whole", statistic = "mean",
-      since, unit, label;
+  std::string name, kind, set, to, liquid, region, contact, body, suture,
+      component = "magnitude", of = "whole", statistic = "mean", since, unit, label;
   double percentile = 100, tolerance = 0.1, scale = 1;
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"column in history.csv and summary.json"}.needed());
     v("kind", kind,
-      About{"what is recorded"}.needed().one_of({"displacement", "position", "distance", "reaction", "moment", "pressure",
-                                                 "volume", "mises", "volume_ratio", "bar_force", "contact_area",
-                                                 "contact_force", "contact_pressure", "penetration", "gap",
-                                                 "closed_fraction", "body_force", "body_moment", "suture_force",
-                                                 "suture_mises"}));
-    v("set", set, About{"node set, surface or region (displacement, position, distance, reaction, moment; mises: cells that "
-                        "touch it; gap, closed_fraction: those of the contact's slave nodes; empty: all)"});
+      About{"what is recorded"}.needed().one_of(
+          {"displacement",     "position",    "distance",     "reaction",
+           "moment",           "pressure",    "volume",       "mises",
+           "volume_ratio",     "bar_force",   "contact_area", "contact_force",
+           "contact_pressure", "penetration", "gap",          "closed_fraction",
+           "body_force",       "body_moment", "suture_force", "suture_mises"}));
+    v("set", set,
+      About{"node set, surface or region (displacement, position, distance, reaction, moment; mises: cells "
+            "that "
+            "touch it; gap, closed_fraction: those of the contact's slave nodes; empty: all)"});
     v("to", to, About{"the second set of a distance: mean place of `to` minus mean place of `set`"});
     v("liquid", liquid, About{"the liquid (pressure, volume)"});
     v("region", region, About{"the region (mises, volume_ratio) or group of bars (bar_force); empty: all"});
-    v("contact", contact, About{"the contact (contact_area, contact_force on its master, largest contact_pressure and "
-                                "penetration, gap, closed_fraction)"});
-    v("body", body, About{"the rigid body: what all contacts do to it (body_force, body_moment about the origin)"});
-    v("suture", suture, About{"the suture (suture_force: of one string; suture_mises: cells that touch its bites)"});
-    v("component", component, About{"of a vector; of forces, `radial` sums what points away from the z axis"}
-                                .one_of({"x", "y", "z", "magnitude", "radial"}));
-    v("of", of, About{"forces and moments: of the `whole`, symmetry images included (across a plane of symmetry the image cancels them), or of "
-                      "the drawn `part`"}.one_of({"whole", "part"}));
+    v("contact", contact,
+      About{"the contact (contact_area, contact_force on its master, largest contact_pressure and "
+            "penetration, gap, closed_fraction)"});
+    v("body", body,
+      About{"the rigid body: what all contacts do to it (body_force, body_moment about the origin)"});
+    v("suture", suture,
+      About{"the suture (suture_force: of one string; suture_mises: cells that touch its bites)"});
+    v("component", component,
+      About{"of a vector; of forces, `radial` sums what points away from the z axis"}.one_of(
+          {"x", "y", "z", "magnitude", "radial"}));
+    v("of", of,
+      About{"forces and moments: of the `whole`, symmetry images included (across a plane of symmetry the "
+            "image cancels them), or of "
+            "the drawn `part`"}
+          .one_of({"whole", "part"}));
     v("statistic", statistic, About{"over a set: mean, max or min"}.one_of({"mean", "max", "min"}));
-    v("percentile", percentile, About{"of the cells' Mises stress, by volume; 100 is the largest"}.between(0, 100));
-    v("tolerance", tolerance, About{"a node with a smaller gap counts as closed", Quantity::length}.at_least(0));
-    v("since", since, About{"a step: the figure is the change since its end, nothing before; displacements count from the "
-                            "places there, node by node"});
+    v("percentile", percentile,
+      About{"of the cells' Mises stress, by volume; 100 is the largest"}.between(0, 100));
+    v("tolerance", tolerance,
+      About{"a node with a smaller gap counts as closed", Quantity::length}.at_least(0));
+    v("since", since,
+      About{"a step: the figure is the change since its end, nothing before; displacements count from the "
+            "places there, node by node"});
     v("scale", scale, About{"multiplies the figure"});
     v("unit", unit, About{"unit of the record, such as mmHg; empty: mm, N, MPa"});
     v("label", label, About{"what the records call the unit instead, where `scale` changes it, such as D"});
@@ -210,18 +236,25 @@ struct Model {
   template <class V>
   void describe(V&& v) {
     v("materials", materials,
-      About{"what regions named after a tissue of the eye have where `regions` does not mention them: `paper`, c10 in MPa of cornea "
-            "0.0333, sclera 0.0833, ciliary_body 0.01, choroid 0.0083, retina 0.0008, optic_nerve 0.05, lens 1; `physiological`, six "
+      About{"what regions named after a tissue of the eye have where `regions` does not mention them: "
+            "`paper`, c10 in MPa of cornea "
+            "0.0333, sclera 0.0833, ciliary_body 0.01, choroid 0.0083, retina 0.0008, optic_nerve 0.05, lens "
+            "1; `physiological`, six "
             "times that but for the lens; `stiff_lens`, `paper` with a lens of 100"}
           .one_of({"none", "paper", "physiological", "stiff_lens"}));
     v("regions", regions, About{"material of every region of the mesh, but for what `materials` says"});
     v("bars", bars, About{"groups of bars of the mesh"});
     v("liquids", liquids, About{"enclosed liquids"});
-    v("symmetry", symmetry, About{"planes through the origin that cut the model: its nodes on them stay there, and figures "
-                                  "report the whole"}.one_of({"x", "y", "z"}));
+    v("symmetry", symmetry,
+      About{"planes through the origin that cut the model: its nodes on them stay there, and figures "
+            "report the whole"}
+          .one_of({"x", "y", "z"}));
     v("symmetry_tolerance", symmetry_tolerance,
-      About{"nodes that are nearer to a plane of symmetry are moved onto it (default: 1e-5 of the mesh's diagonal, and at most a "
-            "fiftieth of a node's edges)", Quantity::length}.at_least(0));
+      About{"nodes that are nearer to a plane of symmetry are moved onto it (default: 1e-5 of the mesh's "
+            "diagonal, and at most a "
+            "fiftieth of a node's edges)",
+            Quantity::length}
+          .at_least(0));
     v("fix", fix, About{"directions that never move"});
     v("rigid_bodies", rigid_bodies, About{"bodies that the scene moves: band, tire, plane, ..."});
     v("contacts", contacts, About{"pairs of surfaces that may touch"});

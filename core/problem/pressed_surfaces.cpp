@@ -26,34 +26,45 @@ std::set<std::string> one_sided_surfaces(const Mesh& mesh, const Model& model) {
   return names;
 }
 
-void require_boundary(const Mesh& mesh, const SurfaceSides& sides, const std::string& surface, const std::string& what, const std::string& key) {
+void require_boundary(const Mesh& mesh, const SurfaceSides& sides, const std::string& surface,
+                      const std::string& what, const std::string& key) {
   for (const Quad& q : mesh.surfaces.at(surface))
     if (const auto& [a, b] = sides.of(q); b >= 0)
-      throw scene_error(key,
-                        fmt::format("surface '{}' has faces with hexahedra on both sides (regions '{}' and '{}'): {}", surface,
-                                    mesh.region_names[a], mesh.region_names[b], what),
-                        "Take these faces out of the surface, or mesh the two sides with nodes of their own.");
+      throw scene_error(
+          key,
+          fmt::format("surface '{}' has faces with hexahedra on both sides (regions '{}' and '{}'): {}",
+                      surface, mesh.region_names[a], mesh.region_names[b], what),
+          "Take these faces out of the surface, or mesh the two sides with nodes of their own.");
 }
 
-void require_region(const Mesh& mesh, const SurfaceSides& sides, const LoadSpec& load, const std::string& key) {
+void require_region(const Mesh& mesh, const SurfaceSides& sides, const LoadSpec& load,
+                    const std::string& key) {
   const int region = load.region.empty() ? -1 : region_index(mesh, load.region);
   if (!load.region.empty() && region < 0) {
     const std::string near = nearest(load.region, mesh.region_names);
-    throw scene_error(key + ".region", "the mesh has no region '" + load.region + "'", near.empty() ? "Name one of its regions." : "Did you mean '" + near + "'?");
+    throw scene_error(key + ".region", "the mesh has no region '" + load.region + "'",
+                      near.empty() ? "Name one of its regions." : "Did you mean '" + near + "'?");
   }
   for (const Quad& q : mesh.surfaces.at(load.surface)) {
     const auto& [a, b] = sides.of(q);
     const std::string first = mesh.region_names[a], second = b < 0 ? "" : mesh.region_names[b];
     if (region < 0 ? b < 0 : (a == region) != (b == region)) continue;
     if (a == b)
-      throw scene_error(key + ".surface", fmt::format("surface '{}' has faces amid region '{}': nothing says on which side the pressure acts", load.surface, first),
-                        "Mesh the two sides as two regions, or with nodes of their own.");
+      throw scene_error(
+          key + ".surface",
+          fmt::format("surface '{}' has faces amid region '{}': nothing says on which side the pressure acts",
+                      load.surface, first),
+          "Mesh the two sides as two regions, or with nodes of their own.");
     if (region < 0)
       throw scene_error(key + ".surface",
-                        fmt::format("surface '{}' has faces between the regions '{}' and '{}': nothing says on which of them the pressure acts", load.surface, first, second),
+                        fmt::format("surface '{}' has faces between the regions '{}' and '{}': nothing says "
+                                    "on which of them the pressure acts",
+                                    load.surface, first, second),
                         fmt::format("Name it: `region: {}` or `region: {}`.", first, second));
-    throw scene_error(key + ".region", fmt::format("surface '{}' has faces without a hexahedron of region '{}'", load.surface, load.region),
-                      "Name the region that the pressure acts on: '" + first + (b < 0 ? "'." : "' or '" + second + "'."));
+    throw scene_error(
+        key + ".region",
+        fmt::format("surface '{}' has faces without a hexahedron of region '{}'", load.surface, load.region),
+        "Name the region that the pressure acts on: '" + first + (b < 0 ? "'." : "' or '" + second + "'."));
   }
 }
 
@@ -62,8 +73,9 @@ void require_apart(const Mesh& mesh, const Model& model) {
     for (auto b = std::next(a); b != model.liquids.end(); ++b)
       if (const int common = common_faces(mesh, a->second.surface, b->second.surface); common > 0)
         throw scene_error("liquids." + b->first + ".surface",
-                          fmt::format("the liquids '{}' and '{}' share {} faces (surfaces '{}' and '{}'): their pressures would add up there", a->first, b->first, common,
-                                      a->second.surface, b->second.surface),
+                          fmt::format("the liquids '{}' and '{}' share {} faces (surfaces '{}' and '{}'): "
+                                      "their pressures would add up there",
+                                      a->first, b->first, common, a->second.surface, b->second.surface),
                           "Give every liquid a surface of its own, or describe one liquid.");
 }
 
@@ -73,10 +85,13 @@ void require_once(const StepSpec& step, const std::string& key) {
     const LoadSpec& l = step.loads[i];
     const std::string at = fmt::format("{}.loads.{}", key, i);
     if (l.pressure && !pressed.insert(l.surface).second)
-      throw scene_error(at + ".surface", "surface '" + l.surface + "' gets two pressures in one step: the second would replace the first",
-                        "Give their sum as one pressure.");
+      throw scene_error(
+          at + ".surface",
+          "surface '" + l.surface + "' gets two pressures in one step: the second would replace the first",
+          "Give their sum as one pressure.");
     if (l.force && !pulled.insert(l.set).second)
-      throw scene_error(at + ".set", "set '" + l.set + "' gets two forces in one step: the second would replace the first",
+      throw scene_error(at + ".set",
+                        "set '" + l.set + "' gets two forces in one step: the second would replace the first",
                         "Give their sum as one force.");
   }
 }
@@ -89,8 +104,10 @@ void require_clear_pressures(const Mesh& mesh, const Model& model) {
     require_boundary(mesh, sides, liquid.surface, "no liquid can be there", "liquids." + name + ".surface");
   require_apart(mesh, model);
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
-    for (const auto& [side, name] : {std::pair{"slave", model.contacts[i].slave}, {"master", model.contacts[i].master}})
-      if (mesh.surfaces.contains(name)) require_boundary(mesh, sides, name, "nothing can touch them", fmt::format("contacts.{}.{}", i, side));
+    for (const auto& [side, name] :
+         {std::pair{"slave", model.contacts[i].slave}, {"master", model.contacts[i].master}})
+      if (mesh.surfaces.contains(name))
+        require_boundary(mesh, sides, name, "nothing can touch them", fmt::format("contacts.{}.{}", i, side));
   for (std::size_t k = 0; k < model.steps.size(); ++k) {
     const auto& loads = model.steps[k].loads;
     for (std::size_t i = 0; i < loads.size(); ++i)
@@ -108,7 +125,10 @@ std::vector<std::string> overlapping_pressures(const Mesh& mesh, const Model& mo
   std::vector<std::string> warnings;
   const auto compare = [&](const std::string& a, const std::string& b, const char* what) {
     if (const int common = common_faces(mesh, a, b); common > 0)
-      warnings.push_back(fmt::format("surface '{}', which has a pressure, and surface '{}'{} share {} faces: there the pressures add up.", a, b, what, common));
+      warnings.push_back(
+          fmt::format("surface '{}', which has a pressure, and surface '{}'{} share {} faces: there the "
+                      "pressures add up.",
+                      a, b, what, common));
   };
   for (auto a = loaded.begin(); a != loaded.end(); ++a) {
     for (auto b = std::next(a); b != loaded.end(); ++b) compare(*a, *b, ", which has another,");

@@ -31,8 +31,8 @@ std::set<std::string> sets_in_use(const LocalMesh& mesh, const Model& model) {
   return names;
 }
 
-// A force without its counterpart, relative to the forces that meet there. What rounding leaves in the places, a strain of 1e-15 where the floor
-// is one of 1e-7, is none.
+// A force without its counterpart, relative to the forces that meet there. What rounding leaves in the
+// places, a strain of 1e-15 where the floor is one of 1e-7, is none.
 double imbalance(double force, double magnitude, double floor) {
   constexpr double rounding = 1e-8;
   return force <= rounding * floor ? 0 : force / std::max(magnitude, floor);
@@ -40,12 +40,14 @@ double imbalance(double force, double magnitude, double floor) {
 
 }  // namespace
 
-Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm) : Problem(valid_levels(mesh, 0, model, comm), model) {}
+Problem::Problem(const Mesh& mesh, const Model& model, const Comm& comm)
+    : Problem(valid_levels(mesh, 0, model, comm), model) {}
 
 Problem::Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm)
     : Problem(valid_levels(meshes.base, meshes.refinements, model, comm), model) {}
 
-Problem::Problem(std::vector<MeshLevel> levels, const Model& model) : model_(model), level_(std::move(levels.back())), mesh_(*level_.mesh) {
+Problem::Problem(std::vector<MeshLevel> levels, const Model& model)
+    : model_(model), level_(std::move(levels.back())), mesh_(*level_.mesh) {
   levels.pop_back();
   build();
   if (levels.empty()) return;
@@ -69,7 +71,8 @@ State Problem::coarsened(const State& state) const {
   const auto V0 = solid_->reference_volumes();
   for (std::size_t h = 0; h < coarse.lambda.size(); ++h) {
     double sum = 0, volume = 0;
-    for (std::size_t child = 8 * h; child < 8 * h + 8; ++child) sum += V0[child] * state.lambda[child], volume += V0[child];
+    for (std::size_t child = 8 * h; child < 8 * h + 8; ++child)
+      sum += V0[child] * state.lambda[child], volume += V0[child];
     coarse.lambda[h] = sum / volume;
   }
   coarse.P = state.P;
@@ -144,7 +147,9 @@ std::string Problem::refusal(const State& state) const {
 }
 
 Residual Problem::residual(const State& state) const {
-  Residual r{std::vector<double>(state.x.size()), std::vector<double>(state.lambda.size()), {},
+  Residual r{std::vector<double>(state.x.size()),
+             std::vector<double>(state.lambda.size()),
+             {},
              std::vector<double>(mesh_.nodes())};
   solid_->residual(state.x, state.lambda, r.force, r.volume, r.magnitude);
   for (const auto& term : terms()) term->add_residual(state, r.force, r.magnitude);
@@ -182,7 +187,8 @@ Balance Problem::balance(const Residual& r) const {
   Balance b;
   std::vector<double> free(r.force);
   dofs_->project(free);
-  // ‖A‖² and ‖magnitude‖² of every region's free nodes; the floor keeps an unloaded region from dividing by round-off
+  // ‖A‖² and ‖magnitude‖² of every region's free nodes; the floor keeps an unloaded region from dividing by
+  // round-off
   std::vector<double> sums(2 * region_nodes_.size());
   for (std::size_t g = 0; g < region_nodes_.size(); ++g)
     for (int n : region_nodes_[g]) {
@@ -198,7 +204,8 @@ Balance Problem::balance(const Residual& r) const {
     // as the free nodes are: the resultants against the sum of the nodal magnitudes
     const Residual::Resultant& body = r.bodies[k];
     const double floor = region_floor_.empty() ? 1e-300 : region_floor_[0];
-    for (double relative : {imbalance(norm(body.force), body.magnitude, floor), imbalance(norm(body.moment), body.moment_magnitude, floor * body.arm)})
+    for (double relative : {imbalance(norm(body.force), body.magnitude, floor),
+                            imbalance(norm(body.moment), body.moment_magnitude, floor * body.arm)})
       if (!(relative <= b.force)) b.force = relative, b.region = dofs_->bodies()[k].name();
   }
   const auto V0 = solid_->reference_volumes();

@@ -17,8 +17,8 @@ struct Residual {
   std::vector<double> volume;     ///< B: V_e − V0_e per local hexahedron (mm³)
   std::vector<double> liquid;     ///< D per liquid, the same on every rank (mm³)
   std::vector<double> magnitude;  ///< per local node, folded: Σ |contributions| (N)
-  /// On a rigid body, the same on every rank: force and moment along its free motions, their yardsticks Σ |contributions| and
-  /// Σ |arm| |contributions|, and the mean arm.
+  /// On a rigid body, the same on every rank: force and moment along its free motions, their yardsticks Σ
+  /// |contributions| and Σ |arm| |contributions|, and the mean arm.
   struct Resultant {
     Vec3<double> force, moment;
     double magnitude, moment_magnitude, arm;
@@ -28,23 +28,25 @@ struct Residual {
 
 /// How far a state is from equilibrium, relative and free of units.
 struct Balance {
-  double force = 0;    ///< largest ‖A‖ / ‖internal forces‖ of a region, force or moment of a rigid body, and which
+  double force =
+      0;  ///< largest ‖A‖ / ‖internal forces‖ of a region, force or moment of a rigid body, and which
   std::string region;
-  double volume = 0;   ///< largest |V_e/V0_e − 1|
-  double liquid = 0;   ///< largest |D| / V
+  double volume = 0;  ///< largest |V_e/V0_e − 1|
+  double liquid = 0;  ///< largest |D| / V
 };
 
 class EnclosedParts;
 
-/// A sum of terms over one map from free unknowns to nodes: the physics of one model on one mesh, and nothing of how it is
-/// solved. Made on all ranks together.
+/// A sum of terms over one map from free unknowns to nodes: the physics of one model on one mesh, and nothing
+/// of how it is solved. Made on all ranks together.
 class Problem {
  public:
   /// Validates, partitions and builds. Throws InputError. Collective.
   Problem(const Mesh& mesh, const Model& model, const Comm& comm);
   /// On the finest mesh, with a coarser problem on each mesh below it.
   Problem(const MeshHierarchy& meshes, const Model& model, const Comm& comm);
-  /// The same of a model that validate() lets pass on the base mesh; `levels` as from distribute_levels(). Collective.
+  /// The same of a model that validate() lets pass on the base mesh; `levels` as from distribute_levels().
+  /// Collective.
   Problem(std::vector<MeshLevel> levels, const Model& model);
 
   const LocalMesh& mesh() const { return mesh_; }
@@ -55,8 +57,8 @@ class Problem {
   const DofMap& dofs() const { return *dofs_; }
   std::vector<Liquid>& liquids() { return liquids_; }
   const std::vector<Liquid>& liquids() const { return liquids_; }
-  /// The same model on the mesh that this one refines, without the terms that were added; null for a mesh that refines none.
-  /// It follows this problem through the steps.
+  /// The same model on the mesh that this one refines, without the terms that were added; null for a mesh
+  /// that refines none. It follows this problem through the steps.
   Problem* coarser() const { return coarser_.get(); }
   const Prolongation& prolongation() const { return *level_.prolongation; }
   /// Nodal places as they are at the coarser nodes, element pressures as means over the children. Collective.
@@ -70,7 +72,8 @@ class Problem {
   /// A term from a floor above; it acts, and hears of steps, after those added before it.
   void add(std::shared_ptr<Term> term) { added_.push_back(std::move(term)); }
   std::span<const std::shared_ptr<Term>> added() const { return added_; }
-  /// Local nodes of a region, or of a set or surface that the model refers to as nodes. Throws InputError for others.
+  /// Local nodes of a region, or of a set or surface that the model refers to as nodes. Throws InputError for
+  /// others.
   const std::vector<int>& nodes_of(const std::string& set) const;
 
   State initial_state() const;
@@ -80,16 +83,18 @@ class Problem {
   void set_progress(double s, State& state);
   /// Parts whose volume the constraints of this step fix.
   const EnclosedParts& enclosed() const { return *enclosed_; }
-  /// What a person should know of the steps begun so far, those of a rehearsal included. The same on every rank.
+  /// What a person should know of the steps begun so far, those of a rehearsal included. The same on every
+  /// rank.
   const std::vector<std::string>& warnings() const { return warnings_; }
   void end_step();
-  /// Goes through the first steps without solving them: prescribed displacements are carried along, so that each step starts
-  /// where the one before leaves its sets. Then it is as new, without the terms that were added. Throws InputError. Collective.
+  /// Goes through the first steps without solving them: prescribed displacements are carried along, so that
+  /// each step starts where the one before leaves its sets. Then it is as new, without the terms that were
+  /// added. Throws InputError. Collective.
   void rehearse(int steps);
   /// What steps and increments have left behind, terms included. Collective.
   void serialize(Archive& archive);
-  /// Goes back to the middle of a step, given its start and what `kept` gives; the problem must be new. `now` gets the pressures
-  /// of that progress. Collective.
+  /// Goes back to the middle of a step, given its start and what `kept` gives; the problem must be new. `now`
+  /// gets the pressures of that progress. Collective.
   void resume(int step, const State& start, double s, State& now, Archive& kept);
   /// The least of the terms', after linearize(). Collective.
   double solve_tolerance() const;

@@ -11,7 +11,8 @@ namespace bulbus {
 namespace {
 
 // Mean place of some nodes, on the symmetry planes where there are any: the same on every rank.
-Vec3<double> center_of(const LocalMesh& mesh, std::span<const int> nodes, std::span<const std::string> symmetry) {
+Vec3<double> center_of(const LocalMesh& mesh, std::span<const int> nodes,
+                       std::span<const std::string> symmetry) {
   Vec3<double> center{0, 0, 0};
   const auto owned = std::ranges::count_if(nodes, [&](int n) { return n < mesh.owned; });
   const auto all = static_cast<double>(mesh.comm.sum(static_cast<long long>(owned)));
@@ -41,11 +42,14 @@ std::array<bool, 6> free_motions(std::span<const std::string> symmetry) {
 }
 
 // The symmetry planes that have a node of a region: one beside it mirrors it, but holds nothing.
-std::vector<std::string> planes_through(const LocalMesh& mesh, std::span<const int> nodes, std::span<const std::string> symmetry) {
+std::vector<std::string> planes_through(const LocalMesh& mesh, std::span<const int> nodes,
+                                        std::span<const std::string> symmetry) {
   const double tolerance = tolerance_of(mesh);
   std::vector<std::string> planes;
   for (const std::string& s : symmetry)
-    if (mesh.comm.any(std::ranges::any_of(nodes, [&](int n) { return std::abs(mesh.X[3 * n + axis_of(s)]) <= tolerance; }))) planes.push_back(s);
+    if (mesh.comm.any(std::ranges::any_of(
+            nodes, [&](int n) { return std::abs(mesh.X[3 * n + axis_of(s)]) <= tolerance; })))
+      planes.push_back(s);
   return planes;
 }
 
@@ -95,7 +99,8 @@ void Problem::build_bodies_and_solid() {
     const auto planes = planes_through(mesh_, nodes, model_.symmetry);
     for (int n : nodes) {
       if (rigid_node[n])
-        throw scene_error("regions." + name, "rigid region '" + name + "' shares nodes with another rigid region",
+        throw scene_error("regions." + name,
+                          "rigid region '" + name + "' shares nodes with another rigid region",
                           "Give both one name, or let the tissue between them deform.");
       rigid_node[n] = true;
     }
@@ -104,12 +109,14 @@ void Problem::build_bodies_and_solid() {
   solid_ = std::make_unique<Solid>(mesh_.X, mesh_.hexes, regions);
   dofs_ = std::make_unique<DofMap>(mesh_, std::move(bodies));
   for (const SolidRegion& r : solid_->regions()) {
-    std::vector<int> nodes = mesh_.region_nodes[std::ranges::find(mesh_.region_names, r.name) - mesh_.region_names.begin()];
+    std::vector<int> nodes =
+        mesh_.region_nodes[std::ranges::find(mesh_.region_names, r.name) - mesh_.region_names.begin()];
     std::erase_if(nodes, [&](int n) { return n >= mesh_.owned || rigid_node[n]; });
-    // forces of a strain of 1e-7 on the faces of the region's hexahedra: rounded places leave strains of 1e-14 in thin cells, and a
-    // softer region feels those of its neighbour
+    // forces of a strain of 1e-7 on the faces of the region's hexahedra: rounded places leave strains of
+    // 1e-14 in thin cells, and a softer region feels those of its neighbour
     double areas = 0;
-    for (int h = r.first; h < r.first + r.count; ++h) areas += std::pow(solid_->reference_volumes()[h], 4.0 / 3);
+    for (int h = r.first; h < r.first + r.count; ++h)
+      areas += std::pow(solid_->reference_volumes()[h], 4.0 / 3);
     region_floor_.push_back(1e-7 * initial_shear_modulus(r.material) * std::sqrt(comm().sum(areas)));
     region_nodes_.push_back(std::move(nodes));
   }
@@ -121,13 +128,16 @@ void Problem::build_liquids() {
     const auto& faces = mesh_.surfaces.at(spec.surface);
     const Box box = box_of(mesh_, faces);
     Point x0 = box.middle;
-    for (const std::string& s : model_.symmetry) x0[axis_of(s)] = 0;  // the missing cap then contributes nothing
+    for (const std::string& s : model_.symmetry)
+      x0[axis_of(s)] = 0;  // the missing cap then contributes nothing
     liquids_.emplace_back(name, PressureSurface(faces), x0, spec.K, comm());
     const double V = liquids_.back().volume(mesh_.X);
     if (!(V > 1e-9 * box.volume))
       throw scene_error("liquids." + name + ".surface",
-                        "liquid '" + name + "' has no volume: surface '" + spec.surface + "' encloses " + std::to_string(V) + " mm3",
-                        "The surface must bound the solid towards the liquid (normals are taken from the hexahedra), with the "
+                        "liquid '" + name + "' has no volume: surface '" + spec.surface + "' encloses " +
+                            std::to_string(V) + " mm3",
+                        "The surface must bound the solid towards the liquid (normals are taken from the "
+                        "hexahedra), with the "
                         "liquid inside.");
     liquids_.back().set_scale(V);
   }
@@ -135,7 +145,8 @@ void Problem::build_liquids() {
 
 void Problem::build_bars() {
   for (const auto& [name, spec] : model_.bars)
-    bars_[name] = std::make_shared<BarsTerm>(Bars(mesh_.X, mesh_.bars.at(name), spec.E, spec.area, spec.tension_only));
+    bars_[name] =
+        std::make_shared<BarsTerm>(Bars(mesh_.X, mesh_.bars.at(name), spec.E, spec.area, spec.tension_only));
 }
 
 void Problem::hold_fixed() {

@@ -18,10 +18,14 @@ Vec3<double> unit(Vec3<double> v) {
   return v;
 }
 
-std::string step_key(int step, const std::string& rest) { return "steps." + std::to_string(step) + "." + rest; }
+std::string step_key(int step, const std::string& rest) {
+  return "steps." + std::to_string(step) + "." + rest;
+}
 
-// Displacement of one node along n over the step: numbers are approached linearly, formulas taken as they stand.
-std::function<double(double)> course(std::shared_ptr<Formula> f, Vec3<double> X, double start, bool from_start, int step) {
+// Displacement of one node along n over the step: numbers are approached linearly, formulas taken as they
+// stand.
+std::function<double(double)> course(std::shared_ptr<Formula> f, Vec3<double> X, double start,
+                                     bool from_start, int step) {
   if (f->constant()) {
     const double end = (*f)(X, 1, step + 1) + (from_start ? start : 0);
     return [=](double s) { return start + (end - start) * s; };
@@ -34,12 +38,15 @@ std::function<double(double)> ramp(std::shared_ptr<Formula> f, double start, int
   const Vec3<double> origin{0, 0, 0};
   f->require_uniform();
   f->require_finite(origin, step);
-  if (f->constant()) return [=, end = (*f)(origin, 1, step + 1)](double s) { return start + (end - start) * s; };
+  if (f->constant())
+    return [=, end = (*f)(origin, 1, step + 1)](double s) { return start + (end - start) * s; };
   return [=](double s) { return (*f)(origin, s, step + s); };
 }
 
-// Faces of a surface with normals out of a region that has each of them on one side; its hexahedron may be another rank's.
-std::vector<Quad> faces_towards(const LocalMesh& mesh, const std::string& surface, const std::string& region) {
+// Faces of a surface with normals out of a region that has each of them on one side; its hexahedron may be
+// another rank's.
+std::vector<Quad> faces_towards(const LocalMesh& mesh, const std::string& surface,
+                                const std::string& region) {
   const auto& run = mesh.regions[std::ranges::find(mesh.region_names, region) - mesh.region_names.begin()];
   const std::vector<Hex> hexes(mesh.hexes.begin() + run.first, mesh.hexes.begin() + run.first + run.count);
   const FaceTable table(hexes);
@@ -68,7 +75,8 @@ void Problem::begin(int step, const State& start, void (Term::*begin_term)(int, 
   step_ = step;
   comm().together([&] {
     release(spec, step);
-    for (std::size_t i = 0; i < spec.displace.size(); ++i) add_displacement(spec.displace[i], step, static_cast<int>(i), start);
+    for (std::size_t i = 0; i < spec.displace.size(); ++i)
+      add_displacement(spec.displace[i], step, static_cast<int>(i), start);
     build_dofs(*dofs_, step);
     if (!follows_) require_free_elements();
     for (std::size_t i = 0; i < spec.loads.size(); ++i) add_load(spec.loads[i], step, static_cast<int>(i));
@@ -107,7 +115,10 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
       Vec3<double> r = minus(at(start.x, n), spec.center);
       const double t = dot(r, axis);
       for (int c = 0; c < 3; ++c) r[c] -= t * axis[c];
-      if (!(norm(r) > 0)) throw scene_error(where + ".radial", "a node of '" + spec.set + "' lies on the axis: it has no radial direction", "Take it out of the set.");
+      if (!(norm(r) > 0))
+        throw scene_error(where + ".radial",
+                          "a node of '" + spec.set + "' lies on the axis: it has no radial direction",
+                          "Take it out of the set.");
       return unit(r);
     });
   if (spec.by) along("along", *spec.by, [&](int) { return unit(spec.along); });
@@ -128,7 +139,8 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
       const auto& r = *spec.rotate;
       const Vec3<double> a = unit(r.axis), arm = minus(x, r.center);
       const Mat3<double> R = rotation({s * r.angle * a[0], s * r.angle * a[1], s * r.angle * a[2]});
-      for (int c = 0; c < 3; ++c) place[c] = r.center[c] + R(c, 0) * arm[0] + R(c, 1) * arm[1] + R(c, 2) * arm[2];
+      for (int c = 0; c < 3; ++c)
+        place[c] = r.center[c] + R(c, 0) * arm[0] + R(c, 1) * arm[1] + R(c, 2) * arm[2];
     }
     for (int c = 0; c < 3; ++c) u[c] = place[c] + (spec.translate ? s * (*spec.translate)[c] : 0) - X[c];
     return u;
@@ -138,7 +150,8 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
     d[c] = 1;
     std::vector<Hold> holds;
     for (int n : nodes)
-      holds.push_back({n, d, [=, X = at(mesh_.X, n), x = at(start.x, n)](double s) { return motion(X, x, s)[c]; }});
+      holds.push_back(
+          {n, d, [=, X = at(mesh_.X, n), x = at(start.x, n)](double s) { return motion(X, x, s)[c]; }});
     dofs_->hold("2 " + spec.set + "/" + std::string(1, static_cast<char>('x' + c)), std::move(holds));
   }
 }
@@ -148,10 +161,13 @@ void Problem::require_free_elements() const {
   for (const SolidRegion& r : solid_->regions())
     for (int h = r.first; h < r.first + r.count; ++h) {
       const Hex& hex = mesh_.hexes[h];
-      if (!std::ranges::all_of(hex, [&](int n) { return dofs_->body_of(n) < 0 && dofs_->held(n) && trace(dofs_->projector(n)) < 0.5; }))
+      if (!std::ranges::all_of(hex, [&](int n) {
+            return dofs_->body_of(n) < 0 && dofs_->held(n) && trace(dofs_->projector(n)) < 0.5;
+          }))
         continue;
       throw scene_error("steps." + std::to_string(step_),
-                        "over-constrained: all eight nodes of hexahedron " + std::to_string(mesh_.input_hex[h] + 1) + " (region '" + r.name +
+                        "over-constrained: all eight nodes of hexahedron " +
+                            std::to_string(mesh_.input_hex[h] + 1) + " (region '" + r.name +
                             "') are held in all directions, so its pressure is undetermined",
                         "Leave at least one of its nodes free, or declare the region rigid.");
     }
@@ -169,9 +185,11 @@ void Problem::add_load(const LoadSpec& spec, int step, int index) {
     const std::string name = "surface " + spec.surface;
     const double before = loads_.contains(name) ? loads_[name]->end() : 0;
     auto value = ramp(std::make_shared<Formula>(*spec.pressure, where + ".pressure"), before, step);
-    const auto faces = spec.region.empty() ? mesh_.surfaces.at(spec.surface) : faces_towards(mesh_, spec.surface, spec.region);
+    const auto faces = spec.region.empty() ? mesh_.surfaces.at(spec.surface)
+                                           : faces_towards(mesh_, spec.surface, spec.region);
     if (spec.dead)
-      loads_[name] = std::make_shared<DeadLoad>(std::vector<double>{}, dead_pressure_pattern(mesh_.X, faces, spec.direction), value);
+      loads_[name] = std::make_shared<DeadLoad>(std::vector<double>{},
+                                                dead_pressure_pattern(mesh_.X, faces, spec.direction), value);
     else
       loads_[name] = std::make_shared<FollowerPressure>(PressureSurface(faces), value, false);
   }
@@ -197,7 +215,8 @@ int Problem::liquid_index(const std::string& name, const std::string& key) const
     names.push_back(liquids_[i].name());
   }
   const std::string guess = nearest(name, names);
-  throw scene_error(key, "there is no liquid '" + name + "'", guess.empty() ? "Name one under `liquids`." : "Did you mean '" + guess + "'?");
+  throw scene_error(key, "there is no liquid '" + name + "'",
+                    guess.empty() ? "Name one under `liquids`." : "Did you mean '" + guess + "'?");
 }
 
 void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) {
@@ -214,8 +233,11 @@ void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) 
     const std::string key = step_key(step, "add." + name);
     const int i = liquid_index(name, key);
     if (!liquids_[i].coupled())
-      throw scene_error(key, "liquid '" + name + "' is not enclosed in this step: its pressure is given, so adding volume means nothing",
-                        "List it under `couple`.");
+      throw scene_error(
+          key,
+          "liquid '" + name +
+              "' is not enclosed in this step: its pressure is given, so adding volume means nothing",
+          "List it under `couple`.");
     liquids_[i].add(volume / multiplicity_);
   }
 }
@@ -223,9 +245,11 @@ void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) 
 void Problem::release(const StepSpec& spec, int step) {
   for (const std::string& name : spec.release) {
     bool found = loads_.erase("surface " + name) + loads_.erase("force " + name) > 0;
-    for (const char* what : {"x", "y", "z", "radial", "along"}) found |= dofs_->release("2 " + name + "/" + what);
+    for (const char* what : {"x", "y", "z", "radial", "along"})
+      found |= dofs_->release("2 " + name + "/" + what);
     if (!found)
-      throw scene_error(step_key(step, "release"), "nothing is prescribed on '" + name + "', so nothing can be released",
+      throw scene_error(step_key(step, "release"),
+                        "nothing is prescribed on '" + name + "', so nothing can be released",
                         "Name a set of an earlier `displace` or `loads`.");
   }
 }

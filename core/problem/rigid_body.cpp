@@ -37,7 +37,8 @@ Pose RigidBody::moved(const Pose& pose, const Six& q) const {
   return p;
 }
 
-void RigidBody::expand(const Pose& pose, std::span<const double> x, const Six& q, std::span<double> dx) const {
+void RigidBody::expand(const Pose& pose, std::span<const double> x, const Six& q,
+                       std::span<double> dx) const {
   Six f;
   for (int i = 0; i < 6; ++i) f[i] = free_[i] ? q[i] : 0;
   for (int n : nodes_) {

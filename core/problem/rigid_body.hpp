@@ -8,12 +8,14 @@
 
 namespace bulbus {
 
-/// A region that moves as one: six unknowns (shift, then spin about the current centre) in place of its nodes.
+/// A region that moves as one: six unknowns (shift, then spin about the current centre) in place of its
+/// nodes.
 class RigidBody {
  public:
   using Six = std::array<double, 6>;
 
-  /// `nodes`: local nodes (owned and ghost); `free`: which of the six unknowns exist (symmetry planes hold some).
+  /// `nodes`: local nodes (owned and ghost); `free`: which of the six unknowns exist (symmetry planes hold
+  /// some).
   RigidBody(std::string name, std::vector<int> nodes, Vec3<double> center, std::array<bool, 6> free)
       : name_(std::move(name)), nodes_(std::move(nodes)), center_(center), free_(free) {}
 
@@ -30,7 +32,8 @@ class RigidBody {
   /// The transpose: force and moment of the nodal forces of this rank's owned nodes (not summed over ranks).
   Six reduce(const Pose& pose, std::span<const double> x, std::span<const double> f, int owned) const;
   /// Second derivative of the motion against nodal forces f: spin block of Σ [ ½(f⊗r + r⊗f) − (f·r) I ].
-  Mat3<double> geometric(const Pose& pose, std::span<const double> x, std::span<const double> f, int owned) const;
+  Mat3<double> geometric(const Pose& pose, std::span<const double> x, std::span<const double> f,
+                         int owned) const;
   Vec3<double> arm(const Pose& pose, std::span<const double> x, int node) const;
 
  private:

@@ -1,6 +1,7 @@
-// Rigid motions that nothing prevents: the null space of all holds and bars on the rigid motions of the mesh's parts.
-#include <Eigen/Dense>
+// Rigid motions that nothing prevents: the null space of all holds and bars on the rigid motions of the
+// mesh's parts.
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 
@@ -34,8 +35,11 @@ Parts find_parts(const Mesh& mesh) {
     const int r = sets.root(mesh.hexes[h][0]);
     const auto [entry, fresh] = number.emplace(r, static_cast<int>(number.size()));
     const std::string& region = mesh.region_names[mesh.region[h]];
-    if (fresh) parts.name.push_back(region);
-    else if (std::string& name = parts.name[entry->second]; ("+" + name + "+").find("+" + region + "+") == std::string::npos) name += "+" + region;
+    if (fresh)
+      parts.name.push_back(region);
+    else if (std::string& name = parts.name[entry->second];
+             ("+" + name + "+").find("+" + region + "+") == std::string::npos)
+      name += "+" + region;
     for (int n : mesh.hexes[h]) parts.of_node[n] = entry->second;
   }
   const std::size_t count = parts.name.size();
@@ -50,12 +54,14 @@ Parts find_parts(const Mesh& mesh) {
   for (std::size_t p = 0; p < count; ++p)
     for (double& c : parts.center[p]) c /= nodes[p];
   for (std::size_t n = 0; n < mesh.points.size(); ++n)
-    if (const int p = parts.of_node[n]; p >= 0) parts.size[p] = std::max(parts.size[p], norm(minus(mesh.points[n], parts.center[p])));
+    if (const int p = parts.of_node[n]; p >= 0)
+      parts.size[p] = std::max(parts.size[p], norm(minus(mesh.points[n], parts.center[p])));
   return parts;
 }
 
 // Adds the row of weight · (d · displacement of the node) in terms of the part's shift and (scaled) spin.
-void add_row(const Mesh& mesh, const Parts& parts, int node, const Vec3<double>& d, double weight, Vector& row) {
+void add_row(const Mesh& mesh, const Parts& parts, int node, const Vec3<double>& d, double weight,
+             Vector& row) {
   const int p = parts.of_node[node];
   if (p < 0) return;
   Vec3<double> r = minus(mesh.points[node], parts.center[p]);
@@ -112,7 +118,8 @@ void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
   const double tolerance = mesh_tolerance(mesh);
   for (const std::string& s : model.symmetry)
     for (std::size_t n = 0; n < mesh.points.size(); ++n)
-      if (std::abs(mesh.points[n][axis_of(s)]) <= tolerance) constraints.hold(static_cast<int>(n), unit(axis_of(s)));
+      if (std::abs(mesh.points[n][axis_of(s)]) <= tolerance)
+        constraints.hold(static_cast<int>(n), unit(axis_of(s)));
   for (const FixSpec& f : model.fix)
     for (int n : nodes_of(mesh, f.set))
       for (const std::string& d : f.directions) constraints.hold(n, unit(axis_of(d)));
@@ -145,7 +152,8 @@ std::string describe(const Vector& motion) {
   Eigen::Index largest;
   d.cwiseAbs().maxCoeff(&largest);
   d = (100 / (d[largest] < 0 ? -1.0 : 1.0) * d).array().round() / 100 + 0.0;  // no "-0.00"
-  return fmt::format("{} ({:.2f}, {:.2f}, {:.2f})", turns ? "rotation about" : "shift along", d[0], d[1], d[2]);
+  return fmt::format("{} ({:.2f}, {:.2f}, {:.2f})", turns ? "rotation about" : "shift along", d[0], d[1],
+                     d[2]);
 }
 
 }  // namespace
@@ -165,8 +173,8 @@ void require_supported(const Mesh& mesh, const Model& model) {
     if (mode.segment<6>(6 * p).norm() > mode.segment<6>(6 * worst).norm()) worst = p;
   throw scene_error("fix",
                     fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
-                                parts.name.size() == 1 ? "the model" : "a part of the model", parts.name[worst],
-                                describe(mode.segment<6>(6 * worst))),
+                                parts.name.size() == 1 ? "the model" : "a part of the model",
+                                parts.name[worst], describe(mode.segment<6>(6 * worst))),
                     "Hold it with `fix`, `symmetry`, `displace` in the first step, or bars.");
 }
 

@@ -24,7 +24,8 @@ SurfaceSides::SurfaceSides(const Mesh& mesh, const std::set<std::string>& surfac
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
     if (std::ranges::count_if(mesh.hexes[h], [&](int n) { return on[n]; }) < 4) continue;
     for (int f = 0; f < 6; ++f)
-      if (const auto found = regions_.find(sorted(face_nodes(mesh.hexes, static_cast<int>(6 * h + f)))); found != regions_.end())
+      if (const auto found = regions_.find(sorted(face_nodes(mesh.hexes, static_cast<int>(6 * h + f))));
+          found != regions_.end())
         found->second[found->second[0] < 0 ? 0 : 1] = mesh.region[h];
   }
 }

@@ -35,7 +35,8 @@ void keep_near_ones(const Mesh& mesh, int c, std::vector<bool>& nodes) {
   for (const Hex& h : mesh.hexes)
     for (const auto& [i, j] : hex_edges)
       for (const auto& [a, b] : {std::pair{h[i], h[j]}, {h[j], h[i]}})
-        if (nodes[a] && std::abs(mesh.points[a][c]) > of_edge * norm(mesh.points[a] - mesh.points[b])) far[a] = true;
+        if (nodes[a] && std::abs(mesh.points[a][c]) > of_edge * norm(mesh.points[a] - mesh.points[b]))
+          far[a] = true;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (far[n]) nodes[n] = false;
 }
@@ -47,11 +48,14 @@ void require_one_side(const Mesh& mesh, const std::string& plane) {
   const double below = -(*low)[c], above = (*high)[c];
   if (below <= tolerance || above <= tolerance) return;
   const double beyond = std::min(below, above);
-  throw scene_error("symmetry",
-                    fmt::format("the mesh lies on both sides of the symmetry plane {} = 0 (from {:g} to {:g} mm)", plane, (*low)[c], (*high)[c]),
-                    beyond < of_edge * std::max(below, above)
-                        ? fmt::format("If these are nodes of the plane with noise, say `symmetry_tolerance: {:.2g} mm`.", 1.1 * beyond)
-                        : "A symmetric model is drawn on one side; take the plane out of `symmetry`.");
+  throw scene_error(
+      "symmetry",
+      fmt::format("the mesh lies on both sides of the symmetry plane {} = 0 (from {:g} to {:g} mm)", plane,
+                  (*low)[c], (*high)[c]),
+      beyond < of_edge * std::max(below, above)
+          ? fmt::format("If these are nodes of the plane with noise, say `symmetry_tolerance: {:.2g} mm`.",
+                        1.1 * beyond)
+          : "A symmetric model is drawn on one side; take the plane out of `symmetry`.");
 }
 
 // Faces near the plane c that look at it and are not on it.
@@ -61,7 +65,8 @@ std::vector<Quad> faces_along(const Mesh& mesh, int c) {
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
     const Hex& hex = mesh.hexes[h];
     const auto [near, far] = std::ranges::minmax(hex, {}, [&](int n) { return std::abs(mesh.points[n][c]); });
-    if (!(std::abs(mesh.points[near][c]) <= of_edge * norm(mesh.points[hex[0]] - mesh.points[hex[6]]))) continue;
+    if (!(std::abs(mesh.points[near][c]) <= of_edge * norm(mesh.points[hex[0]] - mesh.points[hex[6]])))
+      continue;
     const double side = mesh.points[far][c];
     for (int f = 0; f < 6; ++f) {
       const Quad q = face_nodes(mesh.hexes, static_cast<int>(6 * h + f));
@@ -70,7 +75,8 @@ std::vector<Quad> faces_along(const Mesh& mesh, int c) {
         edge = std::min(edge, norm(mesh.points[q[i]] - mesh.points[q[(i + 1) % 4]]));
         distance = std::max(distance, std::abs(mesh.points[q[i]][c]));
       }
-      const Point normal = cross(mesh.points[q[2]] - mesh.points[q[0]], mesh.points[q[3]] - mesh.points[q[1]]);
+      const Point normal =
+          cross(mesh.points[q[2]] - mesh.points[q[0]], mesh.points[q[3]] - mesh.points[q[1]]);
       if (distance > tolerance && distance <= of_edge * edge && normal[c] * side < 0) found.push_back(q);
     }
   }
@@ -89,11 +95,14 @@ void require_held(const Mesh& mesh, const std::string& plane) {
   for (const Quad& q : faces)
     for (int n : q)
       if (const double d = std::abs(mesh.points[n][c]); d > distance) distance = d, place = mesh.points[n];
-  throw scene_error("symmetry",
-                    fmt::format("{} faces lie along the symmetry plane {} = 0, up to {:.3g} mm beside it, and are not held there; the farthest node is at ({:.4g}, {:.4g}, {:.4g})",
-                                faces.size(), plane, distance, place[0], place[1], place[2]),
-                    fmt::format("If they are meant to be on the plane, say `symmetry_tolerance: {:.2g} mm`; otherwise take the plane out of `symmetry`, or draw the mesh farther away from it.",
-                                1.1 * distance));
+  throw scene_error(
+      "symmetry",
+      fmt::format("{} faces lie along the symmetry plane {} = 0, up to {:.3g} mm beside it, and are not held "
+                  "there; the farthest node is at ({:.4g}, {:.4g}, {:.4g})",
+                  faces.size(), plane, distance, place[0], place[1], place[2]),
+      fmt::format("If they are meant to be on the plane, say `symmetry_tolerance: {:.2g} mm`; otherwise take "
+                  "the plane out of `symmetry`, or draw the mesh farther away from it.",
+                  1.1 * distance));
 }
 
 }  // namespace

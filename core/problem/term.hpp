@@ -7,14 +7,16 @@
 
 namespace bulbus {
 
-/// One addend of the equilibrium that acts on nodal displacements alone. Nodal vectors have 3 numbers per local node and are
-/// added to; forces are internal minus external (zero in sum at equilibrium).
+/// One addend of the equilibrium that acts on nodal displacements alone. Nodal vectors have 3 numbers per
+/// local node and are added to; forces are internal minus external (zero in sum at equilibrium).
 class Term {
  public:
   virtual ~Term() = default;
 
-  /// force += residual; magnitude (per local node, may be empty) += |contribution|, the yardstick of the balance.
-  virtual void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const = 0;
+  /// force += residual; magnitude (per local node, may be empty) += |contribution|, the yardstick of the
+  /// balance.
+  virtual void add_residual(const State& state, std::span<double> force,
+                            std::span<double> magnitude) const = 0;
   /// Fixes the state of the tangent until the next call.
   virtual void linearize(const State& state) = 0;
   /// force += tangent · dx
@@ -27,25 +29,26 @@ class Term {
   virtual void begin_step(int, const State&) {}
   /// A step begins that is not solved: in a rehearsal, or on the way back to a later one. Collective.
   virtual void pass_step(int step, const State& start) { begin_step(step, start); }
-  /// Relative residual to which the next linear solve must come at least: stiff terms may need a better one than Newton's method asks for. After
-  /// linearize(). Collective.
+  /// Relative residual to which the next linear solve must come at least: stiff terms may need a better one
+  /// than Newton's method asks for. After linearize(). Collective.
   virtual double solve_tolerance() const { return 1; }
-  /// Newton's method moves the local nodes by dx, which it found with the tangent of the last linearize(). What is active may depend on what that
-  /// predicts. Collective.
+  /// Newton's method moves the local nodes by dx, which it found with the tangent of the last linearize().
+  /// What is active may depend on what that predicts. Collective.
   virtual void predict(std::span<const double> /*dx*/) {}
-  /// Newton has converged for what the term holds fixed meanwhile (multipliers, active set): true if that has to change first, so
-  /// that Newton goes on. Collective.
+  /// Newton has converged for what the term holds fixed meanwhile (multipliers, active set): true if that has
+  /// to change first, so that Newton goes on. Collective.
   virtual bool revise(const State&) { return false; }
   /// Newton has converged: why the state must not be accepted all the same; empty: it may. Collective.
   virtual std::string refusal(const State&) const { return {}; }
   /// Loads follow the part s of the step done; freeze() keeps the end of the step for the next ones.
   virtual void set_progress(double) {}
   virtual void freeze() {}
-  /// What the term remembers follows the increments: kept when one has converged, what it was then when one is cut.
+  /// What the term remembers follows the increments: kept when one has converged, what it was then when one
+  /// is cut.
   virtual void commit(const State&) {}
   virtual void roll_back() {}
-  /// All that the term has from increments before, but for what begin_step() and set_progress() make anew: for a checkpoint. Read
-  /// after the step has begun and its progress is set. Collective.
+  /// All that the term has from increments before, but for what begin_step() and set_progress() make anew:
+  /// for a checkpoint. Read after the step has begun and its progress is set. Collective.
   virtual void serialize(Archive&) {}
 };
 

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "core/base/error.hpp"
-#include "core/problem/probes/cancelled_figures.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/plausible.hpp"
 #include "core/problem/pressed_surfaces.hpp"
+#include "core/problem/probes/cancelled_figures.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/tissues.hpp"
 
@@ -35,17 +35,21 @@ std::string known(const std::string& word, const std::vector<std::string>& names
 void check_regions(const Mesh& mesh, const Model& model) {
   for (const auto& [name, spec] : model.regions)
     if (region_index(mesh, name) < 0)
-      throw scene_error("regions." + name, "material for a region '" + name + "' that the mesh does not have", known(name, mesh.region_names));
+      throw scene_error("regions." + name, "material for a region '" + name + "' that the mesh does not have",
+                        known(name, mesh.region_names));
   for (const std::string& name : mesh.region_names)
     if (!model.regions.contains(name))
       throw scene_error("regions", "region '" + name + "' of the mesh has no material",
-                        "Add `" + name + ": {c10: ...}` under `regions`" + (tissue_stiffness("paper", name) ? ", or say `materials: paper`." : "."));
+                        "Add `" + name + ": {c10: ...}` under `regions`" +
+                            (tissue_stiffness("paper", name) ? ", or say `materials: paper`." : "."));
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
     const double mu = initial_shear_modulus(make_material(terms_of(spec)));
     if (!(mu > 0) || !std::isfinite(mu))
-      throw scene_error("regions." + name, fmt::format("region '{}' has the initial shear modulus 2 (c10 + c01) = {:g} MPa", name, mu),
-                        "It must be positive and finite: give c10 (and c01), or `rigid: true`.");
+      throw scene_error(
+          "regions." + name,
+          fmt::format("region '{}' has the initial shear modulus 2 (c10 + c01) = {:g} MPa", name, mu),
+          "It must be positive and finite: give c10 (and c01), or `rigid: true`.");
   }
 }
 
@@ -55,7 +59,8 @@ void check_set(const Mesh& mesh, const std::string& set, const std::string& key)
   } catch (const InputError& e) {
     throw InputError(e.what(), key);
   }
-  throw scene_error(key, "set '" + set + "' is empty", "Put at least one node into it, or leave the entry out.");
+  throw scene_error(key, "set '" + set + "' is empty",
+                    "Put at least one node into it, or leave the entry out.");
 }
 
 // A rigid region's nodes follow its six unknowns: a hold on single ones would be lost.
@@ -64,23 +69,28 @@ void check_not_rigid(const Mesh& mesh, const Model& model, const std::string& se
     if (!spec.rigid) continue;
     const auto held = nodes_of(mesh, set), rigid = nodes_of_region(mesh, region_index(mesh, name));
     if (std::ranges::any_of(held, [&](int n) { return std::ranges::binary_search(rigid, n); }))
-      throw scene_error(key, "set '" + set + "' has nodes of the rigid region '" + name + "', which cannot be held one by one",
-                        "Take them out of the set, or let the region deform.");
+      throw scene_error(
+          key,
+          "set '" + set + "' has nodes of the rigid region '" + name + "', which cannot be held one by one",
+          "Take them out of the set, or let the region deform.");
   }
 }
 
 void check_surface(const Mesh& mesh, const std::string& surface, const std::string& key) {
   const auto found = mesh.surfaces.find(surface);
   if (found == mesh.surfaces.end())
-    throw scene_error(key, "the mesh has no surface '" + surface + "'", known(surface, names_of(mesh.surfaces)));
-  if (found->second.empty()) throw scene_error(key, "surface '" + surface + "' is empty", "Put at least one face into it.");
+    throw scene_error(key, "the mesh has no surface '" + surface + "'",
+                      known(surface, names_of(mesh.surfaces)));
+  if (found->second.empty())
+    throw scene_error(key, "surface '" + surface + "' is empty", "Put at least one face into it.");
 }
 
 // What a displacement prescribes of its set.
 std::vector<std::string> prescribed(const DisplaceSpec& d) {
   if (d.affine || d.rotate || d.translate) return {"x", "y", "z"};
   std::vector<std::string> all;
-  for (const auto& [name, given] : {std::pair{"x", &d.x}, {"y", &d.y}, {"z", &d.z}, {"radial", &d.radial}, {"by", &d.by}})
+  for (const auto& [name, given] :
+       {std::pair{"x", &d.x}, {"y", &d.y}, {"z", &d.z}, {"radial", &d.radial}, {"by", &d.by}})
     if (*given) all.emplace_back(name);
   return all;
 }
@@ -92,7 +102,9 @@ void refuse_twice(const StepSpec& step, const std::string& key) {
     for (const std::string& what : prescribed(step.displace[i])) {
       const std::string& set = step.displace[i].set;
       if (!seen.insert(what + " " + set).second)
-        throw scene_error(key + ".displace." + std::to_string(i), "displacement " + what + " of '" + set + "' is given twice in one step: only the last would count",
+        throw scene_error(key + ".displace." + std::to_string(i),
+                          "displacement " + what + " of '" + set +
+                              "' is given twice in one step: only the last would count",
                           "Keep one of the two, or give their sum.");
     }
 }
@@ -105,12 +117,16 @@ void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, cons
     check_set(mesh, d.set, at + ".set");
     check_not_rigid(mesh, model, d.set, at + ".set");
     if (d.affine && d.affine->size() != 9)
-      throw scene_error(at + ".affine", fmt::format("`affine` has {} numbers", d.affine->size()), "Give nine: the rows of F.");
+      throw scene_error(at + ".affine", fmt::format("`affine` has {} numbers", d.affine->size()),
+                        "Give nine: the rows of F.");
     if (d.affine && (d.rotate || d.translate))
-      throw scene_error(at + ".affine", "`affine` and a rigid motion are given together", "Keep one of them.");
-    if (d.by && norm(d.along) == 0) throw scene_error(at + ".by", "`by` has no direction", "Give `along: [.., .., ..]`.");
+      throw scene_error(at + ".affine", "`affine` and a rigid motion are given together",
+                        "Keep one of them.");
+    if (d.by && norm(d.along) == 0)
+      throw scene_error(at + ".by", "`by` has no direction", "Give `along: [.., .., ..]`.");
     if (!d.x && !d.y && !d.z && !d.radial && !d.by && !d.affine && !d.rotate && !d.translate)
-      throw scene_error(at, "nothing is prescribed on '" + d.set + "'", "Give x, y, z, radial, by, affine, rotate or translate.");
+      throw scene_error(at, "nothing is prescribed on '" + d.set + "'",
+                        "Give x, y, z, radial, by, affine, rotate or translate.");
     if ((d.rotate && norm(d.rotate->axis) == 0) || (d.radial && norm(d.axis) == 0))
       throw scene_error(at, "the axis has no direction", "Give `axis` a length.");
   }
@@ -119,23 +135,30 @@ void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, cons
     const std::string at = key + ".loads." + std::to_string(i);
     if (l.pressure) check_surface(mesh, l.surface, at + ".surface");
     if (l.force) check_set(mesh, l.set, at + ".set");
-    if (!l.pressure && !l.force) throw scene_error(at, "a load without size", "Give `surface` and `pressure`, or `set` and `force`.");
+    if (!l.pressure && !l.force)
+      throw scene_error(at, "a load without size", "Give `surface` and `pressure`, or `set` and `force`.");
   }
 }
 
 void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const std::string& key) {
   const bool needs_liquid = p.kind == "pressure" || p.kind == "volume";
-  const bool needs_set = p.kind == "displacement" || p.kind == "position" || p.kind == "distance" || p.kind == "reaction" || p.kind == "moment";
+  const bool needs_set = p.kind == "displacement" || p.kind == "position" || p.kind == "distance" ||
+                         p.kind == "reaction" || p.kind == "moment";
   if (needs_liquid && !model.liquids.contains(p.liquid))
-    throw scene_error(key + ".liquid", "there is no liquid '" + p.liquid + "'", known(p.liquid, names_of(model.liquids)));
+    throw scene_error(key + ".liquid", "there is no liquid '" + p.liquid + "'",
+                      known(p.liquid, names_of(model.liquids)));
   if (p.of != "whole" && !sums_forces(p.kind))
-    throw scene_error(key + ".of", "`of` says nothing for a probe of the kind '" + p.kind + "'", "Leave it out: it is for sums of forces and moments.");
+    throw scene_error(key + ".of", "`of` says nothing for a probe of the kind '" + p.kind + "'",
+                      "Leave it out: it is for sums of forces and moments.");
   if (needs_set || !p.set.empty()) check_set(mesh, p.set, key + ".set");
   if (p.kind == "distance") check_set(mesh, p.to, key + ".to");
-  if (!p.region.empty() && (p.kind == "mises" || p.kind == "volume_ratio") && region_index(mesh, p.region) < 0)
-    throw scene_error(key + ".region", "the mesh has no region '" + p.region + "'", known(p.region, mesh.region_names));
+  if (!p.region.empty() && (p.kind == "mises" || p.kind == "volume_ratio") &&
+      region_index(mesh, p.region) < 0)
+    throw scene_error(key + ".region", "the mesh has no region '" + p.region + "'",
+                      known(p.region, mesh.region_names));
   if (!p.region.empty() && p.kind == "bar_force" && !model.bars.contains(p.region))
-    throw scene_error(key + ".region", "there are no bars '" + p.region + "'", known(p.region, names_of(model.bars)));
+    throw scene_error(key + ".region", "there are no bars '" + p.region + "'",
+                      known(p.region, names_of(model.bars)));
   std::vector<std::string> steps;
   for (const StepSpec& s : model.steps)
     if (!s.name.empty()) steps.push_back(s.name);
@@ -147,7 +170,12 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
 
 std::vector<Polynomial::Term> terms_of(const RegionSpec& s) {
   std::vector<Polynomial::Term> terms;
-  for (const Polynomial::Term& t : {Polynomial::Term{1, 0, s.c10}, {0, 1, s.c01}, {2, 0, s.c20}, {1, 1, s.c11}, {0, 2, s.c02}, {3, 0, s.c30}})
+  for (const Polynomial::Term& t : {Polynomial::Term{1, 0, s.c10},
+                                    {0, 1, s.c01},
+                                    {2, 0, s.c20},
+                                    {1, 1, s.c11},
+                                    {0, 2, s.c02},
+                                    {3, 0, s.c30}})
     if (t.c != 0) terms.push_back(t);
   for (const auto& t : s.terms) terms.push_back({t.r, t.s, t.c});
   return terms;
@@ -161,23 +189,33 @@ std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model) {
     check_surface(mesh, c.slave, key + ".slave");
     names.insert(c.slave);
     if (c.slave == c.master)
-      throw scene_error(key + ".master", "contact '" + c.name + "' names surface '" + c.slave + "' twice",
-                        "Give the two sides as two surfaces: nodes that touch their own surface are not looked for.");
+      throw scene_error(
+          key + ".master", "contact '" + c.name + "' names surface '" + c.slave + "' twice",
+          "Give the two sides as two surfaces: nodes that touch their own surface are not looked for.");
     if (c.two_way && model.rigid_bodies.contains(c.master))
-      throw scene_error(key + ".two_way", "contact '" + c.name + "' goes both ways, and its master '" + c.master + "' is a rigid body, which has no nodes",
-                        "Leave `two_way` out; `divisions: 4` lets the slave's faces feel edges finer than the mesh.");
+      throw scene_error(
+          key + ".two_way",
+          "contact '" + c.name + "' goes both ways, and its master '" + c.master +
+              "' is a rigid body, which has no nodes",
+          "Leave `two_way` out; `divisions: 4` lets the slave's faces feel edges finer than the mesh.");
     if (c.two_way && c.tolerance > 0)
-      throw scene_error(key + ".two_way", "contact '" + c.name + "' goes both ways and has a `tolerance`: two multipliers for one pressure have no limit",
-                        "Leave `tolerance` out and give a larger `penalty`, or leave `two_way` out.");
+      throw scene_error(
+          key + ".two_way",
+          "contact '" + c.name +
+              "' goes both ways and has a `tolerance`: two multipliers for one pressure have no limit",
+          "Leave `tolerance` out and give a larger `penalty`, or leave `two_way` out.");
     if (model.rigid_bodies.contains(c.master)) {
       if (mesh.surfaces.contains(c.master))
-        throw scene_error(key + ".master", "'" + c.master + "' is both a surface of the mesh and a rigid body", "Rename the rigid body.");
+        throw scene_error(key + ".master",
+                          "'" + c.master + "' is both a surface of the mesh and a rigid body",
+                          "Rename the rigid body.");
       continue;
     }
     if (!mesh.surfaces.contains(c.master)) {
       auto known_masters = names_of(mesh.surfaces);
       for (const auto& [name, body] : model.rigid_bodies) known_masters.push_back(name);
-      throw scene_error(key + ".master", "there is no surface or rigid body '" + c.master + "'", known(c.master, known_masters));
+      throw scene_error(key + ".master", "there is no surface or rigid body '" + c.master + "'",
+                        known(c.master, known_masters));
     }
     check_surface(mesh, c.master, key + ".master");
     names.insert(c.master);
@@ -191,21 +229,27 @@ void validate(const Mesh& mesh, const Model& model) {
   check_regions(mesh, model);
   for (const auto& [name, group] : mesh.bars)
     if (!group.empty() && !model.bars.contains(name))
-      throw scene_error("bars", "bars '" + name + "' of the mesh have no stiffness", "Add `" + name + ": {E: ..., area: ...}` under `bars`.");
+      throw scene_error("bars", "bars '" + name + "' of the mesh have no stiffness",
+                        "Add `" + name + ": {E: ..., area: ...}` under `bars`.");
   for (const auto& [name, spec] : model.bars)
     if (!mesh.bars.contains(name))
-      throw scene_error("bars." + name, "the mesh has no bars '" + name + "'", known(name, names_of(mesh.bars)));
-  for (const auto& [name, spec] : model.liquids) check_surface(mesh, spec.surface, "liquids." + name + ".surface");
+      throw scene_error("bars." + name, "the mesh has no bars '" + name + "'",
+                        known(name, names_of(mesh.bars)));
+  for (const auto& [name, spec] : model.liquids)
+    check_surface(mesh, spec.surface, "liquids." + name + ".surface");
   require_at_planes(mesh, model);
   for (const auto& [name, spec] : model.liquids)
-    require_closed(mesh, mesh.surfaces.at(spec.surface), model.symmetry, spec.surface, "liquids." + name + ".surface");
+    require_closed(mesh, mesh.surfaces.at(spec.surface), model.symmetry, spec.surface,
+                   "liquids." + name + ".surface");
   for (std::size_t i = 0; i < model.fix.size(); ++i) {
     check_set(mesh, model.fix[i].set, "fix." + std::to_string(i) + ".set");
     check_not_rigid(mesh, model, model.fix[i].set, "fix." + std::to_string(i) + ".set");
   }
   if (model.steps.empty()) throw scene_error("steps", "there are no steps", "Give at least one.");
-  for (std::size_t i = 0; i < model.steps.size(); ++i) check_step(mesh, model, model.steps[i], "steps." + std::to_string(i));
-  for (std::size_t i = 0; i < model.probes.size(); ++i) check_probe(mesh, model, model.probes[i], "probes." + std::to_string(i));
+  for (std::size_t i = 0; i < model.steps.size(); ++i)
+    check_step(mesh, model, model.steps[i], "steps." + std::to_string(i));
+  for (std::size_t i = 0; i < model.probes.size(); ++i)
+    check_probe(mesh, model, model.probes[i], "probes." + std::to_string(i));
   require_clear_pressures(mesh, model);
   require_plausible_sizes(mesh, model);
   require_supported(mesh, model);

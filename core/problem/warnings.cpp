@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "core/mesh/geometry.hpp"
-#include "core/problem/probes/cancelled_figures.hpp"
 #include "core/problem/coincident_nodes.hpp"
 #include "core/problem/material_stability.hpp"
 #include "core/problem/pressed_surfaces.hpp"
+#include "core/problem/probes/cancelled_figures.hpp"
 
 namespace bulbus {
 namespace {
@@ -22,9 +22,15 @@ constexpr double smallest_size = .1, largest_size = 1000;  // mm
 void warn_of_size(const Mesh& mesh, Warnings& warnings) {
   const double size = diagonal(mesh);
   if (size >= smallest_size && size <= largest_size) return;
-  warnings.push_back(fmt::format("the mesh measures only {:.3g} mm from corner to corner: are its coordinates in metres? Then give `scale: 1000` under `mesh`.", size));
+  warnings.push_back(
+      fmt::format("the mesh measures only {:.3g} mm from corner to corner: are its coordinates in metres? "
+                  "Then give `scale: 1000` under `mesh`.",
+                  size));
   if (size > largest_size)
-    warnings.back() = fmt::format("the mesh measures {:.3g} mm from corner to corner: are its coordinates in micrometres? Then give `scale: 0.001` under `mesh`.", size);
+    warnings.back() = fmt::format(
+        "the mesh measures {:.3g} mm from corner to corner: are its coordinates in micrometres? Then give "
+        "`scale: 0.001` under `mesh`.",
+        size);
 }
 
 }  // namespace
@@ -32,7 +38,8 @@ void warn_of_size(const Mesh& mesh, Warnings& warnings) {
 std::vector<std::string> warnings_of(const Mesh& mesh, const Model& model) {
   Warnings warnings;
   warn_of_size(mesh, warnings);
-  for (const Warnings& more : {coincident_nodes(mesh, model), overlapping_pressures(mesh, model), cancelled_figures(model), unstable_regions(model)})
+  for (const Warnings& more : {coincident_nodes(mesh, model), overlapping_pressures(mesh, model),
+                               cancelled_figures(model), unstable_regions(model)})
     warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }

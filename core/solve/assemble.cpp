@@ -13,11 +13,11 @@ namespace {
 // Global number of every kind of unknown.
 class Numbering {
  public:
-  explicit Numbering(const CoupledSystem& system)
-      : mesh_(system.problem().mesh()), layout_(system.layout()) {
+  explicit Numbering(const CoupledSystem& system) : mesh_(system.problem().mesh()), layout_(system.layout()) {
     const Comm& comm = mesh_.comm;
     const long long first = comm.offset(static_cast<long long>(layout_.size()));
-    const std::vector<long long> mine{first, mesh_.first_node, first + layout_.nodal, first + layout_.primal() + layout_.hexes};
+    const std::vector<long long> mine{first, mesh_.first_node, first + layout_.nodal,
+                                      first + layout_.primal() + layout_.hexes};
     const auto all = comm.gather(std::span<const long long>(mine));
     for (std::size_t r = 0; r < all.size(); r += 4) {
       row_.push_back(all[r]);
@@ -47,16 +47,20 @@ class Numbering {
   long long bodies_ = 0, liquids_ = 0, hexes_ = 0;
 };
 
-// Rows by global number, columns ascending; what comes twice is added at once, so that element matrices never pile up.
+// Rows by global number, columns ascending; what comes twice is added at once, so that element matrices never
+// pile up.
 class Collector {
  public:
   Collector(long long rows, Triangle part) : rows_(rows), upper_(part == Triangle::upper) {}
   void add(int r, int c, double v) {
     if ((v == 0 && r != c) || (upper_ && r > c)) return;
     auto& row = rows_[r];
-    const auto at = std::lower_bound(row.begin(), row.end(), c, [](const Entry& e, int column) { return e.column < column; });
-    if (at != row.end() && at->column == c) at->value += v;
-    else row.insert(at, {c, v});
+    const auto at = std::lower_bound(row.begin(), row.end(), c,
+                                     [](const Entry& e, int column) { return e.column < column; });
+    if (at != row.end() && at->column == c)
+      at->value += v;
+    else
+      row.insert(at, {c, v});
   }
   // A whole row of entries factor · v, columns ascending.
   void add_row(int r, std::span<const long long> columns, std::span<const double> v, double factor) {
@@ -81,7 +85,8 @@ class Collector {
     for (const auto& row : rows_) entries += row.size();
     t.row.reserve(entries), t.col.reserve(entries), t.value.reserve(entries);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-      for (const Entry& e : rows_[r]) t.row.push_back(static_cast<int>(r)), t.col.push_back(e.column), t.value.push_back(e.value);
+      for (const Entry& e : rows_[r])
+        t.row.push_back(static_cast<int>(r)), t.col.push_back(e.column), t.value.push_back(e.value);
       std::vector<Entry>().swap(rows_[r]);
     }
     return t;
@@ -99,7 +104,8 @@ class Collector {
 // The same of nodes alone, block by block: nodes meet far fewer others than unknowns do.
 class BlockCollector {
  public:
-  BlockCollector(const LocalMesh& mesh, Triangle part) : mesh_(mesh), rows_(mesh.all_nodes), upper_(part == Triangle::upper) {}
+  BlockCollector(const LocalMesh& mesh, Triangle part)
+      : mesh_(mesh), rows_(mesh.all_nodes), upper_(part == Triangle::upper) {}
   // What bodies have is left out.
   void add(std::span<const int> dofs, std::span<const double> K) {
     const int nodal = 3 * mesh_.nodes();
@@ -161,12 +167,15 @@ class BlockCollector {
 
 void add_contributions(const CoupledSystem& system, bool augmented, const Numbering& number, Collector& out) {
   std::vector<int> rows;
-  for_each_condensed_matrix(system.problem(), system.state(), augmented ? Matrices::augmented : Matrices::plain, [&](std::span<const int> d, std::span<const double> K) {
-    rows.clear();
-    for (int i : d) rows.push_back(number.dof(i));
-    for (std::size_t i = 0; i < d.size(); ++i)
-      for (std::size_t j = 0; j < d.size(); ++j) out.add(rows[i], rows[j], K[i * d.size() + j]);
-  });
+  for_each_condensed_matrix(system.problem(), system.state(),
+                            augmented ? Matrices::augmented : Matrices::plain,
+                            [&](std::span<const int> d, std::span<const double> K) {
+                              rows.clear();
+                              for (int i : d) rows.push_back(number.dof(i));
+                              for (std::size_t i = 0; i < d.size(); ++i)
+                                for (std::size_t j = 0; j < d.size(); ++j)
+                                  out.add(rows[i], rows[j], K[i * d.size() + j]);
+                            });
 }
 
 // add(node, block): identity rows of held directions and of bodies' nodes.
@@ -185,7 +194,8 @@ void add_liquids(const CoupledSystem& system, bool augmented, const Numbering& n
     std::vector<long long> where;
     std::vector<double> g;
     for (std::size_t k = 0; k < system.liquid_columns()[i].size(); ++k)
-      if (const double v = system.liquid_columns()[i][k]; v != 0) where.push_back(number.primal(static_cast<int>(k))), g.push_back(v);
+      if (const double v = system.liquid_columns()[i][k]; v != 0)
+        where.push_back(number.primal(static_cast<int>(k))), g.push_back(v);
     const double column = augmented ? system.column_part(i) : 1, row = augmented ? system.row_part() : 1;
     for (std::size_t k = 0; k < g.size(); ++k) {
       out.add(static_cast<int>(where[k]), P, -column * g[k]);
@@ -195,7 +205,8 @@ void add_liquids(const CoupledSystem& system, bool augmented, const Numbering& n
     if (omega == 0) continue;
     const auto all = comm.gather(std::span<const long long>(where));
     const auto all_g = comm.gather(std::span<const double>(g));
-    for (std::size_t k = 0; k < g.size(); ++k) out.add_row(static_cast<int>(where[k]), all, all_g, omega * g[k]);
+    for (std::size_t k = 0; k < g.size(); ++k)
+      out.add_row(static_cast<int>(where[k]), all, all_g, omega * g[k]);
   }
 }
 
@@ -204,7 +215,8 @@ void add_liquids(const CoupledSystem& system, bool augmented, const Numbering& n
 long long global_size(const CoupledSystem& system) {
   const long long n = system.problem().comm().sum(static_cast<long long>(system.size()));
   if (n > 2147483647LL)
-    throw input_error("more than 2^31 unknowns cannot be assembled", "Use the iterative solver, or a coarser mesh.");
+    throw input_error("more than 2^31 unknowns cannot be assembled",
+                      "Use the iterative solver, or a coarser mesh.");
   return n;
 }
 
@@ -218,19 +230,22 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
   });
   if (layout.bodies > 0) {
     // geometry and held unknowns of bodies: what body_blocks() has beyond the contributions
-    for (const auto& e : system.body_extra()) out.add(number.primal(layout.nodal + e.row), number.primal(layout.nodal + e.column), e.value);
+    for (const auto& e : system.body_extra())
+      out.add(number.primal(layout.nodal + e.row), number.primal(layout.nodal + e.column), e.value);
   }
   std::vector<int> dofs;
   std::vector<double> values;
-  system.problem().solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
-    reduce_vector(system.problem(), system.state(), nodes, b, dofs, values);
-    for (std::size_t i = 0; i < dofs.size(); ++i) {
-      out.add(number.dof(dofs[i]), number.hex(hex), values[i]);
-      out.add(number.hex(hex), number.dof(dofs[i]), values[i]);
-    }
-    out.add(number.hex(hex), number.hex(hex), -system.problem().enclosed().compliance(hex));
-  });
-  for (int e : system.problem().solid().rigid_hexes()) out.add(number.hex(e), number.hex(e), -system.rigid_compliance(e));
+  system.problem().solid().visit_constraints(
+      [&](int hex, std::span<const int> nodes, std::span<const double> b) {
+        reduce_vector(system.problem(), system.state(), nodes, b, dofs, values);
+        for (std::size_t i = 0; i < dofs.size(); ++i) {
+          out.add(number.dof(dofs[i]), number.hex(hex), values[i]);
+          out.add(number.hex(hex), number.dof(dofs[i]), values[i]);
+        }
+        out.add(number.hex(hex), number.hex(hex), -system.problem().enclosed().compliance(hex));
+      });
+  for (int e : system.problem().solid().rigid_hexes())
+    out.add(number.hex(e), number.hex(e), -system.rigid_compliance(e));
   add_liquids(system, augmented, number, out);
   return out.take();
 }
@@ -238,7 +253,8 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
 Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   const LocalMesh& mesh = system.problem().mesh();
   BlockCollector out(mesh, part);
-  for_each_condensed_matrix(system.problem(), system.state(), Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) { out.add(d, K); });
+  for_each_condensed_matrix(system.problem(), system.state(), Matrices::augmented,
+                            [&](std::span<const int> d, std::span<const double> K) { out.add(d, K); });
   visit_held(system, [&](int n, const std::array<double, 9>& block) { out.add(n, block); });
   return out.take();
 }
@@ -247,8 +263,10 @@ long long liquid_entries(const CoupledSystem& system, Triangle part) {
   const bool upper = part == Triangle::upper;
   long long entries = 0;
   for (const auto& g : system.liquid_columns()) {
-    const long long own = std::ranges::count_if(g, [](double v) { return v != 0; }), wet = system.problem().comm().sum(own);
-    entries += 1 + (system.eliminated() ? (upper ? wet * (wet + 1) / 2 : wet * wet) : (upper ? wet : 2 * wet));
+    const long long own = std::ranges::count_if(g, [](double v) { return v != 0; }),
+                    wet = system.problem().comm().sum(own);
+    entries +=
+        1 + (system.eliminated() ? (upper ? wet * (wet + 1) / 2 : wet * wet) : (upper ? wet : 2 * wet));
   }
   return entries;
 }

@@ -7,12 +7,14 @@ namespace bulbus {
 /// Which entries of a matrix are wanted; the upper triangle says all of a symmetric one.
 enum class Triangle { both, upper };
 
-/// The coupled matrix as triplets in the global order of the ranks' unknown vectors: the sum of this rank's contributions, sorted
-/// by row and column. `augmented`: with the γ and ω terms, that is, exactly what CoupledSystem::apply does.
+/// The coupled matrix as triplets in the global order of the ranks' unknown vectors: the sum of this rank's
+/// contributions, sorted by row and column. `augmented`: with the γ and ω terms, that is, exactly what
+/// CoupledSystem::apply does.
 Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part = Triangle::both);
 
-/// Entries that the liquids bring, over all ranks, those that fall upon others included: of 3k free wet displacements 2·3k + 1 bordered,
-/// (3k)² + 1 eliminated; in one triangle 3k + 1 and 3k (3k + 1)/2 + 1. Collective.
+/// Entries that the liquids bring, over all ranks, those that fall upon others included: of 3k free wet
+/// displacements 2·3k + 1 bordered, (3k)² + 1 eliminated; in one triangle 3k + 1 and 3k (3k + 1)/2 + 1.
+/// Collective.
 long long liquid_entries(const CoupledSystem& system, Triangle part = Triangle::both);
 
 /// The displacement block alone (nodal unknowns, γ included), in the order of the ranks' owned nodes.

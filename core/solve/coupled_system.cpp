@@ -16,7 +16,8 @@ void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings) : problem_(problem), settings_(settings) {
+CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings)
+    : problem_(problem), settings_(settings) {
   const LocalMesh& mesh = problem.mesh();
   layout_ = {3 * mesh.owned, problem.dofs().tail_size(), static_cast<int>(mesh.hexes.size()),
              mesh.comm.rank() == 0 ? static_cast<int>(problem.liquids().size()) : 0};
@@ -28,7 +29,8 @@ void CoupledSystem::linearize(const State& state, const Residual& r) {
   problem_.linearize(state, settings_.gamma, cache ? StrainSource::cache : StrainSource::recompute);
   body_geometry_.clear();
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    Mat3<double> G = problem_.dofs().bodies()[b].geometric(state.bodies[b], state.x, r.force, problem_.mesh().owned);
+    Mat3<double> G =
+        problem_.dofs().bodies()[b].geometric(state.bodies[b], state.x, r.force, problem_.mesh().owned);
     problem_.comm().sum(std::span(&G(0, 0), 9));
     body_geometry_.push_back(G);
   }
@@ -70,8 +72,10 @@ void CoupledSystem::add_surface_action(std::span<const double> dx, std::span<dou
     if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force);
 }
 
-// Forces on local nodes, folded, of a nodal increment. `volume` takes the changes of the hexahedra that have an equation; it may be empty.
-std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume) const {
+// Forces on local nodes, folded, of a nodal increment. `volume` takes the changes of the hexahedra that have
+// an equation; it may be empty.
+std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda,
+                                              std::span<double> volume) const {
   auto& force = room_.force;
   force.assign(dx.size(), 0);
   const Solid& solid = problem_.solid();
@@ -187,7 +191,8 @@ std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<
   return b;
 }
 
-void CoupledSystem::add_pressure_force(std::span<const double> lambda, double factor, std::span<double> primal) const {
+void CoupledSystem::add_pressure_force(std::span<const double> lambda, double factor,
+                                       std::span<double> primal) const {
   auto& force = room_.force;
   force.assign(state_->x.size(), 0);
   problem_.solid().apply_pressure(lambda, force);
@@ -216,17 +221,20 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
   const LocalMesh& mesh = problem_.mesh();
   std::vector<double> blocks(9 * static_cast<std::size_t>(mesh.nodes()));
   bodies.assign(state_->bodies.size(), {});
-  for_each_condensed_matrix(problem_, *state_, Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) {
-    const std::size_t n = d.size();
-    for (std::size_t i = 0; i < n;) {
-      const bool nodal = d[i] < 3 * mesh.nodes();
-      const int width = nodal ? 3 : 6;
-      double* block = nodal ? &blocks[3 * static_cast<std::size_t>(d[i])] : bodies[(d[i] - 3 * mesh.nodes()) / 6].data();
-      for (int r = 0; r < width; ++r)
-        for (int c = 0; c < width; ++c) block[width * r + c] += K[(i + r) * n + i + c];
-      i += width;
-    }
-  });
+  for_each_condensed_matrix(problem_, *state_, Matrices::augmented,
+                            [&](std::span<const int> d, std::span<const double> K) {
+                              const std::size_t n = d.size();
+                              for (std::size_t i = 0; i < n;) {
+                                const bool nodal = d[i] < 3 * mesh.nodes();
+                                const int width = nodal ? 3 : 6;
+                                double* block = nodal ? &blocks[3 * static_cast<std::size_t>(d[i])]
+                                                      : bodies[(d[i] - 3 * mesh.nodes()) / 6].data();
+                                for (int r = 0; r < width; ++r)
+                                  for (int c = 0; c < width; ++c)
+                                    block[width * r + c] += K[(i + r) * n + i + c];
+                                i += width;
+                              }
+                            });
   mesh.halo.accumulate_ghosts(blocks, 9);
   blocks.resize(9 * static_cast<std::size_t>(mesh.owned));
   return blocks;
@@ -280,7 +288,8 @@ void CoupledSystem::take_scaling(const std::vector<double>& blocks) {
   for (int n = 0; n < problem_.mesh().owned; ++n) {
     const double* B = &blocks[9 * static_cast<std::size_t>(n)];
     const double mean = (std::abs(B[0]) + std::abs(B[4]) + std::abs(B[8])) / 3;
-    for (int c = 0; c < 3; ++c) scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[4 * c]), 1e-3 * mean));
+    for (int c = 0; c < 3; ++c)
+      scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[4 * c]), 1e-3 * mean));
   }
   for (int i = 0; i < layout_.bodies; ++i)
     scaling_[layout_.nodal + i] = 1 / std::sqrt(std::max(std::abs(body_blocks_[i / 6][7 * (i % 6)]), 1e-300));

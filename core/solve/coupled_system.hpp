@@ -8,18 +8,24 @@
 
 namespace bulbus {
 
-/// One rank's part of an unknown vector: [3 per owned node | 6 per rigid body, on rank 0 | 1 per hexahedron | 1 per liquid, on
-/// rank 0].
+/// One rank's part of an unknown vector: [3 per owned node | 6 per rigid body, on rank 0 | 1 per hexahedron |
+/// 1 per liquid, on rank 0].
 struct Layout {
   int nodal = 0, bodies = 0, hexes = 0, liquids = 0;
   int primal() const { return nodal + bodies; }
   int size() const { return nodal + bodies + hexes + liquids; }
   template <class V>
-  auto primal(V&& v) const { return std::span(v).subspan(0, primal()); }
+  auto primal(V&& v) const {
+    return std::span(v).subspan(0, primal());
+  }
   template <class V>
-  auto lambda(V&& v) const { return std::span(v).subspan(primal(), hexes); }
+  auto lambda(V&& v) const {
+    return std::span(v).subspan(primal(), hexes);
+  }
   template <class V>
-  auto pressures(V&& v) const { return std::span(v).subspan(primal() + hexes, liquids); }
+  auto pressures(V&& v) const {
+    return std::span(v).subspan(primal() + hexes, liquids);
+  }
 };
 
 /// The bordered, augmented tangent in one state (formulation, section 3), applied without being formed:
@@ -28,11 +34,12 @@ struct Layout {
 ///     [ Bᵀ                          0     0               ]
 ///     [ −gᵀ                         0    −V_i/K           ]
 ///
-/// on free directions; held ones are identity rows times held_scale(). ω multiplies the third row into the first: the liquids
-/// are augmented as the elements are, so that the displacement block stays regular where K at fixed pressure is not.
-/// Eliminated formulation: ω = K/V_i, so that P leaves the first row. It leaves the third too, whose unknown is then ΔP + (K/V_i) gᵀ Δu:
-/// a congruent system with the same inertia, whose dense block (K/V_i) g gᵀ is what bordering saves.
-/// A liquid whose pressure is given keeps its row −V/K and has no g; a hexahedron of a rigid region has a row of the same kind.
+/// on free directions; held ones are identity rows times held_scale(). ω multiplies the third row into the
+/// first: the liquids are augmented as the elements are, so that the displacement block stays regular where K
+/// at fixed pressure is not. Eliminated formulation: ω = K/V_i, so that P leaves the first row. It leaves the
+/// third too, whose unknown is then ΔP + (K/V_i) gᵀ Δu: a congruent system with the same inertia, whose dense
+/// block (K/V_i) g gᵀ is what bordering saves. A liquid whose pressure is given keeps its row −V/K and has no
+/// g; a hexahedron of a rigid region has a row of the same kind.
 class CoupledSystem final : public LinearOperator {
  public:
   CoupledSystem(Problem& problem, const LinearSettings& settings);
@@ -46,14 +53,17 @@ class CoupledSystem final : public LinearOperator {
   int size() const override { return layout_.size(); }
   void apply(std::span<const double> x, std::span<double> y) const override;
 
-  /// −residual − tangent · ū, for held increments ū still to be made (3 per local node), with the augmentation's part.
+  /// −residual − tangent · ū, for held increments ū still to be made (3 per local node), with the
+  /// augmentation's part.
   std::vector<double> right_hand_side(const Residual& r, std::span<const double> held) const;
 
   /// y = (K + γ B W Bᵀ) x on primal vectors, without the liquids' ω.
   void apply_displacement(std::span<const double> x, std::span<double> y) const;
-  /// force += what acts besides the solid: terms, and the liquids' pressures as followers. 3 numbers per local node.
+  /// force += what acts besides the solid: terms, and the liquids' pressures as followers. 3 numbers per
+  /// local node.
   void add_surface_action(std::span<const double> dx, std::span<double> force) const;
-  /// The bodies' part of a force += geometry; unknowns that symmetry holds are identity rows. 6 per body on rank 0.
+  /// The bodies' part of a force += geometry; unknowns that symmetry holds are identity rows. 6 per body on
+  /// rank 0.
   void add_body_geometry(std::span<const double> x, std::span<double> y) const;
   /// Two nodal vectors that keep nothing from one application to the next: 3 numbers per local node.
   struct Room {
@@ -80,8 +90,8 @@ class CoupledSystem final : public LinearOperator {
   std::vector<double> inverse_pressure_schur() const;
   /// V0_e / ((1 + γ) μ_e): minus the diagonal of a rigid hexahedron's row, whose pressure stays as it is.
   double rigid_compliance(int hex) const;
-  /// 3×3 diagonal blocks of the displacement block, held directions on held_scale(); 9 per owned node. Made anew by every call, of all
-  /// element matrices. Collective.
+  /// 3×3 diagonal blocks of the displacement block, held directions on held_scale(); 9 per owned node. Made
+  /// anew by every call, of all element matrices. Collective.
   std::vector<double> nodal_blocks() const;
   /// What held directions add to such blocks.
   void add_held_blocks(std::span<double> blocks) const;
@@ -90,13 +100,15 @@ class CoupledSystem final : public LinearOperator {
   /// 6×6 block of every body, the same on every rank.
   const std::vector<std::array<double, 36>>& body_blocks() const { return body_blocks_; }
   double held_scale() const { return held_scale_; }
-  /// What the rows of bodies (counted from the first body's) have beyond contributions: geometry and held unknowns.
+  /// What the rows of bodies (counted from the first body's) have beyond contributions: geometry and held
+  /// unknowns.
   struct Entry {
     int row, column;
     double value;
   };
   std::vector<Entry> body_extra() const;
-  /// Symmetric scaling s: every tolerance is on the Euclidean norm of s·r, free of units. Diagonal of s·A·s about 1.
+  /// Symmetric scaling s: every tolerance is on the Euclidean norm of s·r, free of units. Diagonal of s·A·s
+  /// about 1.
   const std::vector<double>& scaling() const { return scaling_; }
 
   /// The factor of the augmentation γ B W Bᵀ of the displacement block, W = μ_e / V0_e.
@@ -104,7 +116,8 @@ class CoupledSystem final : public LinearOperator {
   std::size_t bytes() const;
 
  private:
-  std::span<double> nodal_action(std::span<const double> dx, std::span<const double> dlambda, std::span<double> volume) const;
+  std::span<double> nodal_action(std::span<const double> dx, std::span<const double> dlambda,
+                                 std::span<double> volume) const;
   void take_liquid_columns();
   std::vector<double> liquid_fluxes(std::span<const double> primal) const;
   std::vector<double> sum_blocks(std::vector<std::array<double, 36>>& bodies) const;

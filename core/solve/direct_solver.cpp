@@ -9,8 +9,8 @@
 namespace bulbus {
 namespace {
 
-// Bytes of an entry of the matrix until MUMPS has analysed it, measured on 2e8 of them: the triplet, MUMPS's copy, both directions of its
-// graph and the ordering's.
+// Bytes of an entry of the matrix until MUMPS has analysed it, measured on 2e8 of them: the triplet, MUMPS's
+// copy, both directions of its graph and the ordering's.
 constexpr double bytes_per_entry = 50;
 
 double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
@@ -22,7 +22,8 @@ double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
 class DirectSolver final : public LinearSolver {
  public:
   DirectSolver(const LinearSettings& settings, Profiler& profiler)
-      : limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()), profiler_(profiler) {}
+      : limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()),
+        profiler_(profiler) {}
 
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = profiler_.clock.measure("factorisation");
@@ -34,7 +35,8 @@ class DirectSolver final : public LinearSolver {
     return report;
   }
 
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double) override {
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+                     double) override {
     const auto scope = profiler_.clock.measure("linear solve");
     LinearReport report = so_far();
     report.ok = mumps_->solve(b, x);
@@ -51,15 +53,23 @@ class DirectSolver final : public LinearSolver {
   FactorReport factorised(const CoupledSystem& system) {
     symmetric_ = system.problem().symmetric();
     const Triangle part = symmetric_ ? Triangle::upper : Triangle::both;
-    const double entries = static_cast<double>(liquid_entries(system, part)), dense_mb = 1e-6 * bytes_per_entry * entries;
+    const double entries = static_cast<double>(liquid_entries(system, part)),
+                 dense_mb = 1e-6 * bytes_per_entry * entries;
     if (dense_mb > limit_mb_)
-      return {.reason = fmt::format("{:.3g} entries of the liquids need about {:.0f} MB, more than the {:.0f} MB allowed", entries,
-                                    dense_mb, limit_mb_),
-              .too_large = true, .matrix_entries = entries, .estimated_mb = dense_mb};
-    if (!mumps_) mumps_ = std::make_unique<Mumps>(system.problem().comm(), MumpsOptions{.memory_limit_mb = system.problem().comm().min(limit_mb_)});
+      return {.reason = fmt::format(
+                  "{:.3g} entries of the liquids need about {:.0f} MB, more than the {:.0f} MB allowed",
+                  entries, dense_mb, limit_mb_),
+              .too_large = true,
+              .matrix_entries = entries,
+              .estimated_mb = dense_mb};
+    if (!mumps_)
+      mumps_ = std::make_unique<Mumps>(
+          system.problem().comm(), MumpsOptions{.memory_limit_mb = system.problem().comm().min(limit_mb_)});
     return mumps_->factorise(assemble(system, true, part), global_size(system), symmetric_);
   }
-  LinearReport so_far() const { return {.negative_pivots = symmetric_ ? factor_.negative_pivots : -1, .factor = factor_}; }
+  LinearReport so_far() const {
+    return {.negative_pivots = symmetric_ ? factor_.negative_pivots : -1, .factor = factor_};
+  }
 
   double limit_mb_;
   Profiler& profiler_;

@@ -47,7 +47,8 @@ class Wrapped final : public Operator {
 /// Records the iteration's residual norms, passes its iterates on, and ends it where it is told to.
 class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
  public:
-  Recorder(std::vector<double>& history, const KrylovObserver& observer, const KrylovOptions& options, bool flexible, const Comm& comm)
+  Recorder(std::vector<double>& history, const KrylovObserver& observer, const KrylovOptions& options,
+           bool flexible, const Comm& comm)
       : history_(history), observer_(observer), go_on_(options.go_on), flexible_(flexible), comm_(comm) {}
   Belos::StatusType checkStatus(Iteration* it) override {
     std::size_t k = it->getNumIters();
@@ -152,7 +153,8 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   const auto space = std::make_shared<KrylovSpace>(comm, b.size(), options.basis);
   const auto wrap = [&](double* values) { return rcp(new KrylovVectors(space, {values, b.size()})); };
   Room room{{}, std::vector<double>(b.size())};
-  auto problem = rcp(new Problem(rcp(new Wrapped(A, room)), wrap(x.data()), wrap(const_cast<double*>(b.data()))));  // Belos only reads b
+  auto problem = rcp(new Problem(rcp(new Wrapped(A, room)), wrap(x.data()),
+                                 wrap(const_cast<double*>(b.data()))));  // Belos only reads b
   if (M) problem->setRightPrec(rcp(new Wrapped(*M, room)));
   const bool from_zero = norm(x, comm) == 0;
   if (from_zero) problem->setInitResVec(wrap(const_cast<double*>(b.data())));

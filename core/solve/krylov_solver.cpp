@@ -47,8 +47,8 @@ class ScaledPreconditioner final : public Preconditioner {
 };
 
 // Norms of b − A x on displacements (bodies included), element pressures and liquids.
-std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& system, std::span<const double> b,
-                                  std::span<const double> x) {
+std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& system,
+                                  std::span<const double> b, std::span<const double> x) {
   std::vector<double> r(b.size());
   A.apply(x, r);
   const Layout& layout = system.layout();
@@ -68,11 +68,13 @@ constexpr double per_digit = 1.5;
 // And where a small system is better left to MUMPS.
 constexpr double slow_per_digit = 10;
 
-// Coarse factors are not kept after so many times the Krylov iterations per digit of their own solve, nor after so many in themselves: beside
-// such a solve a set-up is cheap, and near limit points, where a matrix changes its sign, it is needed.
+// Coarse factors are not kept after so many times the Krylov iterations per digit of their own solve, nor
+// after so many in themselves: beside such a solve a set-up is cheap, and near limit points, where a matrix
+// changes its sign, it is needed.
 constexpr double much_slower = 2, hard = 4;
 
-// Does it take more than `most` iterations, at the pace of the last many, until the residual is down to the tolerance?
+// Does it take more than `most` iterations, at the pace of the last many, until the residual is down to the
+// tolerance?
 bool stagnates(const std::vector<double>& residuals, double tolerance, int most) {
   constexpr std::size_t many = 60;
   const std::size_t done = residuals.size();
@@ -82,8 +84,8 @@ bool stagnates(const std::vector<double>& residuals, double tolerance, int most)
   return !(left <= per_iteration * (most - static_cast<double>(done - 1)));
 }
 
-// xᵀ K x of displacements, K with its augmentation, over the sum of the magnitudes of the products that make it: from the right-hand side
-// and the other unknowns, by the constraints' rows. Collective.
+// xᵀ K x of displacements, K with its augmentation, over the sum of the magnitudes of the products that make
+// it: from the right-hand side and the other unknowns, by the constraints' rows. Collective.
 double curvature(const CoupledSystem& system, std::span<const double> b, std::span<const double> x) {
   const Layout& layout = system.layout();
   std::array<double, 2> sums{};
@@ -92,7 +94,8 @@ double curvature(const CoupledSystem& system, std::span<const double> b, std::sp
   for (int e = layout.primal(); e < layout.primal() + layout.hexes; ++e) add(-x[e] * b[e]);
   for (int i = 0; i < layout.liquids; ++i)
     if (system.problem().liquids()[i].coupled())
-      add(-system.column_part(i) * layout.pressures(x)[i] * (layout.pressures(b)[i] + system.compliance(i) * layout.pressures(x)[i]));
+      add(-system.column_part(i) * layout.pressures(x)[i] *
+          (layout.pressures(b)[i] + system.compliance(i) * layout.pressures(x)[i]));
   system.problem().comm().sum(sums);
   return sums[1] > 0 ? sums[0] / sums[1] : 0;
 }
@@ -103,7 +106,8 @@ KrylovReport joined(KrylovReport first, KrylovReport then) {
   then.initial = first.initial;
   then.iterations += first.iterations;
   then.basis_bytes = std::max(first.basis_bytes, then.basis_bytes);
-  if (!then.history.empty()) first.history.insert(first.history.end(), then.history.begin() + 1, then.history.end());
+  if (!then.history.empty())
+    first.history.insert(first.history.end(), then.history.begin() + 1, then.history.end());
   then.history = std::move(first.history);
   return then;
 }
@@ -111,7 +115,10 @@ KrylovReport joined(KrylovReport first, KrylovReport then) {
 class KrylovSolver final : public LinearSolver {
  public:
   KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Profiler& profiler)
-      : settings_(settings), factory_(std::move(factory)), profiler_(profiler), last_resort_(settings, profiler) {}
+      : settings_(settings),
+        factory_(std::move(factory)),
+        profiler_(profiler),
+        last_resort_(settings, profiler) {}
 
   LinearReport prepare(CoupledSystem& system) override {
     if (given_up_) return {.ok = true};
@@ -140,9 +147,12 @@ class KrylovSolver final : public LinearSolver {
     if (solves_++ == 0) first_ = last_;
     if (r.ok || r.stale || !last_resort_.available(system)) return r;
     LinearReport direct = last_resort_.solve(system, b, x, tolerance);
-    direct.iterations = r.iterations, direct.history = std::move(r.history), direct.blocks = std::move(r.blocks);
-    if (!direct.ok) direct.reason = r.reason + "; " + direct.reason;
-    else direct.reason = r.reason;
+    direct.iterations = r.iterations, direct.history = std::move(r.history),
+    direct.blocks = std::move(r.blocks);
+    if (!direct.ok)
+      direct.reason = r.reason + "; " + direct.reason;
+    else
+      direct.reason = r.reason;
     if (direct.ok && last_resort_.cheap(system)) give_up();
     return direct;
   }
@@ -150,7 +160,9 @@ class KrylovSolver final : public LinearSolver {
   void renew() override { solves_ = 0; }
   void increment_begins() override { dragged_ = given_up_ = false; }
   void watch(SolveWatcher watcher) override { watcher_ = std::move(watcher); }
-  bool counts_pivots(const CoupledSystem& system) override { return system.problem().symmetric() && last_resort_.cheap(system); }
+  bool counts_pivots(const CoupledSystem& system) override {
+    return system.problem().symmetric() && last_resort_.cheap(system);
+  }
   int negative_pivots(const CoupledSystem& system) override { return last_resort_.negative_pivots(system); }
 
  private:
@@ -161,7 +173,8 @@ class KrylovSolver final : public LinearSolver {
     solves_ = 0;
   }
 
-  LinearReport solve_by_krylov(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) {
+  LinearReport solve_by_krylov(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+                               double tolerance) {
     const auto& s = system.scaling();
     for (std::size_t i = 0; i < b.size(); ++i) b[i] *= s[i];
     std::fill(x.begin(), x.end(), 0.0);
@@ -171,11 +184,16 @@ class KrylovSolver final : public LinearSolver {
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
     if (settings_.record_krylov)
-      observer = [&](int, std::span<const double> iterate) { blocks.push_back(block_norms(A, system, b, iterate)); };
+      observer = [&](int, std::span<const double> iterate) {
+        blocks.push_back(block_norms(A, system, b, iterate));
+      };
     const KrylovReport k = solve_in_stages(A, M, b, x, tolerance, system, observer);
     profiler_.memory.set("Krylov basis", k.basis_bytes);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] *= s[i], b[i] /= s[i];
-    LinearReport r{.ok = k.converged, .reason = k.reason, .iterations = k.iterations, .reduction = k.initial > 0 ? k.final / k.initial : 0};
+    LinearReport r{.ok = k.converged,
+                   .reason = k.reason,
+                   .iterations = k.iterations,
+                   .reduction = k.initial > 0 ? k.final / k.initial : 0};
     r.history = k.history;
     r.blocks = std::move(blocks);
     if (r.ok) r.curvature = curvature(system, b, x);
@@ -184,17 +202,20 @@ class KrylovSolver final : public LinearSolver {
     return r;
   }
 
-  // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with the strengthened
-  // preconditioner; where plain GMRES, which needs one basis only, still fails, as near limit points, the flexible one, anew from where it
-  // has come to as long as rounding ends it and each time gains a digit. Where there is another way, stagnation ends it all.
-  KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
-                               double tolerance, const CoupledSystem& system, const KrylovObserver& observer) {
+  // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with
+  // the strengthened preconditioner; where plain GMRES, which needs one basis only, still fails, as near
+  // limit points, the flexible one, anew from where it has come to as long as rounding ends it and each time
+  // gains a digit. Where there is another way, stagnation ends it all.
+  KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b,
+                               std::span<double> x, double tolerance, const CoupledSystem& system,
+                               const KrylovObserver& observer) {
     const Comm& comm = system.problem().comm();
     const double scale = norm(b, comm);
     const bool other_way = solves_ > 0 || last_resort_.available(system);
     KrylovReport report;
     bool flexible = !M.fixed() || tolerance < least_of_plain_method, stagnant = false, slow = false;
-    // A system so small is factorised in less time; and a residual that falls so slowly says little of the error.
+    // A system so small is factorised in less time; and a residual that falls so slowly says little of the
+    // error.
     const bool cheap = last_resort_.cheap(system);
     const double enough = std::max(30., -slow_per_digit * std::log10(tolerance));
     std::vector<double> residuals;
@@ -202,13 +223,15 @@ class KrylovSolver final : public LinearSolver {
       residuals.push_back(residual / scale);
       if (watcher_) watcher_({static_cast<int>(residuals.size()), residuals.back(), tolerance});
       slow = cheap && static_cast<double>(residuals.size()) >= enough;
-      stagnant = other_way && residuals.back() > tolerance && (slow || stagnates(residuals, tolerance, settings_.max_iterations));
+      stagnant = other_way && residuals.back() > tolerance &&
+                 (slow || stagnates(residuals, tolerance, settings_.max_iterations));
       return !stagnant;
     };
     const auto go_on = [&](int most) {
       if (report.converged || stagnant || most <= 0) return;
       const Precision basis = flexible ? Precision::full : Precision::single;
-      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, basis, goes_on};
+      const KrylovOptions options{tolerance, std::min(settings_.restart, most), most, flexible, basis,
+                                  goes_on};
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
     const int patience = std::min(settings_.pressures.after, settings_.max_iterations);
@@ -224,7 +247,8 @@ class KrylovSolver final : public LinearSolver {
       go_on(settings_.max_iterations - report.iterations);
     } while (!report.converged && report.final < 0.1 * before);
     dragged_ = report.iterations > patience;
-    if (stagnant && !report.converged) report.reason = slow ? "the residual falls slowly" : "the residual stagnates";
+    if (stagnant && !report.converged)
+      report.reason = slow ? "the residual falls slowly" : "the residual stagnates";
     return report;
   }
 
@@ -253,8 +277,8 @@ class KrylovSolver final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings, PreconditionerFactory factory,
-                                                 Profiler& profiler) {
+std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings,
+                                                 PreconditionerFactory factory, Profiler& profiler) {
   return std::make_unique<KrylovSolver>(settings, std::move(factory), profiler);
 }
 

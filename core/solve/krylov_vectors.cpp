@@ -22,13 +22,13 @@ void for_each_block(std::size_t rows, Use use) {
 
 class KrylovVectors::Column {
  public:
-  Column(std::shared_ptr<KrylovSpace> space, Precision precision) : space_(std::move(space)), precision_(precision) {}
-  Column(std::shared_ptr<KrylovSpace> space, std::span<double> borrowed) : space_(std::move(space)), precision_(Precision::full), numbers_(borrowed.data()) {}
+  Column(std::shared_ptr<KrylovSpace> space, Precision precision)
+      : space_(std::move(space)), precision_(precision) {}
+  Column(std::shared_ptr<KrylovSpace> space, std::span<double> borrowed)
+      : space_(std::move(space)), precision_(Precision::full), numbers_(borrowed.data()) {}
   Column(const Column&) = delete;
   Column& operator=(const Column&) = delete;
-  ~Column() {
-    space_->bytes -= full_.size() * sizeof(double) + single_.size() * sizeof(float);
-  }
+  ~Column() { space_->bytes -= full_.size() * sizeof(double) + single_.size() * sizeof(float); }
 
   /// use(pointer to the numbers), double* or float*; they are zero until they are written.
   template <class Use>
@@ -57,13 +57,15 @@ class KrylovVectors::Column {
   std::vector<float> single_;
 };
 
-KrylovVectors::KrylovVectors(std::shared_ptr<KrylovSpace> space, std::span<double> values) : space_(std::move(space)) {
+KrylovVectors::KrylovVectors(std::shared_ptr<KrylovSpace> space, std::span<double> values)
+    : space_(std::move(space)) {
   columns_.push_back(std::make_shared<Column>(space_, values));
 }
 
 KrylovVectors::Base* KrylovVectors::Clone(int count) const {
   auto* v = new KrylovVectors(space_);
-  for (int i = 0; i < count; ++i) v->columns_.push_back(std::make_shared<Column>(space_, count > 1 ? space_->basis : Precision::full));
+  for (int i = 0; i < count; ++i)
+    v->columns_.push_back(std::make_shared<Column>(space_, count > 1 ? space_->basis : Precision::full));
   return v;
 }
 
@@ -85,9 +87,13 @@ KrylovVectors* KrylovVectors::view(const std::vector<int>& index) const {
 }
 
 KrylovVectors::Base* KrylovVectors::CloneViewNonConst(const std::vector<int>& index) { return view(index); }
-const KrylovVectors::Base* KrylovVectors::CloneView(const std::vector<int>& index) const { return view(index); }
+const KrylovVectors::Base* KrylovVectors::CloneView(const std::vector<int>& index) const {
+  return view(index);
+}
 
-ptrdiff_t KrylovVectors::GetGlobalLength() const { return space_->comm.sum(static_cast<long long>(space_->rows)); }
+ptrdiff_t KrylovVectors::GetGlobalLength() const {
+  return space_->comm.sum(static_cast<long long>(space_->rows));
+}
 
 void KrylovVectors::MvTimesMatAddMv(double alpha, const Base& a, const Matrix& B, double beta) {
   const KrylovVectors& A = of(a);
@@ -114,9 +120,11 @@ void KrylovVectors::MvAddMv(double alpha, const Base& a, double beta, const Base
     columns_[j]->with([&](auto* own) {
       using Number = std::remove_pointer_t<decltype(own)>;
       A.columns_[j]->with([&](const auto* x) {
-        if (beta == 0) return (void)std::transform(x, x + n, own, [&](auto v) { return static_cast<Number>(alpha * v); });
+        if (beta == 0)
+          return (void)std::transform(x, x + n, own, [&](auto v) { return static_cast<Number>(alpha * v); });
         B.columns_[j]->with([&](const auto* y) {
-          for (std::size_t i = 0; i < n; ++i) own[i] = static_cast<Number>((alpha == 0 ? 0 : alpha * x[i]) + beta * y[i]);
+          for (std::size_t i = 0; i < n; ++i)
+            own[i] = static_cast<Number>((alpha == 0 ? 0 : alpha * x[i]) + beta * y[i]);
         });
       });
     });
@@ -139,7 +147,9 @@ void KrylovVectors::MvTransMv(double alpha, const Base& a, Matrix& B) const {
     for (int j = 0; j < columns; ++j)
       columns_[j]->with([&](const auto* y) {
         for (int i = 0; i < rows; ++i)
-          A.columns_[i]->with([&](const auto* x) { products[i + j * rows] += local_inner_product(x + first, y + first, count); });
+          A.columns_[i]->with([&](const auto* x) {
+            products[i + j * rows] += local_inner_product(x + first, y + first, count);
+          });
       });
   });
   space_->comm.sum(products);

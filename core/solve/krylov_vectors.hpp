@@ -12,14 +12,15 @@ namespace bulbus {
 /// What all vectors of one solve share.
 struct KrylovSpace {
   Comm comm;
-  std::size_t rows;          ///< of this rank
-  Precision basis;           ///< in which a basis (several columns cloned at once) is kept
-  std::size_t bytes = 0;     ///< held now
-  std::size_t peak = 0;      ///< the most that were held at a time
+  std::size_t rows;       ///< of this rank
+  Precision basis;        ///< in which a basis (several columns cloned at once) is kept
+  std::size_t bytes = 0;  ///< held now
+  std::size_t peak = 0;   ///< the most that were held at a time
 };
 
-/// Distributed vectors for Belos. The basis may be kept in single precision and is computed with in double: a method restarted after a
-/// reduction by 1e-5 or so loses nothing (Aliaga, Anzt et al., Compressed basis GMRES, 2023). A column has no memory before it is written.
+/// Distributed vectors for Belos. The basis may be kept in single precision and is computed with in double: a
+/// method restarted after a reduction by 1e-5 or so loses nothing (Aliaga, Anzt et al., Compressed basis
+/// GMRES, 2023). A column has no memory before it is written.
 class KrylovVectors final : public Belos::MultiVec<double> {
  public:
   using Base = Belos::MultiVec<double>;

@@ -28,7 +28,8 @@ std::vector<double> liquid_part(const CoupledSystem& system, std::span<const dou
   return part;
 }
 
-// Right-hand side of the system without augmentation: γ B W times the hexahedra's rows and ω g times the liquids' are taken out again.
+// Right-hand side of the system without augmentation: γ B W times the hexahedra's rows and ω g times the
+// liquids' are taken out again.
 std::vector<double> without_augmentation(const CoupledSystem& system, std::span<const double> b) {
   std::vector<double> plain(b.begin(), b.end());
   const auto primal = system.layout().primal(std::span(plain));
@@ -40,7 +41,8 @@ std::vector<double> without_augmentation(const CoupledSystem& system, std::span<
   const auto liquid = liquid_part(system, b);
   for (std::size_t i = 0; i < liquid.size(); ++i) {
     const auto& g = system.liquid_columns()[i];
-    for (std::size_t k = 0; k < g.size(); ++k) primal[k] += system.liquid_augmentation()[i] * liquid[i] * g[k];
+    for (std::size_t k = 0; k < g.size(); ++k)
+      primal[k] += system.liquid_augmentation()[i] * liquid[i] * g[k];
   }
   return plain;
 }
@@ -50,7 +52,8 @@ bool solve_once(const CoupledSystem& system, Mumps& mumps, std::span<const doubl
   if (!mumps.solve(without_augmentation(system, b), x)) return false;
   if (!system.eliminated()) return true;
   for (int i = 0; i < system.layout().liquids; ++i)  // its unknown is ΔP + gᵀ Δu K/V_i
-    if (system.problem().liquids()[i].coupled()) system.layout().pressures(x)[i] = -system.layout().pressures(b)[i] / system.compliance(i);
+    if (system.problem().liquids()[i].coupled())
+      system.layout().pressures(x)[i] = -system.layout().pressures(b)[i] / system.compliance(i);
   return true;
 }
 
@@ -62,35 +65,44 @@ LastResort::LastResort(const LinearSettings& settings, Profiler& profiler)
       profiler_(profiler) {}
 
 double LastResort::room_mb(const CoupledSystem& system) const {
-  return system.problem().comm().min(limit_mb_) - 1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
+  return system.problem().comm().min(limit_mb_) -
+         1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
 }
 
 bool LastResort::available(const CoupledSystem& system) {
   if (!allowed_) return false;
   if (!fits_) {
     const auto& problem = system.problem();
-    const double hexes = static_cast<double>(problem.mesh().all_hexes), unknowns = static_cast<double>(global_size(system));
-    fits_ = 1e-6 * (direct_matrix_bytes(hexes) + direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes), problem.comm().size())) < room_mb(system);
+    const double hexes = static_cast<double>(problem.mesh().all_hexes),
+                 unknowns = static_cast<double>(global_size(system));
+    fits_ = 1e-6 * (direct_matrix_bytes(hexes) +
+                    direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes),
+                                        problem.comm().size())) <
+            room_mb(system);
   }
   return *fits_;
 }
 
-bool LastResort::cheap(const CoupledSystem& system) const { return allowed_ && global_size(system) <= few_unknowns; }
+bool LastResort::cheap(const CoupledSystem& system) const {
+  return allowed_ && global_size(system) <= few_unknowns;
+}
 
 FactorReport LastResort::factorise(const CoupledSystem& system, Mumps& mumps) {
   const auto scope = profiler_.clock.measure("factorisation");
   const bool symmetric = system.problem().symmetric();
-  const FactorReport factor =
-      mumps.factorise(assemble(system, false, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
+  const FactorReport factor = mumps.factorise(
+      assemble(system, false, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
   if (factor.too_large) fits_ = false;
   profiler_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
   return factor;
 }
 
-LinearReport LastResort::solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double tolerance) {
+LinearReport LastResort::solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+                               double tolerance) {
   Mumps mumps(system.problem().comm(), {.memory_limit_mb = room_mb(system)});
   const FactorReport factor = factorise(system, mumps);
-  LinearReport report{.negative_pivots = system.problem().symmetric() ? factor.negative_pivots : -1, .factor = factor};
+  LinearReport report{.negative_pivots = system.problem().symmetric() ? factor.negative_pivots : -1,
+                      .factor = factor};
   if (!factor.ok) return report.reason = "MUMPS: " + factor.reason, report;
   std::vector<double> r(b.begin(), b.end()), dx(b.size());
   const double scale = scaled_norm(system, b);

@@ -5,17 +5,19 @@
 
 namespace bulbus {
 
-/// MUMPS on single systems that the iterative solver gave up on. Factors are released as soon as they have done their work.
-/// All members are collective.
+/// MUMPS on single systems that the iterative solver gave up on. Factors are released as soon as they have
+/// done their work. All members are collective.
 class LastResort {
  public:
   LastResort(const LinearSettings& settings, Profiler& profiler);
 
   /// Is it allowed, and will it fit into memory beside what is resident now?
   bool available(const CoupledSystem& system);
-  /// Solution of system · x = b, refined to the tolerance in the scaled norm where rounding lets it. Not ok where MUMPS fails or
-  /// refuses by its own estimate; it is not available any more then, if it was for want of memory.
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x, double tolerance);
+  /// Solution of system · x = b, refined to the tolerance in the scaled norm where rounding lets it. Not ok
+  /// where MUMPS fails or refuses by its own estimate; it is not available any more then, if it was for want
+  /// of memory.
+  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+                     double tolerance);
   /// Negative eigenvalues of a symmetric system, from its factors; -1 if they cannot be made.
   int negative_pivots(const CoupledSystem& system);
   /// Is factorising so cheap that it is not worth while to try anything else?

@@ -36,18 +36,21 @@ class Increments {
   double largest_, size_;
 };
 
-// Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment has failed they may have driven
-// it away, as from a symmetric state that is not stable between two iterations.
+// Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
+// has failed they may have driven it away, as from a symmetric state that is not stable between two
+// iterations.
 constexpr double careful_eta = 1e-8;
 
 NewtonSettings tolerances_at(double progress, bool careful, NewtonSettings settings) {
   if (careful) settings.eta_max = std::min(settings.eta_max, careful_eta);
   if (progress < 1)
-    for (double* tolerance : {&settings.force, &settings.volume, &settings.liquid}) *tolerance *= settings.underway;
+    for (double* tolerance : {&settings.force, &settings.volume, &settings.liquid})
+      *tolerance *= settings.underway;
   return settings;
 }
 
-// Where memory runs out the increment fails, and the state before it is kept. With other ranks waiting for this one nothing can be kept.
+// Where memory runs out the increment fails, and the state before it is kept. With other ranks waiting for
+// this one nothing can be kept.
 NewtonReport within_memory(const Comm& comm, const std::function<NewtonReport()>& newton) {
   try {
     return newton();
@@ -55,7 +58,9 @@ NewtonReport within_memory(const Comm& comm, const std::function<NewtonReport()>
     if (comm.size() > 1) throw;
     NewtonReport report;
     report.outcome = Outcome::too_large;
-    report.reason = "out of memory: refine the mesh less, raise the limit of memory (ulimit, control group), or take a larger machine";
+    report.reason =
+        "out of memory: refine the mesh less, raise the limit of memory (ulimit, control group), or take a "
+        "larger machine";
     return report;
   }
 }
@@ -68,15 +73,18 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings) {
 
 void MarchPlace::serialize(Archive& archive) {
   if (!archive.reading() || archive.knows("careful")) archive.scalars("careful", careful);
-  archive.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations, report.krylov_iterations);
+  archive.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations,
+                  report.krylov_iterations);
 }
 
-MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
-                  Profiler& profiler, MarchObserver& observer, MarchPlace place) {
+MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
+                  const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
+                  MarchPlace place) {
   MarchReport& report = place.report;
   double& done = place.done;
   const auto& steps = problem.model().steps;
-  for (int& k = place.step; k < static_cast<int>(steps.size()); ++k, place.begun = place.careful = false, done = 0, place.size = 1) {
+  for (int& k = place.step; k < static_cast<int>(steps.size());
+       ++k, place.begun = place.careful = false, done = 0, place.size = 1) {
     if (!place.begun) {
       observer.step_begins(k, steps[k], state);
       problem.begin_step(k, state);
@@ -98,7 +106,8 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       observer.increment_begins(k, done, to);
       State trial = state;
       NewtonReport newton = within_memory(problem.comm(), [&] {
-        return bulbus::newton(problem, system, solver, trial, to, tolerances_at(to, place.careful, settings.newton), profiler,
+        return bulbus::newton(problem, system, solver, trial, to,
+                              tolerances_at(to, place.careful, settings.newton), profiler,
                               [&](const NewtonIteration& i) { observer.newton_iteration(i); });
       });
       report.newton_iterations += static_cast<int>(newton.iterations.size());
@@ -113,8 +122,8 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         if (!std::exchange(place.careful, true) && solver.counts_pivots(system)) continue;
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments
         if (curable && increments.cut()) continue;
-        report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done, newton.reason,
-                                    curable ? " (smallest increment reached)" : "");
+        report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done,
+                                    newton.reason, curable ? " (smallest increment reached)" : "");
         problem.set_progress(done, state);
         for (const auto& term : problem.terms()) term->roll_back();
         observer.rests(place, state, true);
@@ -125,7 +134,8 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       done = to;
       increments.succeeded(static_cast<int>(newton.iterations.size()));
       place.size = increments.size();
-      const Increment increment{k, ++report.increments, steps[k].name, done, k + done, Clock::now() - start, std::move(newton), place.size};
+      const Increment increment{k,        ++report.increments,  steps[k].name,     done,
+                                k + done, Clock::now() - start, std::move(newton), place.size};
       observer.increment_done(increment, state);
       observer.rests(place, state, done == 1 && k + 1 == static_cast<int>(steps.size()));
     }

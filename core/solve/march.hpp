@@ -7,11 +7,11 @@ namespace bulbus {
 struct Increment {
   int step = 0, number = 0;  ///< number counts over the whole run, from 1
   std::string step_name;
-  double progress = 0;       ///< part of the step done
-  double time = 0;           ///< steps done + progress
+  double progress = 0;  ///< part of the step done
+  double time = 0;      ///< steps done + progress
   double seconds = 0;
   NewtonReport newton;
-  double next = 0;           ///< part of the step that comes next at a time, if nothing fails
+  double next = 0;  ///< part of the step that comes next at a time, if nothing fails
 };
 
 /// How a march ended, or what it has come to.
@@ -22,12 +22,13 @@ struct MarchReport {
   int increments = 0, cuts = 0, newton_iterations = 0, krylov_iterations = 0;
 };
 
-/// Where a march stands between two increments: by this, the state and the problem's memory it can go on later.
+/// Where a march stands between two increments: by this, the state and the problem's memory it can go on
+/// later.
 struct MarchPlace {
   int step = 0;
   bool begun = false;
-  double done = 0;  ///< part of the step
-  double size = 1;  ///< of the next increment
+  double done = 0;       ///< part of the step
+  double size = 1;       ///< of the next increment
   bool careful = false;  ///< has an increment of the step failed?
   MarchReport report;
   void serialize(Archive& archive);
@@ -43,7 +44,8 @@ class MarchObserver {
   virtual void increment_cut(const NewtonReport&, double /*from*/, double /*to*/) {}
   /// The state has been accepted.
   virtual void increment_done(const Increment&, const State&) {}
-  /// All of that is over: here the march may be left and taken up again. `last`: it ends here, finished or not.
+  /// All of that is over: here the march may be left and taken up again. `last`: it ends here, finished or
+  /// not.
   virtual void rests(const MarchPlace&, State&, bool /*last*/) {}
   /// In place of that, where a signal ends the march: the last good state is to be kept.
   virtual void interrupted(const MarchPlace&, State&) {}
@@ -52,10 +54,12 @@ class MarchObserver {
 /// Increments of a step that has not begun, if nothing fails.
 int increments_of(const StepSpec& step, const SteppingSettings& settings);
 
-/// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. From the first failure in
-/// a step on its linear solves are tight; a small system is tried once more so before the increment is cut. On return `state` is the last
-/// good one: so it is where an interrupt ends it. A `place` in the middle is one to which problem and state have been brought. Collective.
-MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, const SolverSettings& settings,
-                  Profiler& profiler, MarchObserver& observer, MarchPlace place = {});
+/// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. From the
+/// first failure in a step on its linear solves are tight; a small system is tried once more so before the
+/// increment is cut. On return `state` is the last good one: so it is where an interrupt ends it. A `place`
+/// in the middle is one to which problem and state have been brought. Collective.
+MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
+                  const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
+                  MarchPlace place = {});
 
 }  // namespace bulbus

@@ -95,7 +95,11 @@ void call(SMUMPS_STRUC_C& id) { smumps_c(&id); }
 
 struct Mumps::Instance {
   virtual ~Instance() = default;
-  enum class Taken { unknown, known, near };  // to the last analysis; so near the factorised one that its factors do
+  enum class Taken {
+    unknown,
+    known,
+    near
+  };  // to the last analysis; so near the factorised one that its factors do
   virtual Taken take(Triplets t, long long n, bool symmetric, double tolerated) = 0;
   virtual FactorReport& analyse() = 0;
   virtual FactorReport& factorise() = 0;
@@ -170,8 +174,10 @@ struct Mumps::InstanceOf final : Instance {
     if (same && factorised && tolerated > 0 && comm.max(largest_change(t)) <= tolerated) return Taken::near;
     row = std::move(t.row);
     col = std::move(t.col);
-    if constexpr (std::is_same_v<Number, double>) value = std::move(t.value);
-    else value.assign(t.value.begin(), t.value.end());
+    if constexpr (std::is_same_v<Number, double>)
+      value = std::move(t.value);
+    else
+      value.assign(t.value.begin(), t.value.end());
     factorised = false;
     if (!same) restart(symmetric);
     id.n = static_cast<MUMPS_INT>(n);
@@ -189,7 +195,9 @@ struct Mumps::InstanceOf final : Instance {
     Triplets all;
     for (std::vector<int>* part : {&all.row, &all.col}) part->reserve(row.size());
     all.value.reserve(row.size());
-    const auto push = [&](int i, int j, double v) { all.row.push_back(i), all.col.push_back(j), all.value.push_back(v); };
+    const auto push = [&](int i, int j, double v) {
+      all.row.push_back(i), all.col.push_back(j), all.value.push_back(v);
+    };
     std::size_t k = 0;
     for (std::size_t l = 0; l < t.row.size(); ++l) {
       for (; k < row.size() && before(row[k], col[k], t.row[l], t.col[l]); ++k) push(row[k], col[k], 0);
@@ -200,7 +208,8 @@ struct Mumps::InstanceOf final : Instance {
     if (static_cast<double>(all.row.size()) <= most * static_cast<double>(t.row.size())) t = std::move(all);
   }
 
-  // From the matrix that is factorised to one of the same pattern: of this rank's part of a row, relative to its sum of magnitudes.
+  // From the matrix that is factorised to one of the same pattern: of this rank's part of a row, relative to
+  // its sum of magnitudes.
   double largest_change(const Triplets& t) const {
     struct Row {
       float change = 0, magnitude = 0;
@@ -216,8 +225,10 @@ struct Mumps::InstanceOf final : Instance {
     }
     double largest = 0;
     for (const Row& r : rows)
-      if (r.change > 0) largest = std::max(largest, static_cast<double>(r.change / r.magnitude));
-      else if (std::isnan(r.change)) return std::numeric_limits<double>::infinity();
+      if (r.change > 0)
+        largest = std::max(largest, static_cast<double>(r.change / r.magnitude));
+      else if (std::isnan(r.change))
+        return std::numeric_limits<double>::infinity();
     return largest;
   }
 
@@ -242,8 +253,7 @@ struct Mumps::InstanceOf final : Instance {
     report.memory_mb = report.memory_max_mb = report.flops = report.factor_entries = 0;
     report.negative_pivots = report.relaxations = 0;
     auto finite = [](Number v) { return std::isfinite(v); };
-    if (!comm.all(std::all_of(value.begin(), value.end(), finite)))
-      return fail("the matrix is not finite");
+    if (!comm.all(std::all_of(value.begin(), value.end(), finite))) return fail("the matrix is not finite");
     const double needed = report.estimated_mb + megabytes_per_entry<Number> * report.matrix_entries;
     report.too_large = options.memory_limit_mb > 0 && needed > options.memory_limit_mb;
     if (report.too_large)
@@ -294,8 +304,10 @@ struct Mumps::InstanceOf final : Instance {
 };
 
 Mumps::Mumps(const Comm& comm, MumpsOptions options) {
-  if (options.precision == Precision::full) m_ = std::make_unique<InstanceOf<DMUMPS_STRUC_C>>(comm, options);
-  else m_ = std::make_unique<InstanceOf<SMUMPS_STRUC_C>>(comm, options);
+  if (options.precision == Precision::full)
+    m_ = std::make_unique<InstanceOf<DMUMPS_STRUC_C>>(comm, options);
+  else
+    m_ = std::make_unique<InstanceOf<SMUMPS_STRUC_C>>(comm, options);
 }
 Mumps::~Mumps() = default;
 

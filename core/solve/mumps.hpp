@@ -14,21 +14,23 @@ enum class MumpsOrdering { amd = 0, scotch = 3, pord = 4, metis = 5, qamd = 6, a
 struct MumpsOptions {
   Precision precision = Precision::full;  ///< of matrix, factors and solutions
   MumpsOrdering ordering = MumpsOrdering::scotch;
-  int block = 1;        ///< unknowns that stand together in nodes, for the analysis: all have so many, side by side
-  bool joined = false;  ///< entries that a matrix lacks of the last one become zeros, so that it needs no analysis; triplets come sorted, each once
+  int block = 1;  ///< unknowns that stand together in nodes, for the analysis: all have so many, side by side
+  bool joined = false;  ///< entries that a matrix lacks of the last one become zeros, so that it needs no
+                        ///< analysis; triplets come sorted, each once
   int refinements = 0;  ///< most steps of iterative refinement in a solve
   int relaxations = 5;  ///< times that the workspace may be doubled when pivoting outgrows the estimate
-  double memory_limit_mb = 0;  ///< over all ranks: refuse to factorise when matrix and estimate are larger; 0: no limit
+  double memory_limit_mb =
+      0;  ///< over all ranks: refuse to factorise when matrix and estimate are larger; 0: no limit
 };
 
 /// What analysis foretold and the factorisation found. Memory in MB (10⁶ bytes).
 struct FactorReport {
   bool ok = false;
-  std::string reason;                             ///< why not ok
-  int code = 0;                                   ///< INFOG(1)
-  bool too_large = false;                         ///< refused by its estimate
-  std::string ordering;                           ///< the one that ran
-  double matrix_entries = 0;                      ///< of all ranks; of a symmetric matrix those of one triangle
+  std::string reason;         ///< why not ok
+  int code = 0;               ///< INFOG(1)
+  bool too_large = false;     ///< refused by its estimate
+  std::string ordering;       ///< the one that ran
+  double matrix_entries = 0;  ///< of all ranks; of a symmetric matrix those of one triangle
   double estimated_mb = 0, estimated_max_mb = 0;  ///< of all ranks; of the greediest one
   double estimated_flops = 0, estimated_entries = 0;
   double memory_mb = 0, memory_max_mb = 0;  ///< really used
@@ -52,7 +54,8 @@ class Mumps {
   FactorReport analyse(Triplets matrix, long long n, bool symmetric);
   /// The same and the factors. A matrix with the rows and columns of the last one is not analysed anew.
   FactorReport factorise(Triplets matrix, long long n, bool symmetric);
-  /// From now on factors stay as long as no row of a matrix differs from theirs by more than this part of its magnitude; 0: never.
+  /// From now on factors stay as long as no row of a matrix differs from theirs by more than this part of its
+  /// magnitude; 0: never.
   void tolerate(double change) { tolerated_ = change; }
   /// Are the factors those of an earlier matrix than the last one that was given?
   bool kept() const { return kept_; }

@@ -7,17 +7,19 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/interrupt.hpp"
 #include "core/problem/admissible.hpp"
 #include "core/problem/enclosed_parts.hpp"
-#include "core/base/interrupt.hpp"
 
 namespace bulbus {
 namespace {
 
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 constexpr double shortest_step = 1.0 / 64;
-constexpr int most_shortened = 8;  // steps that would have inverted an element, each cut short: the increment is too long for the mesh
-constexpr double least_volume = 0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
+constexpr int most_shortened =
+    8;  // steps that would have inverted an element, each cut short: the increment is too long for the mesh
+constexpr double least_volume =
+    0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 
 double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
   double sum = 0;
@@ -25,7 +27,9 @@ double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
   return std::sqrt(system.problem().comm().sum(sum));
 }
 
-bool finite(const Balance& b) { return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid); }
+bool finite(const Balance& b) {
+  return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid);
+}
 
 // By how much the worst of the three criteria is missed (≤ 1: all hold).
 double excess(const Balance& b, const NewtonSettings& s) {
@@ -35,13 +39,15 @@ double excess(const Balance& b, const NewtonSettings& s) {
 // What an active set is judged by: looser criteria let sets alternate that are both wrong.
 NewtonSettings tightened(NewtonSettings s) {
   const NewtonSettings tight;
-  s.force = std::min(s.force, tight.force), s.volume = std::min(s.volume, tight.volume), s.liquid = std::min(s.liquid, tight.liquid);
+  s.force = std::min(s.force, tight.force), s.volume = std::min(s.volume, tight.volume),
+  s.liquid = std::min(s.liquid, tight.liquid);
   return s;
 }
 
-// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing, nor than plain GMRES reaches unless the cap is:
-// where motions are prescribed the first right-hand side is theirs, and the ratio of norms promises more than the next tangent keeps. Where the
-// criteria are nearly met, a tenth of what is missing may lie above the cap: tried once, as a region may need more than all together, and where
+// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing, nor than plain
+// GMRES reaches unless the cap is: where motions are prescribed the first right-hand side is theirs, and the
+// ratio of norms promises more than the next tangent keeps. Where the criteria are nearly met, a tenth of
+// what is missing may lie above the cap: tried once, as a region may need more than all together, and where
 // prescribed motions are done.
 class ForcingTerm {
  public:
@@ -90,10 +96,11 @@ double guarded(const Problem& problem, const Step& step, State& state) {
   return 0;
 }
 
-// One linear solve to the tolerance that `tolerance` gives for the right-hand side that `make` makes. Where the preconditioner of an earlier
-// linearisation fails, it is done once more with a new one.
+// One linear solve to the tolerance that `tolerance` gives for the right-hand side that `make` makes. Where
+// the preconditioner of an earlier linearisation fails, it is done once more with a new one.
 template <class Make, class Tolerance>
-LinearReport solve(CoupledSystem& system, LinearSolver& solver, Make make, std::span<double> solution, Tolerance tolerance, int spent = 0) {
+LinearReport solve(CoupledSystem& system, LinearSolver& solver, Make make, std::span<double> solution,
+                   Tolerance tolerance, int spent = 0) {
   LinearReport report = solver.prepare(system);
   if (!report.ok) return report;
   std::vector<double> b = make();
@@ -109,20 +116,29 @@ LinearReport solve(CoupledSystem& system, LinearSolver& solver, Make make, std::
 
 std::string describe(Outcome outcome) {
   switch (outcome) {
-    case Outcome::converged: return "converged";
-    case Outcome::inverted_element: return "an element would invert";
-    case Outcome::linear_solver_failed: return "the linear solver failed";
-    case Outcome::too_large: return "the linear system does not fit into memory";
-    case Outcome::too_many_iterations: return "too many Newton iterations";
-    case Outcome::not_finite: return "the residual is not finite";
-    case Outcome::inadmissible: return "no body can be in the state that was found";
-    case Outcome::interrupted: return "interrupted";
+    case Outcome::converged:
+      return "converged";
+    case Outcome::inverted_element:
+      return "an element would invert";
+    case Outcome::linear_solver_failed:
+      return "the linear solver failed";
+    case Outcome::too_large:
+      return "the linear system does not fit into memory";
+    case Outcome::too_many_iterations:
+      return "too many Newton iterations";
+    case Outcome::not_finite:
+      return "the residual is not finite";
+    case Outcome::inadmissible:
+      return "no body can be in the state that was found";
+    case Outcome::interrupted:
+      return "interrupted";
   }
   return "";
 }
 
-NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, double progress,
-                    const NewtonSettings& settings, Profiler& profiler, const NewtonObserver& observer) {
+NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
+                    double progress, const NewtonSettings& settings, Profiler& profiler,
+                    const NewtonObserver& observer) {
   NewtonReport report;
   ForcingTerm forcing(settings.eta_max);
   problem.set_progress(progress, state);
@@ -161,7 +177,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   const auto judge_stability = [&] {
     if (report.iterations.empty()) return;
     if (report.negative_pivots < 0 && linearised) report.negative_pivots = solver.negative_pivots(system);
-    report.negative_curvature = report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
+    report.negative_curvature =
+        report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
   };
   int last = settings.max_iterations, shortened = 0;
   NewtonSettings criteria = settings;
@@ -174,8 +191,10 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     if (missing <= 1 && now.held <= held_tolerance) {
       if (!problem.revise(state)) {
         if (observer) observer(now);
-        if (std::string why = why_inadmissible(problem, state); !why.empty()) return fail(Outcome::inadmissible, std::move(why));
-        if (std::string why = problem.refusal(state); !why.empty()) return fail(Outcome::inadmissible, std::move(why));
+        if (std::string why = why_inadmissible(problem, state); !why.empty())
+          return fail(Outcome::inadmissible, std::move(why));
+        if (std::string why = problem.refusal(state); !why.empty())
+          return fail(Outcome::inadmissible, std::move(why));
         judge_stability();
         return report;
       }
@@ -194,7 +213,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     try {
       now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
         if (now.tolerance == 0) {
-          now.tolerance = forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
+          now.tolerance =
+              forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
           now.tolerance = std::min(now.tolerance, problem.solve_tolerance());
         }
         return now.tolerance;

@@ -6,7 +6,16 @@
 
 namespace bulbus {
 
-enum class Outcome { converged, inverted_element, linear_solver_failed, too_large, too_many_iterations, not_finite, inadmissible, interrupted };
+enum class Outcome {
+  converged,
+  inverted_element,
+  linear_solver_failed,
+  too_large,
+  too_many_iterations,
+  not_finite,
+  inadmissible,
+  interrupted
+};
 
 /// In words, for logs and summaries.
 std::string describe(Outcome outcome);
@@ -15,10 +24,10 @@ std::string describe(Outcome outcome);
 struct NewtonIteration {
   int number = 0;
   Balance balance;
-  double held = 0;      ///< largest prescribed increment still to be made, mm
-  double tolerance = 0; ///< of the linear solve
+  double held = 0;       ///< largest prescribed increment still to be made, mm
+  double tolerance = 0;  ///< of the linear solve
   LinearReport linear;
-  double step = 0;      ///< part of the Newton step that was taken
+  double step = 0;  ///< part of the Newton step that was taken
 };
 
 struct NewtonReport {
@@ -26,18 +35,19 @@ struct NewtonReport {
   std::string reason;
   Balance balance;  ///< of the state that was reached
   std::vector<NewtonIteration> iterations;
-  int krylov_iterations = 0;  ///< those of linear solves that failed too
-  int negative_pivots = -1;  ///< of the last linearisation; -1 where nobody counted them
+  int krylov_iterations = 0;        ///< those of linear solves that failed too
+  int negative_pivots = -1;         ///< of the last linearisation; -1 where nobody counted them
   bool negative_curvature = false;  ///< of the last solution of GMRES, where pivots are not known
-  int direct_solves = 0;     ///< systems that MUMPS solved in place of GMRES
+  int direct_solves = 0;            ///< systems that MUMPS solved in place of GMRES
 };
 
 using NewtonObserver = std::function<void(const NewtonIteration&)>;
 
-/// Brings `state` to equilibrium at the progress that the problem was set to. On failure the state is not to be used.
-/// Full steps, shortened only where an element would invert; linear tolerances by Eisenstat and Walker (choice 2) with a cap.
-/// Collective.
-NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state, double progress,
-                    const NewtonSettings& settings, Profiler& profiler, const NewtonObserver& observer = {});
+/// Brings `state` to equilibrium at the progress that the problem was set to. On failure the state is not to
+/// be used. Full steps, shortened only where an element would invert; linear tolerances by Eisenstat and
+/// Walker (choice 2) with a cap. Collective.
+NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
+                    double progress, const NewtonSettings& settings, Profiler& profiler,
+                    const NewtonObserver& observer = {});
 
 }  // namespace bulbus

@@ -19,7 +19,8 @@ void nodal_dofs(std::span<const int> nodes, std::vector<int>& dofs) {
 }
 
 // T from reduced dofs to the contribution's nodal values, and those dofs.
-Matrix transformation(const Problem& problem, const State& state, std::span<const int> nodes, std::vector<int>& dofs) {
+Matrix transformation(const Problem& problem, const State& state, std::span<const int> nodes,
+                      std::vector<int>& dofs) {
   const DofMap& map = problem.dofs();
   dofs.clear();
   for (int n : nodes) {
@@ -52,7 +53,8 @@ Matrix transformation(const Problem& problem, const State& state, std::span<cons
 
 }  // namespace
 
-void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor) {
+void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices,
+                               const ReducedVisitor& visitor) {
   std::vector<int> dofs;
   const auto reduce = [&](std::span<const int> nodes, std::span<const double> K) {
     if (all_free(problem.dofs(), nodes)) {
@@ -66,9 +68,14 @@ void for_each_condensed_matrix(const Problem& problem, const State& state, Matri
     visitor(dofs, std::span(reduced.data(), reduced.size()));
   };
   switch (matrices) {
-    case Matrices::mean: problem.solid().visit_mean(reduce); break;
-    case Matrices::softened: problem.solid().visit_mean(reduce, .1); break;
-    default: problem.solid().visit(reduce, matrices == Matrices::augmented);
+    case Matrices::mean:
+      problem.solid().visit_mean(reduce);
+      break;
+    case Matrices::softened:
+      problem.solid().visit_mean(reduce, .1);
+      break;
+    default:
+      problem.solid().visit(reduce, matrices == Matrices::augmented);
   }
   visit_surface(problem, state, reduce);
 }
@@ -79,8 +86,8 @@ void visit_surface(const Problem& problem, const State& state, const Contributio
     if (state.P[i] != 0) problem.liquids()[i].surface().visit(state.x, -state.P[i], visitor);
 }
 
-void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes, std::span<const double> v,
-                   std::vector<int>& dofs, std::vector<double>& values) {
+void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes,
+                   std::span<const double> v, std::vector<int>& dofs, std::vector<double>& values) {
   if (all_free(problem.dofs(), nodes)) {
     nodal_dofs(nodes, dofs);
     values.assign(v.begin(), v.end());

@@ -6,22 +6,25 @@
 
 namespace bulbus {
 
-/// Tᵀ K T of one small contribution: its reduced dofs and the dense matrix between them, by rows. A reduced dof is 3·node + c
-/// of a local node, or 3·nodes + 6·body + i of a rigid body.
+/// Tᵀ K T of one small contribution: its reduced dofs and the dense matrix between them, by rows. A reduced
+/// dof is 3·node + c of a local node, or 3·nodes + 6·body + i of a rigid body.
 using ReducedVisitor = std::function<void(std::span<const int> dofs, std::span<const double> matrix)>;
 
-/// Of hexahedra: the tangent; with γ b W bᵀ; augmented means, as smoothers apply them (Solid::visit_mean); these with a tenth of γ.
+/// Of hexahedra: the tangent; with γ b W bᵀ; augmented means, as smoothers apply them (Solid::visit_mean);
+/// these with a tenth of γ.
 enum class Matrices { plain, augmented, mean, softened };
 
-/// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute, in reduced dofs:
-/// held directions projected out, nodes of bodies mapped to their six. Identity parts of held directions are not among it.
-void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices, const ReducedVisitor& visitor);
+/// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute,
+/// in reduced dofs: held directions projected out, nodes of bodies mapped to their six. Identity parts of
+/// held directions are not among it.
+void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices,
+                               const ReducedVisitor& visitor);
 
 /// Contributions to the tangent besides the solid's: terms, and the liquids' pressures as followers.
 void visit_surface(const Problem& problem, const State& state, const ContributionVisitor& visitor);
 
 /// T of a single column block: for local nodes with their nodal values, the reduced dofs and values (Tᵀ v).
-void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes, std::span<const double> v,
-                   std::vector<int>& dofs, std::vector<double>& values);
+void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes,
+                   std::span<const double> v, std::vector<int>& dofs, std::vector<double>& values);
 
 }  // namespace bulbus

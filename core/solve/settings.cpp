@@ -2,7 +2,8 @@
 
 namespace bulbus {
 
-// Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations; K of softened lines bears more weight.
+// Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations; K of
+// softened lines bears more weight.
 void LinearSettings::take_mesh(int refinements) {
   if (refinements == 0) return;
   gamma = 12;
@@ -10,7 +11,8 @@ void LinearSettings::take_mesh(int refinements) {
 }
 
 std::string SolverSettings::accuracy_help() {
-  return "defaults of the settings below; against a converged solution on the same mesh, the operation's figures (encircling.yaml) are "
+  return "defaults of the settings below; against a converged solution on the same mesh, the operation's "
+         "figures (encircling.yaml) are "
          "within 2 % with fast, 0.2 % with balanced, 0.01 % with tight";
 }
 
@@ -21,7 +23,8 @@ void SolverSettings::take_preset() {
   if (accuracy == "balanced") {
     newton.force = newton.volume = 1e-5, newton.liquid = 1e-6;
     newton.underway = 200;  // from 1000 on, runs end with another point in contact now and then
-  } else {  // a node more or less in contact is per cents of the area: the end must be as strict as that of tight
+  } else {  // a node more or less in contact is per cents of the area: the end must be as strict as that of
+            // tight
     newton.force = newton.liquid = 1e-6, newton.volume = 1e-5;
     newton.eta_max = 3e-3;
     stepping.increments = .25;

@@ -19,7 +19,8 @@ DistributedCsr to_rows(const Triplets& t, long long first_row, int rows) {
   return m;
 }
 
-// Rotations in the current configuration about the middle of the nodes, of the size of a unit translation, zero in held directions.
+// Rotations in the current configuration about the middle of the nodes, of the size of a unit translation,
+// zero in held directions.
 std::vector<std::vector<double>> rotations(const CoupledSystem& system) {
   const Problem& problem = system.problem();
   const auto& x = system.state().x;
@@ -46,13 +47,15 @@ std::vector<std::vector<double>> rotations(const CoupledSystem& system) {
 
 }  // namespace
 
-AssembledAmg::AssembledAmg(const CoupledSystem& system, bool nodal) : nodal_(system.layout().nodal), jacobi_(system) {
+AssembledAmg::AssembledAmg(const CoupledSystem& system, bool nodal)
+    : nodal_(system.layout().nodal), jacobi_(system) {
   AmgOptions options;
   options.functions = 3;
   options.nodal = nodal;
   if (nodal) options.rigid_modes = rotations(system);
-  amg_ = std::make_unique<BoomerAmg>(to_rows(assemble_displacement(system), 3 * system.problem().mesh().first_node, nodal_), options,
-                                     system.problem().comm());
+  amg_ = std::make_unique<BoomerAmg>(
+      to_rows(assemble_displacement(system), 3 * system.problem().mesh().first_node, nodal_), options,
+      system.problem().comm());
 }
 
 void AssembledAmg::apply(std::span<const double> x, std::span<double> y) const {
@@ -60,13 +63,18 @@ void AssembledAmg::apply(std::span<const double> x, std::span<double> y) const {
   amg_->apply(x.first(nodal_), y.first(nodal_));
 }
 
-ExactBlock::ExactBlock(const CoupledSystem& system) : ExactBlock(system, std::make_shared<Mumps>(system.problem().comm())) {}
+ExactBlock::ExactBlock(const CoupledSystem& system)
+    : ExactBlock(system, std::make_shared<Mumps>(system.problem().comm())) {}
 
 ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps)
-    : size_(system.layout().primal()), nodal_(system.layout().nodal), bodies_(system), mumps_(std::move(mumps)) {
+    : size_(system.layout().primal()),
+      nodal_(system.layout().nodal),
+      bodies_(system),
+      mumps_(std::move(mumps)) {
   const bool symmetric = system.problem().symmetric();
   const FactorReport f =
-      mumps_->factorise(assemble_displacement(system, symmetric ? Triangle::upper : Triangle::both), 3 * system.problem().mesh().all_nodes, symmetric);
+      mumps_->factorise(assemble_displacement(system, symmetric ? Triangle::upper : Triangle::both),
+                        3 * system.problem().mesh().all_nodes, symmetric);
   if (!f.ok) fault_ = "displacement block: " + f.reason;
   bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }

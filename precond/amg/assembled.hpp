@@ -3,13 +3,13 @@
 
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/mumps.hpp"
-#include "precond/smoothers/block_jacobi.hpp"
 #include "precond/amg/boomeramg.hpp"
+#include "precond/smoothers/block_jacobi.hpp"
 
 namespace bulbus {
 
-/// BoomerAMG on the whole assembled displacement block, for comparison: unknown approach, or nodal coarsening with the rotations
-/// of the current configuration. Rigid bodies are left to block Jacobi.
+/// BoomerAMG on the whole assembled displacement block, for comparison: unknown approach, or nodal coarsening
+/// with the rotations of the current configuration. Rigid bodies are left to block Jacobi.
 class AssembledAmg final : public Preconditioner {
  public:
   AssembledAmg(const CoupledSystem& system, bool nodal);
@@ -24,11 +24,13 @@ class AssembledAmg final : public Preconditioner {
   std::unique_ptr<BoomerAmg> amg_;
 };
 
-/// MUMPS on the assembled displacement block: in full precision the best that any preconditioner of it can do.
+/// MUMPS on the assembled displacement block: in full precision the best that any preconditioner of it can
+/// do.
 class ExactBlock final : public Preconditioner {
  public:
   explicit ExactBlock(const CoupledSystem& system);
-  /// With a solver that may know the matrix's pattern from an earlier linearisation, and gives up that one's factors.
+  /// With a solver that may know the matrix's pattern from an earlier linearisation, and gives up that one's
+  /// factors.
   ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;

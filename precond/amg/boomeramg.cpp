@@ -147,8 +147,8 @@ HYPRE_Solver configure(const AmgOptions& o) {
 
 void set_rigid_modes(HYPRE_Solver s, std::vector<hypre_ParVector*>& modes) {
   if (modes.empty()) return;
-  // A coarse rotation that interpolates to nothing leaves an empty row, which l1 norms and elimination refuse. Sweeps without
-  // them (hybrid between ranks) pass over it.
+  // A coarse rotation that interpolates to nothing leaves an empty row, which l1 norms and elimination
+  // refuse. Sweeps without them (hybrid between ranks) pass over it.
   for (int way : {1, 2, 3}) HYPRE_BoomerAMGSetCycleRelaxType(s, 6, way);
   HYPRE_BoomerAMGSetInterpVecVariant(s, 2);  // GM2
   HYPRE_BoomerAMGSetInterpVecQMax(s, 4);

@@ -36,7 +36,8 @@ struct AmgOptions {
   AmgSmoother smoother = AmgSmoother::gauss_seidel;
   int sweeps = 1, cycles = 1;
   /// Vectors that interpolation must keep beside the constants (this rank's part; GM2): the three rotations
-  /// of a solid, zero on fixed unknowns, no larger than the constants. Need nodal; the smoother is then symmetric Gauss-Seidel.
+  /// of a solid, zero on fixed unknowns, no larger than the constants. Need nodal; the smoother is then
+  /// symmetric Gauss-Seidel.
   std::vector<std::vector<double>> rigid_modes = {};
 };
 

@@ -2,8 +2,8 @@
 
 #include "core/base/memory.hpp"
 #include "core/solve/reduced.hpp"
-#include "precond/operators/correct.hpp"
 #include "precond/amg/scalar_matrices.hpp"
+#include "precond/operators/correct.hpp"
 
 namespace bulbus {
 
@@ -16,7 +16,9 @@ Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan
       correction_(block_->size()) {
   if (!rigid) return;
   coarse_ = std::make_unique<RigidCoarse>(system, *rigid);
-  for_each_condensed_matrix(system.problem(), system.state(), matrices_of(smoothing), [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
+  for_each_condensed_matrix(
+      system.problem(), system.state(), matrices_of(smoothing),
+      [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
   coarse_->factorise();
 }
 
@@ -28,7 +30,8 @@ void Hybrid::apply(std::span<const double> b, std::span<double> x) const {
 }
 
 std::size_t Hybrid::bytes() const {
-  return jacobi_.bytes() + smoother_.bytes() + amg_->bytes() + (coarse_ ? coarse_->bytes() : 0) + bytes_of(residual_) + bytes_of(correction_);
+  return jacobi_.bytes() + smoother_.bytes() + amg_->bytes() + (coarse_ ? coarse_->bytes() : 0) +
+         bytes_of(residual_) + bytes_of(correction_);
 }
 
 }  // namespace bulbus

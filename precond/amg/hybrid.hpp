@@ -1,14 +1,15 @@
 #pragma once
+#include "precond/amg/scalar_amg.hpp"
+#include "precond/coarse/rigid_coarse.hpp"
+#include "precond/operators/displacement.hpp"
 #include "precond/smoothers/block_jacobi.hpp"
 #include "precond/smoothers/chebyshev.hpp"
-#include "precond/operators/displacement.hpp"
-#include "precond/coarse/rigid_coarse.hpp"
-#include "precond/amg/scalar_amg.hpp"
 
 namespace bulbus {
 
-/// The displacement block without its matrix: Chebyshev with block Jacobi on the tangent as it is applied on the fly, before and
-/// after one cycle of the three scalar AMGs and a correction with the rigid motions of aggregates. A fixed linear map.
+/// The displacement block without its matrix: Chebyshev with block Jacobi on the tangent as it is applied on
+/// the fly, before and after one cycle of the three scalar AMGs and a correction with the rigid motions of
+/// aggregates. A fixed linear map.
 class Hybrid final : public Preconditioner {
  public:
   /// `rigid`: none without the rigid motions. Collective.

@@ -4,12 +4,18 @@
 
 namespace bulbus {
 
-ScalarAmg::ScalarAmg(const CoupledSystem& system, const std::array<DistributedCsr, 3>& matrices, const Preconditioner& block_jacobi)
-    : size_(system.layout().primal()), nodes_(system.layout().nodal / 3), block_jacobi_(block_jacobi), in_(nodes_), out_(nodes_) {
-  // Thin layers: only neighbours through the thickness are strong. With aggressive coarsening on top, a third less memory and half
-  // the set-up of threshold ¼, for as many iterations.
+ScalarAmg::ScalarAmg(const CoupledSystem& system, const std::array<DistributedCsr, 3>& matrices,
+                     const Preconditioner& block_jacobi)
+    : size_(system.layout().primal()),
+      nodes_(system.layout().nodal / 3),
+      block_jacobi_(block_jacobi),
+      in_(nodes_),
+      out_(nodes_) {
+  // Thin layers: only neighbours through the thickness are strong. With aggressive coarsening on top, a third
+  // less memory and half the set-up of threshold ¼, for as many iterations.
   const AmgOptions options{.threshold = 0.7, .aggressive_levels = 1};
-  for (int c = 0; c < 3; ++c) amg_[c] = std::make_unique<BoomerAmg>(matrices[c], options, system.problem().comm());
+  for (int c = 0; c < 3; ++c)
+    amg_[c] = std::make_unique<BoomerAmg>(matrices[c], options, system.problem().comm());
 }
 
 void ScalarAmg::apply(std::span<const double> x, std::span<double> y) const {

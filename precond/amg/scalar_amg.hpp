@@ -7,11 +7,12 @@
 
 namespace bulbus {
 
-/// One BoomerAMG V-cycle on each of the three scalar diagonal blocks A_xx, A_yy, A_zz, which are accumulated element by
-/// element: the full matrix is never formed. Rigid bodies are left to block Jacobi.
+/// One BoomerAMG V-cycle on each of the three scalar diagonal blocks A_xx, A_yy, A_zz, which are accumulated
+/// element by element: the full matrix is never formed. Rigid bodies are left to block Jacobi.
 class ScalarAmg final : public Preconditioner {
  public:
-  ScalarAmg(const CoupledSystem& system, const std::array<DistributedCsr, 3>& matrices, const Preconditioner& block_jacobi);
+  ScalarAmg(const CoupledSystem& system, const std::array<DistributedCsr, 3>& matrices,
+            const Preconditioner& block_jacobi);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
   bool fixed() const override { return true; }

@@ -16,7 +16,9 @@ std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
   constexpr double threshold = 0.02;
   const LocalMesh& mesh = system.problem().mesh();
   const int owned = mesh.owned;
-  const auto value = [&](std::size_t k) { return std::abs(scalar[0].values[k]) + std::abs(scalar[1].values[k]) + std::abs(scalar[2].values[k]); };
+  const auto value = [&](std::size_t k) {
+    return std::abs(scalar[0].values[k]) + std::abs(scalar[1].values[k]) + std::abs(scalar[2].values[k]);
+  };
   const auto local = [&](long long number) {
     const long long n = number - mesh.first_node;
     return n >= 0 && n < owned ? static_cast<int>(n) : -1;
@@ -29,7 +31,8 @@ std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
   for (int i = 0; i < owned; ++i)
     for (int k = scalar[0].start[i]; k < scalar[0].start[i + 1]; ++k) {
       const int j = local(scalar[0].columns[k]);
-      if (j >= 0 && j != i && value(k) > threshold * std::sqrt(diagonal[i] * diagonal[j])) strong[i].push_back(j);
+      if (j >= 0 && j != i && value(k) > threshold * std::sqrt(diagonal[i] * diagonal[j]))
+        strong[i].push_back(j);
     }
   return strong;
 }

@@ -8,7 +8,8 @@ namespace bulbus {
 AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes, Precision precision)
     : lines(find_lines(system.problem())), rigid(system, nodes, precision) {}
 
-Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings, Precision smoothing)
+Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan,
+                         const AggregationSettings& settings, Precision smoothing)
     : coarse_(system, plan.rigid),
       jacobi_(set_up(system, plan.lines, smoothing)),
       smoother_(make_smoother(system, jacobi_, settings, smoothing)),
@@ -17,10 +18,11 @@ Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan, con
 // One sweep over everything that contributes, for lines and coarse matrix.
 LineJacobi Aggregation::set_up(const CoupledSystem& system, const Lines& lines, Precision precision) {
   LineBlocks blocks(system, lines);
-  for_each_condensed_matrix(system.problem(), system.state(), matrices_of(precision), [&](std::span<const int> dofs, std::span<const double> K) {
-    blocks.add(dofs, K);
-    coarse_.add(dofs, K);
-  });
+  for_each_condensed_matrix(system.problem(), system.state(), matrices_of(precision),
+                            [&](std::span<const int> dofs, std::span<const double> K) {
+                              blocks.add(dofs, K);
+                              coarse_.add(dofs, K);
+                            });
   coarse_.factorise();
   blocks.complete();
   return LineJacobi(system, lines, blocks);
@@ -31,6 +33,8 @@ void Aggregation::apply(std::span<const double> b, std::span<double> x) const {
   smoother_->improve(b, correction_, x);
 }
 
-std::size_t Aggregation::bytes() const { return coarse_.bytes() + jacobi_.bytes() + smoother_->bytes() + bytes_of(correction_); }
+std::size_t Aggregation::bytes() const {
+  return coarse_.bytes() + jacobi_.bytes() + smoother_->bytes() + bytes_of(correction_);
+}
 
 }  // namespace bulbus

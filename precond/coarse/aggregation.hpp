@@ -1,6 +1,6 @@
 #pragma once
-#include "precond/smoothers/line_jacobi.hpp"
 #include "precond/coarse/rigid_coarse.hpp"
+#include "precond/smoothers/line_jacobi.hpp"
 #include "precond/smoothers/smoother.hpp"
 
 namespace bulbus {
@@ -13,13 +13,15 @@ struct AggregationPlan {
   RigidPlan rigid;
 };
 
-/// Two grids for meshes of any kind: a correction with the rigid motions of aggregates, then Chebyshev with line Jacobi on the tangent
-/// as it is applied on the fly. The matrix is never formed. A fixed linear map; not symmetric: GMRES does not ask for it, and smoothing
-/// twice as long afterwards takes fewer applications than smoothing before, too.
+/// Two grids for meshes of any kind: a correction with the rigid motions of aggregates, then Chebyshev with
+/// line Jacobi on the tangent as it is applied on the fly. The matrix is never formed. A fixed linear map;
+/// not symmetric: GMRES does not ask for it, and smoothing twice as long afterwards takes fewer applications
+/// than smoothing before, too.
 class Aggregation final : public Preconditioner {
  public:
   /// Collective.
-  Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings, Precision smoothing = Precision::single);
+  Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings,
+              Precision smoothing = Precision::single);
   int size() const override { return static_cast<int>(correction_.size()); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }

@@ -10,7 +10,8 @@ namespace bulbus {
 void CoarseMatrix::clear() { std::ranges::fill(blocks_, Block{}); }
 
 CoarseMatrix::Block& CoarseMatrix::block(int row, int column) {
-  const auto [at, added] = at_.emplace((static_cast<long long>(row) << 32) + column, static_cast<int>(blocks_.size()));
+  const auto [at, added] =
+      at_.emplace((static_cast<long long>(row) << 32) + column, static_cast<int>(blocks_.size()));
   if (added) {
     blocks_.emplace_back();
     places_.push_back({row, column});
@@ -18,7 +19,8 @@ CoarseMatrix::Block& CoarseMatrix::block(int row, int column) {
   return blocks_[at->second];
 }
 
-void CoarseMatrix::find_parts(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs) {
+void CoarseMatrix::find_parts(const Aggregates& groups, std::span<const NodeModes> modes,
+                              std::span<const int> dofs) {
   const int nodal = 3 * static_cast<int>(groups.of.size());
   parts_.clear();
   for (std::size_t i = 0; i < dofs.size();) {
@@ -54,7 +56,8 @@ void CoarseMatrix::gather(const Part& row, int column) {
         for (int c = 0; c < 8; ++c) to[i][c] += (*row.modes)[k][i] * half_[row.first + k][c];
 }
 
-void CoarseMatrix::add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs, std::span<const double> K) {
+void CoarseMatrix::add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs,
+                       std::span<const double> K) {
   find_parts(groups, modes, dofs);
   for (auto rest = std::span<const Part>(parts_); !rest.empty();) {
     const int column = rest.front().group;

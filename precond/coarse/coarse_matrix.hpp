@@ -12,16 +12,19 @@ namespace bulbus {
 /// Six modes of a node: a row per direction, the last two columns zero, so that a row is one vector register.
 using NodeModes = std::array<std::array<float, 8>, 3>;
 
-/// Zᵀ A Z, accumulated contribution by contribution: A is never formed. Z are six modes of every aggregate, and rigid bodies as they
-/// are. What was ever coupled keeps its place, so that a factorisation finds its pattern again.
+/// Zᵀ A Z, accumulated contribution by contribution: A is never formed. Z are six modes of every aggregate,
+/// and rigid bodies as they are. What was ever coupled keeps its place, so that a factorisation finds its
+/// pattern again.
 class CoarseMatrix {
  public:
   explicit CoarseMatrix(bool symmetric) : symmetric_(symmetric) {}
 
   /// Everything zero again.
   void clear();
-  /// Adds a contribution to the reduced displacement block (see for_each_condensed_matrix). `modes`: of every local node.
-  void add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs, std::span<const double> K);
+  /// Adds a contribution to the reduced displacement block (see for_each_condensed_matrix). `modes`: of every
+  /// local node.
+  void add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs,
+           std::span<const double> K);
   /// A single entry, by numbers of coarse unknowns.
   void add(int row, int column, double value) { block(row / 6, column / 6)[row % 6][column % 6] += value; }
   /// This rank's entries by coarse unknowns, six of every group; the upper triangle if symmetric.

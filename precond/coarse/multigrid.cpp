@@ -7,41 +7,51 @@
 namespace bulbus {
 
 MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
-    : problem_(finest), base_(std::make_shared<Mumps>(finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
+    : problem_(finest),
+      base_(std::make_shared<Mumps>(
+          finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
-    levels_.push_back({find_lines(*p), std::make_shared<ProjectedTerm>(), std::make_unique<CoupledSystem>(*p->coarser(), settings), {}});
+    levels_.push_back({find_lines(*p),
+                       std::make_shared<ProjectedTerm>(),
+                       std::make_unique<CoupledSystem>(*p->coarser(), settings),
+                       {}});
     p->coarser()->add(levels_.back().projected);
   }
 }
 
-Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing)
+Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings,
+                     Precision smoothing)
     : visits_(settings.visits) {
   std::vector<Interpolation> interpolations;
   const CoupledSystem* fine = &finest;
   for (auto& level : plan.levels()) {
     const Problem& problem = fine->problem();
     level.state = problem.coarsened(fine->state());
-    Interpolation P = problem.prolongation().at(level.state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
+    Interpolation P =
+        problem.prolongation().at(level.state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
     level.projected->project(problem, P);
     // only the geometry of rigid bodies asks for the residual
     const bool bodies = !problem.dofs().bodies().empty();
     level.coarser->linearize(level.state, bodies ? problem.coarser()->residual(level.state) : Residual{});
     interpolations.push_back(std::move(P));
     fine = level.coarser.get();
-    coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() + fine->problem().mesh().bytes();
+    coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() +
+                     fine->problem().mesh().bytes();
   }
   base_ = std::make_unique<ExactBlock>(*fine, plan.base());
   fine = &finest;
   for (std::size_t i = 0; i < interpolations.size(); ++i) {
     auto& level = plan.levels()[i];
     if (!plan.base()->kept()) level.largest_eigenvalue = 0;
-    levels_.push_back(std::make_unique<Level>(*fine, level, std::move(interpolations[i]), settings, smoothing));
+    levels_.push_back(
+        std::make_unique<Level>(*fine, level, std::move(interpolations[i]), settings, smoothing));
     level.largest_eigenvalue = levels_.back()->smoother->largest_eigenvalue();
     fine = level.coarser.get();
   }
 }
 
-Multigrid::Level::Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation given, const MultigridSettings& settings, Precision smoothing)
+Multigrid::Level::Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation given,
+                        const MultigridSettings& settings, Precision smoothing)
     : fine(fine),
       coarse(*plan.coarser),
       P(std::move(given)),
@@ -59,7 +69,8 @@ void Multigrid::Level::restrict_residual() {
   fine.problem().dofs().project(nodal);
   P.apply_transposed(nodal, coarse_nodal);
   coarse.problem().dofs().reduce(coarse.state(), coarse_nodal, coarse_residual);
-  for (int i = 0; i < fine.layout().bodies; ++i) coarse_residual[coarse.layout().nodal + i] += correction[fine.layout().nodal + i];
+  for (int i = 0; i < fine.layout().bodies; ++i)
+    coarse_residual[coarse.layout().nodal + i] += correction[fine.layout().nodal + i];
 }
 
 void Multigrid::Level::prolong() {
@@ -67,7 +78,8 @@ void Multigrid::Level::prolong() {
   const auto nodal = std::span(correction).first(fine.layout().nodal);
   P.apply(coarse_nodal, nodal);
   fine.problem().dofs().project(nodal);
-  for (int i = 0; i < fine.layout().bodies; ++i) correction[fine.layout().nodal + i] = coarse_correction[coarse.layout().nodal + i];
+  for (int i = 0; i < fine.layout().bodies; ++i)
+    correction[fine.layout().nodal + i] = coarse_correction[coarse.layout().nodal + i];
 }
 
 // The cycle from a level on, as a preconditioner of its block.
@@ -75,7 +87,9 @@ class Multigrid::From final : public Preconditioner {
  public:
   From(const Multigrid& multigrid, std::size_t level) : multigrid_(multigrid), level_(level) {}
   int size() const override { return multigrid_.levels_[level_]->block.size(); }
-  void apply(std::span<const double> b, std::span<double> x) const override { multigrid_.cycle(level_, b, x); }
+  void apply(std::span<const double> b, std::span<double> x) const override {
+    multigrid_.cycle(level_, b, x);
+  }
   bool fixed() const override { return true; }
 
  private:
@@ -91,7 +105,8 @@ void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<d
   cycle(number + 1, level.coarse_residual, level.coarse_correction);
   if (number + 1 < levels_.size() && visits_ > 1) {
     std::vector<double> residual(level.coarse_residual.size()), correction(residual.size());
-    correct(levels_[number + 1]->block, From(*this, number + 1), level.coarse_residual, level.coarse_correction, residual, correction);
+    correct(levels_[number + 1]->block, From(*this, number + 1), level.coarse_residual,
+            level.coarse_correction, residual, correction);
   }
   level.prolong();
   level.smoother->after(level.correction, x);
@@ -100,8 +115,9 @@ void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<d
 std::size_t Multigrid::bytes() const {
   std::size_t total = base_->bytes() + coarse_bytes_;
   for (const auto& l : levels_)
-    total += l->jacobi.bytes() + l->smoother->bytes() + bytes_of(l->correction) + bytes_of(l->coarse_residual) +
-             bytes_of(l->coarse_correction) + bytes_of(l->coarse_nodal) + l->P.bytes() + l->fine.problem().prolongation().bytes();
+    total += l->jacobi.bytes() + l->smoother->bytes() + bytes_of(l->correction) +
+             bytes_of(l->coarse_residual) + bytes_of(l->coarse_correction) + bytes_of(l->coarse_nodal) +
+             l->P.bytes() + l->fine.problem().prolongation().bytes();
   return total;
 }
 

@@ -6,14 +6,15 @@
 #include "core/solve/mumps.hpp"
 #include "core/solve/settings.hpp"
 #include "precond/operators/displacement.hpp"
-#include "precond/smoothers/line_jacobi.hpp"
 #include "precond/operators/projected_term.hpp"
+#include "precond/smoothers/line_jacobi.hpp"
 #include "precond/smoothers/smoother.hpp"
 
 namespace bulbus {
 
-/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every refined level, the base matrix's
-/// analysis, and as long as its factors are kept the smoothers' largest eigenvalues: what changes these changes the matrix, too.
+/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every
+/// refined level, the base matrix's analysis, and as long as its factors are kept the smoothers' largest
+/// eigenvalues: what changes these changes the matrix, too.
 class MultigridPlan {
  public:
   /// Adds a ProjectedTerm to every coarser problem. Collective.
@@ -23,8 +24,8 @@ class MultigridPlan {
     Lines lines;
     std::shared_ptr<ProjectedTerm> projected;  ///< of this level's added terms, on the next coarser one
     std::unique_ptr<CoupledSystem> coarser;
-    State state;                               ///< of `coarser`
-    double largest_eigenvalue = 0;             ///< of the smoother
+    State state;                    ///< of `coarser`
+    double largest_eigenvalue = 0;  ///< of the smoother
   };
   const Problem& problem() const { return problem_; }
   std::vector<Level>& levels() { return levels_; }
@@ -37,13 +38,14 @@ class MultigridPlan {
   std::shared_ptr<Mumps> base_;
 };
 
-/// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1) or W(1,1), every refined level applied on the fly and
-/// rediscretised in the injected state, smoothed by Chebyshev with line Jacobi; the base mesh is solved directly. A fixed linear
-/// map, symmetric.
+/// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1) or W(1,1), every refined level
+/// applied on the fly and rediscretised in the injected state, smoothed by Chebyshev with line Jacobi; the
+/// base mesh is solved directly. A fixed linear map, symmetric.
 class Multigrid final : public Preconditioner {
  public:
   /// Takes the tangents of all levels. Collective.
-  Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings, Precision smoothing = Precision::single);
+  Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings,
+            Precision smoothing = Precision::single);
   int size() const override { return levels_.front()->block.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
   bool fixed() const override { return true; }
@@ -55,7 +57,8 @@ class Multigrid final : public Preconditioner {
 
  private:
   struct Level {
-    Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation P, const MultigridSettings& settings, Precision smoothing);
+    Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation P,
+          const MultigridSettings& settings, Precision smoothing);
     void restrict_residual();
     void prolong();
 

@@ -7,7 +7,9 @@
 namespace bulbus {
 
 RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision)
-    : groups(aggregate(system, nodes)), matrix(system.problem().symmetric()), factor(system.problem().comm(), {.precision = precision}) {}
+    : groups(aggregate(system, nodes)),
+      matrix(system.problem().symmetric()),
+      factor(system.problem().comm(), {.precision = precision}) {}
 
 RigidCoarse::RigidCoarse(const CoupledSystem& system, RigidPlan& plan)
     : system_(system), plan_(plan), modes_(rigid_modes(system, plan.groups)) {
@@ -21,7 +23,8 @@ void RigidCoarse::factorise() {
     for (const auto& e : system_.body_extra())
       if (!system_.problem().symmetric() || e.row <= e.column) plan_.matrix.add(e.row, e.column, e.value);
   for (int k : modes_.missing) plan_.matrix.add(k, k, system_.held_scale());
-  const FactorReport f = plan_.factor.factorise(plan_.matrix.triplets(), coarse_size(), system_.problem().symmetric());
+  const FactorReport f =
+      plan_.factor.factorise(plan_.matrix.triplets(), coarse_size(), system_.problem().symmetric());
   if (!f.ok) fault_ = "rigid motions of aggregates: " + f.reason;
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
@@ -50,7 +53,8 @@ void RigidCoarse::apply(std::span<const double> b, std::span<double> x) const {
 }
 
 std::size_t RigidCoarse::bytes() const {
-  return bytes_of(modes_.of) + bytes_of(plan_.groups.of) + plan_.matrix.bytes() + factor_bytes_ + bytes_of(coarse_);
+  return bytes_of(modes_.of) + bytes_of(plan_.groups.of) + plan_.matrix.bytes() + factor_bytes_ +
+         bytes_of(coarse_);
 }
 
 }  // namespace bulbus

@@ -6,8 +6,8 @@
 
 namespace bulbus {
 
-/// What the correction with rigid motions keeps from one linearisation to the next: the aggregates, the pattern of the coarse matrix
-/// and its analysis.
+/// What the correction with rigid motions keeps from one linearisation to the next: the aggregates, the
+/// pattern of the coarse matrix and its analysis.
 struct RigidPlan {
   /// Aggregates of about `nodes` nodes, factors of this precision. Collective.
   RigidPlan(const CoupledSystem& system, int nodes, Precision precision);
@@ -16,14 +16,17 @@ struct RigidPlan {
   Mumps factor;
 };
 
-/// Galerkin correction on the rigid motions of aggregates in the current configuration: the bending and tilting that smoothers and
-/// scalar AMG cannot see. x = Z (Zᵀ A Z)⁻¹ Zᵀ b; the coarse matrix may be indefinite. Rigid bodies are coarse unknowns as they are.
-/// One per plan at a time. Usage: add() everything of for_each_condensed_matrix, then factorise().
+/// Galerkin correction on the rigid motions of aggregates in the current configuration: the bending and
+/// tilting that smoothers and scalar AMG cannot see. x = Z (Zᵀ A Z)⁻¹ Zᵀ b; the coarse matrix may be
+/// indefinite. Rigid bodies are coarse unknowns as they are. One per plan at a time. Usage: add() everything
+/// of for_each_condensed_matrix, then factorise().
 class RigidCoarse final : public Preconditioner {
  public:
   /// Collective.
   RigidCoarse(const CoupledSystem& system, RigidPlan& plan);
-  void add(std::span<const int> dofs, std::span<const double> K) { plan_.matrix.add(plan_.groups, modes_.of, dofs, K); }
+  void add(std::span<const int> dofs, std::span<const double> K) {
+    plan_.matrix.add(plan_.groups, modes_.of, dofs, K);
+  }
   /// Collective.
   void factorise();
   int size() const override { return system_.layout().primal(); }

@@ -30,7 +30,8 @@ std::vector<Place> places_of(const CoupledSystem& system, const Aggregates& grou
     for (int c = 0; c < 3; ++c) places[a].center[c] = sums[4 * a + c] / sums[4 * a + 3];
   for (int n = 0; n < mesh.owned; ++n)
     if (const int a = groups.of[n]; a >= 0)
-      for (int c = 0; c < 3; ++c) radius[a] = std::max(radius[a], std::abs(x[3 * n + c] - places[a].center[c]));
+      for (int c = 0; c < 3; ++c)
+        radius[a] = std::max(radius[a], std::abs(x[3 * n + c] - places[a].center[c]));
   mesh.comm.max(radius);
   for (int a = 0; a < groups.total; ++a) places[a].inverse_radius = 1 / std::max(radius[a], 1e-300);
   return places;
@@ -47,11 +48,13 @@ Plain plain_modes(const CoupledSystem& system, int node, const Place& place) {
   if (!dofs.held(node)) return m;
   const Mat3<double> P = dofs.projector(node);
   const Plain full = m;
-  for (int i = 0; i < 3; ++i) m.row(i) = P(i, 0) * full.row(0) + P(i, 1) * full.row(1) + P(i, 2) * full.row(2);
+  for (int i = 0; i < 3; ++i)
+    m.row(i) = P(i, 0) * full.row(0) + P(i, 1) * full.row(1) + P(i, 2) * full.row(2);
   return m;
 }
 
-std::vector<Square> grams(const CoupledSystem& system, const Aggregates& groups, const std::vector<Place>& places) {
+std::vector<Square> grams(const CoupledSystem& system, const Aggregates& groups,
+                          const std::vector<Place>& places) {
   std::vector<Square> gram(groups.total, Square::Zero());
   for (int n = 0; n < system.problem().mesh().owned; ++n)
     if (const int a = groups.of[n]; a >= 0) {
@@ -62,8 +65,8 @@ std::vector<Square> grams(const CoupledSystem& system, const Aggregates& groups,
   return gram;
 }
 
-// Columns: combinations of the six modes that are orthonormal over the group, each of it and those before it, so that they follow the nodes
-// without a jump; zero where they are not independent.
+// Columns: combinations of the six modes that are orthonormal over the group, each of it and those before it,
+// so that they follow the nodes without a jump; zero where they are not independent.
 Square basis(const Square& gram) {
   const double least = 1e-6 * gram.diagonal().maxCoeff();
   Square b = Square::Zero();

@@ -6,8 +6,8 @@
 namespace bulbus {
 
 /// x += M (b − A x). `residual` and `correction` are room of A's size. Collective.
-inline void correct(const LinearOperator& A, const Preconditioner& M, std::span<const double> b, std::span<double> x,
-                    std::span<double> residual, std::span<double> correction) {
+inline void correct(const LinearOperator& A, const Preconditioner& M, std::span<const double> b,
+                    std::span<double> x, std::span<double> residual, std::span<double> correction) {
   A.apply(x, residual);
   for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = b[i] - residual[i];
   M.apply(residual, correction);

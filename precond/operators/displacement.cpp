@@ -5,14 +5,14 @@
 
 #include "core/base/error.hpp"
 #include "core/solve/reduced.hpp"
-#include "precond/coarse/aggregation.hpp"
 #include "precond/amg/assembled.hpp"
-#include "precond/smoothers/block_jacobi.hpp"
 #include "precond/amg/hybrid.hpp"
-#include "precond/coarse/multigrid.hpp"
 #include "precond/amg/scalar_amg.hpp"
 #include "precond/amg/scalar_matrices.hpp"
+#include "precond/coarse/aggregation.hpp"
+#include "precond/coarse/multigrid.hpp"
 #include "precond/operators/single_block.hpp"
+#include "precond/smoothers/block_jacobi.hpp"
 
 namespace bulbus {
 namespace {
@@ -20,7 +20,8 @@ namespace {
 // The three scalar AMGs alone, with the blocks that they need for bodies.
 class ScalarAmgAlone final : public Preconditioner {
  public:
-  explicit ScalarAmgAlone(const CoupledSystem& system) : jacobi_(system), amg_(system, scalar_matrices(system), jacobi_) {}
+  explicit ScalarAmgAlone(const CoupledSystem& system)
+      : jacobi_(system), amg_(system, scalar_matrices(system), jacobi_) {}
   int size() const override { return amg_.size(); }
   void apply(std::span<const double> x, std::span<double> y) const override { amg_.apply(x, y); }
   bool fixed() const override { return true; }
@@ -38,18 +39,21 @@ DisplacementInverse with_lines(std::unique_ptr<P> inverse, const Mumps& factors)
   return {std::move(inverse), lines, factors.kept()};
 }
 
-// Floats hold a displacement to 6e-8: a contact much stiffer than the hexahedra around it would make noise of what they feel.
+// Floats hold a displacement to 6e-8: a contact much stiffer than the hexahedra around it would make noise of
+// what they feel.
 Precision fitting_precision(const CoupledSystem& system, const LinearSettings& settings) {
   constexpr double most = 1 - 1e-4;  // of a node's stiffness
   const Problem& problem = system.problem();
   auto& stiffness = system.room().force;
   stiffness.assign(system.state().x.size(), 0);
   visit_surface(problem, system.state(), [&](std::span<const int> nodes, std::span<const double> K) {
-    for (std::size_t i = 0; i < 3 * nodes.size(); ++i) stiffness[3 * nodes[i / 3] + i % 3] += K[i * (3 * nodes.size() + 1)];
+    for (std::size_t i = 0; i < 3 * nodes.size(); ++i)
+      stiffness[3 * nodes[i / 3] + i % 3] += K[i * (3 * nodes.size() + 1)];
   });
   problem.mesh().halo.accumulate_ghosts(stiffness);
   double part = 0;
-  for (int i = 0; i < system.layout().nodal; ++i) part = std::max(part, stiffness[i] * system.scaling()[i] * system.scaling()[i]);
+  for (int i = 0; i < system.layout().nodal; ++i)
+    part = std::max(part, stiffness[i] * system.scaling()[i] * system.scaling()[i]);
   return problem.comm().max(part) > most ? Precision::full : chosen_precision(settings);
 }
 
@@ -65,7 +69,9 @@ std::string chosen_displacement(const LinearSettings& settings, const Problem& p
   return problem.coarser() ? "multigrid" : "aggregation";
 }
 
-Precision chosen_precision(const LinearSettings& settings) { return settings.smoothing == "double" ? Precision::full : Precision::single; }
+Precision chosen_precision(const LinearSettings& settings) {
+  return settings.smoothing == "double" ? Precision::full : Precision::single;
+}
 
 struct DisplacementFactory::Plans {
   const Problem* problem;
@@ -85,25 +91,32 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system, bool 
   const double tolerated = keep_factors ? settings_.coarse_change : 0;
   if (name == "jacobi") return {std::make_unique<BlockJacobi>(system)};
   if (name == "scalar_amg") return {std::make_unique<ScalarAmgAlone>(system)};
-  if (name == "boomeramg" || name == "boomeramg_nodal") return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};
+  if (name == "boomeramg" || name == "boomeramg_nodal")
+    return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};
   if (name == "exact") return {std::make_unique<ExactBlock>(system)};
   if (name == "multigrid") {
     if (!problem.coarser())
-      throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh", "Give mesh.refine, or take 'aggregation'.");
+      throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh",
+                        "Give mesh.refine, or take 'aggregation'.");
     if (!plans_->multigrid) plans_->multigrid.emplace(problem, settings_);
     Mumps& base = *plans_->multigrid->base();
     base.tolerate(tolerated);
-    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid, smoothing), base);
+    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid, smoothing),
+                      base);
   }
   if (name == "hybrid") {
-    const int nodes = settings_.aggregates > 0 ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates)) : 0;
+    const int nodes = settings_.aggregates > 0
+                          ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates))
+                          : 0;
     if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes, smoothing);
-    return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid ? &*plans_->rigid : nullptr, smoothing)};
+    return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part,
+                                     plans_->rigid ? &*plans_->rigid : nullptr, smoothing)};
   }
   if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes, smoothing);
   Mumps& coarse = plans_->aggregation->rigid.factor;
   coarse.tolerate(tolerated);
-  return with_lines(std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation, smoothing), coarse);
+  return with_lines(
+      std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation, smoothing), coarse);
 }
 
 }  // namespace bulbus

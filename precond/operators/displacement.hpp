@@ -13,7 +13,9 @@ class DisplacementBlock final : public LinearOperator {
  public:
   explicit DisplacementBlock(const CoupledSystem& system) : system_(system) {}
   int size() const override { return system_.layout().primal(); }
-  void apply(std::span<const double> x, std::span<double> y) const override { system_.apply_displacement(x, y); }
+  void apply(std::span<const double> x, std::span<double> y) const override {
+    system_.apply_displacement(x, y);
+  }
 
  private:
   const CoupledSystem& system_;
@@ -22,26 +24,29 @@ class DisplacementBlock final : public LinearOperator {
 /// The block, or in single precision what smoothers take for it.
 std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision);
 
-/// What `auto` stands for: multigrid where the problem has a coarser one, aggregation elsewhere. Other names stand for themselves.
+/// What `auto` stands for: multigrid where the problem has a coarser one, aggregation elsewhere. Other names
+/// stand for themselves.
 std::string chosen_displacement(const LinearSettings& settings, const Problem& problem);
 
 /// Of the smoother and of factors in preconditioners of the displacement block.
 Precision chosen_precision(const LinearSettings& settings);
 
-/// An approximate inverse of the displacement block, on primal vectors, and the lines it smooths with; null where it has none.
+/// An approximate inverse of the displacement block, on primal vectors, and the lines it smooths with; null
+/// where it has none.
 struct DisplacementInverse {
   std::shared_ptr<Preconditioner> inverse;
   const LineJacobi* lines = nullptr;
   bool factors_kept = false;  ///< those of its coarsest matrix are an earlier linearisation's
 };
 
-/// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one problem anew.
+/// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one
+/// problem anew.
 class DisplacementFactory {
  public:
   explicit DisplacementFactory(const LinearSettings& settings);
   ~DisplacementFactory();
-  /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a refined mesh.
-  /// `keep_factors`: where the coarsest matrix has hardly changed.
+  /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a
+  /// refined mesh. `keep_factors`: where the coarsest matrix has hardly changed.
   DisplacementInverse make(const CoupledSystem& system, bool keep_factors = false);
 
  private:

@@ -19,7 +19,8 @@ void ProjectedTerm::project(const Problem& finer, const Interpolation& P) {
               Block& block = blocks_.emplace_back(Block{{rows.nodes[a], columns.nodes[b]}, {}});
               const double weight = rows.weights[a] * columns.weights[b];
               for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 3; ++c) block.values[3 * r + c] = weight * K[(3 * i + r) * 3 * n + 3 * j + c];
+                for (int c = 0; c < 3; ++c)
+                  block.values[3 * r + c] = weight * K[(3 * i + r) * 3 * n + 3 * j + c];
             }
         }
       if (blocks_.size() < limit) return;

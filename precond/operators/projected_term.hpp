@@ -6,8 +6,9 @@
 
 namespace bulbus {
 
-/// The tangent of the terms that floors above added to a problem (contact, sutures), on the next coarser mesh: Pᵀ K P with the
-/// prolongation P. Without forces: it belongs to the linear system of a coarse level only.
+/// The tangent of the terms that floors above added to a problem (contact, sutures), on the next coarser
+/// mesh: Pᵀ K P with the prolongation P. Without forces: it belongs to the linear system of a coarse level
+/// only.
 class ProjectedTerm final : public Term {
  public:
   /// Takes what the finer problem's added terms contribute as they are linearised.

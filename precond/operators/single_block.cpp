@@ -7,7 +7,8 @@
 
 namespace bulbus {
 
-SingleBlock::SingleBlock(const CoupledSystem& system) : system_(system), dofs_(system.problem().dofs()), d_(system), z_(system) {
+SingleBlock::SingleBlock(const CoupledSystem& system)
+    : system_(system), dofs_(system.problem().dofs()), d_(system), z_(system) {
   while (free_ < system.problem().mesh().owned && dofs_.held(free_)) ++free_;
   follow();
 }
@@ -17,7 +18,8 @@ void SingleBlock::follow() {
   visit_surface(system_.problem(), system_.state(), [&](std::span<const int> nodes, std::span<const double>) {
     touched_.insert(touched_.end(), nodes.begin(), nodes.end());
   });
-  for (const RigidBody& b : dofs_.bodies()) touched_.insert(touched_.end(), b.nodes().begin(), b.nodes().end());
+  for (const RigidBody& b : dofs_.bodies())
+    touched_.insert(touched_.end(), b.nodes().begin(), b.nodes().end());
   std::ranges::sort(touched_);
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   touched_.shrink_to_fit();
@@ -43,7 +45,8 @@ void SingleBlock::apply_to(std::span<const double> x) const {
   std::ranges::copy(x.subspan(system_.layout().nodal), d_.bodies.begin());
   // relative to a free node: hexahedra do not feel a translation, and rounding it would drown their strain
   Vec3<double> shift{};
-  if (free_ < system_.problem().mesh().owned) std::copy_n(&dx[3 * static_cast<std::size_t>(free_)], 3, shift.begin());
+  if (free_ < system_.problem().mesh().owned)
+    std::copy_n(&dx[3 * static_cast<std::size_t>(free_)], 3, shift.begin());
   for (std::size_t n = 0; n < d_.nodal.size(); ++n)
     for (int c = 0; c < 3; ++c) d_.nodal[n][c] = static_cast<float>(dx[3 * n + c] - shift[c]);
   act(dx);

@@ -6,27 +6,31 @@
 
 namespace bulbus {
 
-/// A displacement, or forces, in single precision: a NodeSingle per local node, ghosts included, and 6 numbers per rigid body on rank 0.
+/// A displacement, or forces, in single precision: a NodeSingle per local node, ghosts included, and 6
+/// numbers per rigid body on rank 0.
 struct NodalSingle {
   std::vector<NodeSingle> nodal;
   std::vector<double> bodies;
-  explicit NodalSingle(const CoupledSystem& system) : nodal(system.problem().mesh().nodes()), bodies(system.layout().bodies) {}
+  explicit NodalSingle(const CoupledSystem& system)
+      : nodal(system.problem().mesh().nodes()), bodies(system.layout().bodies) {}
   std::size_t bytes() const { return nodal.capacity() * sizeof(NodeSingle); }
 };
 
-/// The augmented displacement block as smoothers apply it: hexahedra by their mean tangents in single precision, what acts on few nodes
-/// (terms, liquids' pressures, rigid bodies) as it is.
+/// The augmented displacement block as smoothers apply it: hexahedra by their mean tangents in single
+/// precision, what acts on few nodes (terms, liquids' pressures, rigid bodies) as it is.
 class SingleBlock final : public LinearOperator {
  public:
   explicit SingleBlock(const CoupledSystem& system);
   int size() const override { return system_.layout().primal(); }
-  /// On primal vectors; held directions are identity rows times held_scale(). A translation of everything costs no accuracy. Collective.
+  /// On primal vectors; held directions are identity rows times held_scale(). A translation of everything
+  /// costs no accuracy. Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
 
   /// Room for a displacement and the forces that answer it; these are zero between uses.
   NodalSingle& d() const { return d_; }
   NodalSingle& z() const { return z_; }
-  /// z += A d on owned nodes and bodies, where d has free directions only: its ghosts and its nodes of bodies are set here. Collective.
+  /// z += A d on owned nodes and bodies, where d has free directions only: its ghosts and its nodes of bodies
+  /// are set here. Collective.
   void apply() const;
   /// z += A x of a primal vector without held directions. d is used. Collective.
   void apply_to(std::span<const double> x) const;

@@ -27,8 +27,11 @@ template <class Use>
 void CheckerboardMatrix::Assembly::visit(int node, Use use) const {
   for (const auto c : corners_.at(node))
     if (const int hex = c.hex(), coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
-      use(coarser, [&] { return Force(Eigen::Vector3f::Map(&constraints_[hex][3 * c.corner()]) * to_.patterns_.row(hex)); });
-  for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node); f != foreign_.end() && f->node == node; ++f)
+      use(coarser, [&] {
+        return Force(Eigen::Vector3f::Map(&constraints_[hex][3 * c.corner()]) * to_.patterns_.row(hex));
+      });
+  for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node);
+       f != foreign_.end() && f->node == node; ++f)
     use(f->coarse, [&]() -> const Force& { return f->force; });
 }
 
@@ -73,7 +76,8 @@ void CheckerboardMatrix::Assembly::add(int line, const LineJacobi& lines) {
   F_.setZero(3 * nodes.size(), count_ * columns_.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     visit(nodes[i], [&](int coarse, const auto& force) {
-      F_.block(3 * i, count_ * (std::ranges::lower_bound(columns_, coarse) - columns_.begin()), 3, count_) += force();
+      F_.block(3 * i, count_ * (std::ranges::lower_bound(columns_, coarse) - columns_.begin()), 3, count_) +=
+          force();
     });
     if (problem_.dofs().held(nodes[i])) hold(nodes[i], 3 * i);
   }
@@ -82,7 +86,8 @@ void CheckerboardMatrix::Assembly::add(int line, const LineJacobi& lines) {
     std::size_t at = start_[columns_[a]];
     for (std::size_t b = a; b < columns_.size(); ++b) {
       while (to_.pairs_[at].column != columns_[b]) ++at;
-      LineJacobi::Rows::Map(&to_.blocks_[count_ * count_ * at], count_, count_) += energy.block(count_ * a, count_ * b, count_, count_);
+      LineJacobi::Rows::Map(&to_.blocks_[count_ * count_ * at], count_, count_) +=
+          energy.block(count_ * a, count_ * b, count_, count_);
     }
   }
 }
@@ -100,8 +105,10 @@ std::vector<CheckerboardMatrix::Assembly::NodeForce> CheckerboardMatrix::Assembl
   std::vector<NodeForce> all;
   visit(node, [&](int coarse, const auto& force) {
     const auto at = std::ranges::find(all, coarse, &NodeForce::coarse);
-    if (at == all.end()) all.push_back({node, coarse, force()});
-    else at->force += force();
+    if (at == all.end())
+      all.push_back({node, coarse, force()});
+    else
+      at->force += force();
   });
   return all;
 }
@@ -125,13 +132,15 @@ void CheckerboardMatrix::Assembly::exchange() {
     neighbours.push_back({n.rank, std::move(sent), {}});
   }
   const auto in = mesh.comm.exchange(out);
-  for (std::size_t k = 0; k < neighbours.size(); ++k) receive(in[neighbours[k].rank], mesh.halo.neighbours()[k].send, neighbours[k].receive);
+  for (std::size_t k = 0; k < neighbours.size(); ++k)
+    receive(in[neighbours[k].rank], mesh.halo.neighbours()[k].send, neighbours[k].receive);
   std::ranges::stable_sort(foreign_, {}, &NodeForce::node);
   to_.halo_ = std::make_unique<Halo>(mesh.comm, std::move(neighbours));
 }
 
 // Both sides have coarser hexahedra in the order of their labels.
-void CheckerboardMatrix::Assembly::receive(std::span<const long long> data, std::span<const int> nodes, std::vector<int>& ghosts) {
+void CheckerboardMatrix::Assembly::receive(std::span<const long long> data, std::span<const int> nodes,
+                                           std::vector<int>& ghosts) {
   const std::size_t size = 2 + 3 * count_;
   std::vector<long long> labels;
   for (std::size_t i = 0; i < data.size(); i += size) labels.push_back(data[i + 1]);
@@ -142,8 +151,11 @@ void CheckerboardMatrix::Assembly::receive(std::span<const long long> data, std:
   ghosts.resize(labels.size());
   std::iota(ghosts.begin(), ghosts.end(), first);
   for (; !data.empty(); data = data.subspan(size)) {
-    NodeForce f{nodes[data[0]], first + static_cast<int>(std::ranges::lower_bound(labels, data[1]) - labels.begin()), Force(3, count_)};
-    for (int i = 0; i < f.force.size(); ++i) f.force.reshaped()[i] = std::bit_cast<float>(static_cast<int>(data[2 + i]));
+    NodeForce f{nodes[data[0]],
+                first + static_cast<int>(std::ranges::lower_bound(labels, data[1]) - labels.begin()),
+                Force(3, count_)};
+    for (int i = 0; i < f.force.size(); ++i)
+      f.force.reshaped()[i] = std::bit_cast<float>(static_cast<int>(data[2 + i]));
     foreign_.push_back(f);
   }
 }

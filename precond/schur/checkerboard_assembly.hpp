@@ -7,7 +7,8 @@ namespace bulbus {
 /// Adds up Σ Fᵀ (L D Lᵀ)⁻¹ F over lines; F: the rows of B P of a line's nodes.
 class CheckerboardMatrix::Assembly {
  public:
-  /// Tells the owners of nodes what hexahedra of this rank do to them; coarser hexahedra of other ranks become ghosts. Collective.
+  /// Tells the owners of nodes what hexahedra of this rank do to them; coarser hexahedra of other ranks
+  /// become ghosts. Collective.
   Assembly(const Problem& problem, CheckerboardMatrix& to);
   /// All lines. A first pass finds what they couple, so that no block is ever moved.
   void add_lines(const LineJacobi& lines);
@@ -36,10 +37,11 @@ class CheckerboardMatrix::Assembly {
   int count_, coarser_;  // patterns, coarser hexahedra
   Corners corners_;
   std::vector<std::array<float, 24>> constraints_;  // of every hexahedron: ∂V_e/∂u at its corners
-  std::vector<NodeForce> foreign_;    // of other ranks' hexahedra, by nodes
-  std::vector<int> columns_;          // coarser hexahedra that act on a line, ascending
-  std::vector<std::vector<int>> row_;  // every coarser hexahedron's columns, ascending, until pairs are made of them
-  std::vector<std::size_t> start_;     // its first pair
+  std::vector<NodeForce> foreign_;                  // of other ranks' hexahedra, by nodes
+  std::vector<int> columns_;                        // coarser hexahedra that act on a line, ascending
+  std::vector<std::vector<int>>
+      row_;  // every coarser hexahedron's columns, ascending, until pairs are made of them
+  std::vector<std::size_t> start_;  // its first pair
   LineJacobi::Rows F_;
 };
 

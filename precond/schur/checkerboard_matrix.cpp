@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "core/base/memory.hpp"
-#include "precond/smoothers/block_jacobi.hpp"
 #include "precond/schur/checkerboard_assembly.hpp"
+#include "precond/smoothers/block_jacobi.hpp"
 
 namespace bulbus {
 namespace {
@@ -21,7 +21,9 @@ Vector load_vector(const float* from) {
 
 }  // namespace
 
-CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns, const LineJacobi& lines) : patterns_(patterns) {
+CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns,
+                                       const LineJacobi& lines)
+    : patterns_(patterns) {
   Assembly assembly(problem, *this);
   assembly.add_lines(lines);
   in_.resize(assembly.coarser());
@@ -29,8 +31,8 @@ CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, const Checkerboar
   exchanged_.resize(patterns.count() * assembly.coarser());
 }
 
-// A block is one vector, b00 b01 b02 b03 b10 ...; it meets the four numbers of x side by side four times, and what it does to its column stays
-// apart by rows until all are done.
+// A block is one vector, b00 b01 b02 b03 b10 ...; it meets the four numbers of x side by side four times, and
+// what it does to its column stays apart by rows until all are done.
 template <>
 void CheckerboardMatrix::add_products<4>() const {
   for (std::size_t k = 0; k < pairs_.size();) {
@@ -83,8 +85,10 @@ void CheckerboardMatrix::multiply(std::span<double> x) const {
 void CheckerboardMatrix::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::copy(x, exchanged_.begin());
   halo_->update(exchanged_, patterns_.count());
-  if (patterns_.count() == 4) multiply<4>(exchanged_);
-  else multiply<10>(exchanged_);
+  if (patterns_.count() == 4)
+    multiply<4>(exchanged_);
+  else
+    multiply<10>(exchanged_);
   halo_->accumulate_ghosts(exchanged_, patterns_.count());
   std::copy_n(exchanged_.begin(), size(), y.begin());
 }
@@ -93,7 +97,8 @@ std::vector<double> CheckerboardMatrix::diagonal() const {
   const int numbers = patterns_.count() * patterns_.count();
   std::vector<double> sum(numbers * in_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k)
-    if (pairs_[k].row == pairs_[k].column) std::copy_n(&blocks_[numbers * k], numbers, &sum[numbers * pairs_[k].row]);
+    if (pairs_[k].row == pairs_[k].column)
+      std::copy_n(&blocks_[numbers * k], numbers, &sum[numbers * pairs_[k].row]);
   halo_->accumulate_ghosts(sum, numbers);
   sum.resize(numbers * patterns_.coarser());
   return sum;
@@ -103,7 +108,8 @@ void CheckerboardMatrix::drop(double part) {
   const std::size_t numbers = patterns_.count() * patterns_.count();
   const auto own = diagonal();
   std::vector<double> norm(in_.size());
-  for (int c = 0; c < patterns_.coarser(); ++c) norm[c] = Eigen::VectorXd::Map(&own[numbers * c], numbers).norm();
+  for (int c = 0; c < patterns_.coarser(); ++c)
+    norm[c] = Eigen::VectorXd::Map(&own[numbers * c], numbers).norm();
   halo_->update(norm, 1);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -119,15 +125,20 @@ void CheckerboardMatrix::drop(double part) {
   pairs_.shrink_to_fit();
 }
 
-std::size_t CheckerboardMatrix::bytes() const { return bytes_of(pairs_) + bytes_of(blocks_) + bytes_of(in_) + bytes_of(out_) + bytes_of(exchanged_); }
+std::size_t CheckerboardMatrix::bytes() const {
+  return bytes_of(pairs_) + bytes_of(blocks_) + bytes_of(in_) + bytes_of(out_) + bytes_of(exchanged_);
+}
 
-PatternJacobi::PatternJacobi(const CheckerboardMatrix& matrix) : patterns_(matrix.patterns()), size_(matrix.size()) {
+PatternJacobi::PatternJacobi(const CheckerboardMatrix& matrix)
+    : patterns_(matrix.patterns()), size_(matrix.size()) {
   const int patterns = patterns_;
   const auto diagonal = matrix.diagonal();
   inverse_.resize(diagonal.size());
   for (std::size_t at = 0; at < diagonal.size(); at += patterns * patterns) {
     const Eigen::MatrixXd block = Eigen::MatrixXd::Map(&diagonal[at], patterns, patterns);
-    if (block.diagonal().maxCoeff() > 0) Eigen::MatrixXf::Map(&inverse_[at], patterns, patterns) = safe_inverse<Eigen::Dynamic>(block).cast<float>();
+    if (block.diagonal().maxCoeff() > 0)
+      Eigen::MatrixXf::Map(&inverse_[at], patterns, patterns) =
+          safe_inverse<Eigen::Dynamic>(block).cast<float>();
   }
 }
 

@@ -5,8 +5,8 @@
 #include "core/base/pack.hpp"
 #include "core/mesh/distributed/halo.hpp"
 #include "core/solve/linear_operator.hpp"
-#include "precond/schur/line_pressure_stiffness.hpp"
 #include "precond/schur/checkerboard_modes.hpp"
+#include "precond/schur/line_pressure_stiffness.hpp"
 
 namespace bulbus {
 
@@ -38,9 +38,9 @@ class CheckerboardMatrix final : public LinearOperator {
   void add_products() const;
 
   const CheckerboardModes& patterns_;
-  std::vector<Pair> pairs_;     // ascending
-  std::vector<float> blocks_;   // of the pairs, by rows
-  std::unique_ptr<Halo> halo_;  // of coarser hexahedra, ghosts behind this rank's
+  std::vector<Pair> pairs_;                           // ascending
+  std::vector<float> blocks_;                         // of the pairs, by rows
+  std::unique_ptr<Halo> halo_;                        // of coarser hexahedra, ghosts behind this rank's
   mutable std::vector<SinglePack::Vector> in_, out_;  // a vector for a coarser hexahedron
   mutable std::vector<double> exchanged_;
 };
@@ -63,7 +63,8 @@ class PatternJacobi final : public Preconditioner {
 /// Pᵀ K P as the product of its factors.
 class CheckerboardProduct final : public LinearOperator {
  public:
-  CheckerboardProduct(const CheckerboardModes& patterns, const LinePressureStiffness& K) : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
+  CheckerboardProduct(const CheckerboardModes& patterns, const LinePressureStiffness& K)
+      : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
   int size() const override { return patterns_.size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;

@@ -13,7 +13,8 @@ float side(int child, int d) {
   return upper[d] >> child & 1 ? -1 : 1;
 }
 
-// f(k) of four: 1, the signs of parents, those of parents and children; the signs of children make xyz, the same in all directions.
+// f(k) of four: 1, the signs of parents, those of parents and children; the signs of children make xyz, the
+// same in all directions.
 CheckerboardModes::Row row(int part, int refinements) {
   const int child = part & 7, parent = part >> 3;
   CheckerboardModes::Row r(refinements > 1 ? 10 : 4);
@@ -44,7 +45,9 @@ CheckerboardModes::CheckerboardModes(const Problem& problem, int refinements) {
   of_.reserve(hexes);
   part_.reserve(hexes);
   for (int h = 0; h < hexes; ++h) {
-    of_.push_back(rigid[h] ? -1 : static_cast<int>(std::ranges::lower_bound(label_, mesh.input_hex[h] >> shift) - label_.begin()));
+    of_.push_back(rigid[h] ? -1
+                           : static_cast<int>(std::ranges::lower_bound(label_, mesh.input_hex[h] >> shift) -
+                                              label_.begin()));
     part_.push_back(mesh.input_hex[h] & ((1 << shift) - 1));
   }
 }

@@ -7,9 +7,10 @@
 
 namespace bulbus {
 
-/// Checkerboard modes of the hexahedra that one of a coarser mesh was split into, in its own directions x, y, z: (−1)^(i+j) f(k), and the same
-/// of yz and zx. Whatever f is, Q1/P0 hardly feels them. There are 3m − 2 of m³ hexahedra: xy, yz, zx and xyz of a mesh refined once, ten
-/// of one refined twice. A vector on patterns has them one coarser hexahedron after the other; P takes it to element pressures.
+/// Checkerboard modes of the hexahedra that one of a coarser mesh was split into, in its own directions x, y,
+/// z: (−1)^(i+j) f(k), and the same of yz and zx. Whatever f is, Q1/P0 hardly feels them. There are 3m − 2 of
+/// m³ hexahedra: xy, yz, zx and xyz of a mesh refined once, ten of one refined twice. A vector on patterns
+/// has them one coarser hexahedron after the other; P takes it to element pressures.
 class CheckerboardModes {
  public:
   static constexpr int most = 10;

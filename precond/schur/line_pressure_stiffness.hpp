@@ -6,8 +6,9 @@
 
 namespace bulbus {
 
-/// K = Bᵀ L⁻¹ B on element pressures, one number per hexahedron of this rank; L: the displacement block's parts on lines, with rigid
-/// bodies at rest. In single precision, in which a motion of a whole hexahedron still does not change its volume.
+/// K = Bᵀ L⁻¹ B on element pressures, one number per hexahedron of this rank; L: the displacement block's
+/// parts on lines, with rigid bodies at rest. In single precision, in which a motion of a whole hexahedron
+/// still does not change its volume.
 class LinePressureStiffness final : public LinearOperator {
  public:
   LinePressureStiffness(const CoupledSystem& system, const LineJacobi& lines);

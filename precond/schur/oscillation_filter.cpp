@@ -7,14 +7,17 @@
 namespace bulbus {
 namespace {
 
-// u·A u over u·L u: in a film neighbours move along, and add what they have in common with a line to the 4/9 of it that is the line's own; in
-// a bulk they help to carry and leave less than 1.
+// u·A u over u·L u: in a film neighbours move along, and add what they have in common with a line to the 4/9
+// of it that is the line's own; in a bulk they help to carry and leave less than 1.
 constexpr double film = 1.5;
 
 }  // namespace
 
 OscillationFilter::OscillationFilter(const Problem& problem, std::vector<char> let_through)
-    : mesh_(problem.mesh()), regions_(problem.solid().regions()), let_through_(std::move(let_through)), nodal_(2 * mesh_.nodes()) {
+    : mesh_(problem.mesh()),
+      regions_(problem.solid().regions()),
+      let_through_(std::move(let_through)),
+      nodal_(2 * mesh_.nodes()) {
   let_through_.resize(mesh_.hexes.size());
 }
 

@@ -7,20 +7,27 @@
 
 namespace bulbus {
 
-PressureSchur::PressureSchur(const CoupledSystem& system, const LineJacobi* lines, const PressureSettings& settings, Weak& weak)
-    : system_(system), lines_(lines), settings_(settings), diagonal_(system.inverse_pressure_schur()), weak_(weak) {}
+PressureSchur::PressureSchur(const CoupledSystem& system, const LineJacobi* lines,
+                             const PressureSettings& settings, Weak& weak)
+    : system_(system),
+      lines_(lines),
+      settings_(settings),
+      diagonal_(system.inverse_pressure_schur()),
+      weak_(weak) {}
 
 void PressureSchur::enable_deferred_component() {
   if (!has_deferred_component()) return;
   strong_ = true;
   if (!weak_.parts.empty()) return;
   const int refinements = system_.problem().mesh().refinements;
-  if (refinements > 0) weak_.softened = std::make_unique<const LineJacobi>(system_, lines_->lines(), Matrices::softened);
+  if (refinements > 0)
+    weak_.softened = std::make_unique<const LineJacobi>(system_, lines_->lines(), Matrices::softened);
   const LineJacobi& lines = weak_.softened ? *weak_.softened : *lines_;
   if (refinements != 1) weak_.K = std::make_unique<const LinePressureStiffness>(system_, lines);
   if (refinements == 0) weak_.parts.push_back(rough_part(system_, lines, *weak_.K, settings_.degree));
   if (refinements > 1) weak_.parts.push_back(fine_patterns_part(system_, *weak_.K, settings_.degree));
-  if (refinements > 0) weak_.parts.push_back(coarse_patterns_part(system_, lines, refinements > 1 ? 0 : settings_.degree));
+  if (refinements > 0)
+    weak_.parts.push_back(coarse_patterns_part(system_, lines, refinements > 1 ? 0 : settings_.degree));
   if (!weak_.K) weak_.softened.reset();
 }
 

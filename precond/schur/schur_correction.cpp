@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "core/base/memory.hpp"
-#include "precond/smoothers/chebyshev.hpp"
 #include "precond/schur/checkerboard_matrix.hpp"
 #include "precond/schur/oscillation_filter.hpp"
+#include "precond/smoothers/chebyshev.hpp"
 
 namespace bulbus {
 namespace {
@@ -19,7 +19,8 @@ std::vector<double> inverse_diagonal(const CoupledSystem& system) {
   return values;
 }
 
-// Of the four patterns of eight hexahedra: an eighth of the mean of theirs, for columns of P are as long as √8.
+// Of the four patterns of eight hexahedra: an eighth of the mean of theirs, for columns of P are as long as
+// √8.
 std::vector<double> inverse_diagonal(const CoupledSystem& system, const CheckerboardModes& patterns) {
   const auto of_hexes = inverse_diagonal(system);
   std::vector<double> values(patterns.size());
@@ -33,7 +34,9 @@ class Diagonal final : public Preconditioner {
  public:
   explicit Diagonal(std::vector<double> values) : values_(std::move(values)) {}
   int size() const override { return static_cast<int>(values_.size()); }
-  void apply(std::span<const double> r, std::span<double> z) const override { std::ranges::transform(values_, r, z.begin(), std::multiplies{}); }
+  void apply(std::span<const double> r, std::span<double> z) const override {
+    std::ranges::transform(values_, r, z.begin(), std::multiplies{});
+  }
   bool fixed() const override { return true; }
   std::size_t bytes() const override { return bytes_of(values_); }
 
@@ -41,15 +44,19 @@ class Diagonal final : public Preconditioner {
   std::vector<double> values_;
 };
 
-// As many hexahedra as a mesh has in one direction, more or less, times `part`: halving them doubles it. Fewer than 16 gain little. `part` is
-// where the eye's fourth Newton system stopped to gain: 59 k hexahedra 41, 32 iterations with 1, 1.6; refined once 20, 15, 17 with 1, 2, 3;
-// 163 k refined twice 27, 24, 24 with 2, 3, 4; of 470 k a whole increment by default takes 35 iterations with 3, 36 with 2, and less time.
-int degree_for(double hexes, double part) { return std::max(16, static_cast<int>(std::lround(part * std::cbrt(hexes)))); }
+// As many hexahedra as a mesh has in one direction, more or less, times `part`: halving them doubles it.
+// Fewer than 16 gain little. `part` is where the eye's fourth Newton system stopped to gain: 59 k hexahedra
+// 41, 32 iterations with 1, 1.6; refined once 20, 15, 17 with 1, 2, 3; 163 k refined twice 27, 24, 24 with 2,
+// 3, 4; of 470 k a whole increment by default takes 35 iterations with 3, 36 with 2, and less time.
+int degree_for(double hexes, double part) {
+  return std::max(16, static_cast<int>(std::lround(part * std::cbrt(hexes))));
+}
 
 // A polynomial of degree d inverts eigenvalues above so much of the largest one to within a third.
 double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * degree); }
 
-// Of a block of the checkerboard modes' matrix: a third to two fifths of them are less. Iterations are the same with 1e-3 and grow by half with 3e-3.
+// Of a block of the checkerboard modes' matrix: a third to two fifths of them are less. Iterations are the
+// same with 1e-3 and grow by half with 3e-3.
 constexpr double negligible = 3e-4;
 
 class OnAll final : public SchurCorrection {
@@ -67,7 +74,9 @@ class OnAll final : public SchurCorrection {
     rough_.apply(correction_);
     for (std::size_t e = 0; e < z.size(); ++e) z[e] += weight * correction_[e];
   }
-  std::size_t bytes() const override { return rough_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_); }
+  std::size_t bytes() const override {
+    return rough_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
+  }
 
  private:
   OscillationFilter rough_;
@@ -81,7 +90,8 @@ class OnPatterns final : public SchurCorrection {
  public:
   // make_product(P), make_scale(P, product)
   template <class MakeProduct, class MakeScale>
-  OnPatterns(const Problem& problem, int refinements, int degree, MakeProduct make_product, MakeScale make_scale)
+  OnPatterns(const Problem& problem, int refinements, int degree, MakeProduct make_product,
+             MakeScale make_scale)
       : patterns_(problem, refinements),
         K_(make_product(patterns_)),
         scale_(make_scale(patterns_, K_)),
@@ -94,7 +104,8 @@ class OnPatterns final : public SchurCorrection {
     patterns_.add_prolonged(correction_, weight, z);
   }
   std::size_t bytes() const override {
-    return patterns_.bytes() + K_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
+    return patterns_.bytes() + K_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) +
+           bytes_of(correction_);
   }
 
  private:
@@ -107,22 +118,30 @@ class OnPatterns final : public SchurCorrection {
 
 }  // namespace
 
-std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree) {
-  return std::make_unique<OnAll>(system, lines, K, degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
+std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
+                                            const LinePressureStiffness& K, int degree) {
+  return std::make_unique<OnAll>(system, lines, K,
+                                 degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
 }
 
-std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system, const LinePressureStiffness& K, int degree) {
+std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
+                                                    const LinePressureStiffness& K, int degree) {
   return std::make_unique<OnPatterns<CheckerboardProduct, Diagonal>>(
-      system.problem(), 1, degree > 0 ? degree : 16, [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },
-      [&](const CheckerboardModes& P, const CheckerboardProduct&) { return Diagonal(inverse_diagonal(system, P)); });
+      system.problem(), 1, degree > 0 ? degree : 16,
+      [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },
+      [&](const CheckerboardModes& P, const CheckerboardProduct&) {
+        return Diagonal(inverse_diagonal(system, P));
+      });
 }
 
-std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines, int degree) {
+std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines,
+                                                      int degree) {
   const Problem& problem = system.problem();
   const int refinements = std::min(2, problem.mesh().refinements);
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
   return std::make_unique<OnPatterns<CheckerboardMatrix, PatternJacobi>>(
-      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2), [&](const CheckerboardModes& P) {
+      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2),
+      [&](const CheckerboardModes& P) {
         CheckerboardMatrix matrix(problem, P, lines);
         matrix.drop(negligible);
         return matrix;

@@ -7,12 +7,14 @@
 
 namespace bulbus {
 
-/// Inverse of a symmetric block (N may be Eigen::Dynamic), or of its diagonal's magnitude where it is not positive definite.
+/// Inverse of a symmetric block (N may be Eigen::Dynamic), or of its diagonal's magnitude where it is not
+/// positive definite.
 template <int N>
 Eigen::Matrix<double, N, N> safe_inverse(const Eigen::Matrix<double, N, N>& given) {
   const Eigen::Matrix<double, N, N> block = 0.5 * (given + given.transpose());
   const Eigen::LLT<Eigen::Matrix<double, N, N>> factor(block);
-  if (factor.info() == Eigen::Success) return factor.solve(Eigen::Matrix<double, N, N>::Identity(block.rows(), block.rows()));
+  if (factor.info() == Eigen::Success)
+    return factor.solve(Eigen::Matrix<double, N, N>::Identity(block.rows(), block.rows()));
   const double mean = block.diagonal().cwiseAbs().mean();
   return block.diagonal().cwiseAbs().cwiseMax(1e-3 * mean + 1e-300).cwiseInverse().asDiagonal();
 }
@@ -29,8 +31,8 @@ class BodyBlocks {
   std::vector<double> inverse_;  // 36 per body
 };
 
-/// Inverses of the 3×3 blocks of the nodes and of the 6×6 blocks of rigid bodies. A block that is not positive definite is
-/// replaced by its diagonal's magnitude, so that the result is symmetric positive.
+/// Inverses of the 3×3 blocks of the nodes and of the 6×6 blocks of rigid bodies. A block that is not
+/// positive definite is replaced by its diagonal's magnitude, so that the result is symmetric positive.
 class BlockJacobi final : public Preconditioner {
  public:
   /// Collective.

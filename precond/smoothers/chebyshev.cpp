@@ -15,8 +15,8 @@ constexpr double growth = 1.3;  // of the largest eigenvalue, before smoothing s
 
 }  // namespace
 
-// The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½). They stand for an indefinite D
-// too: T is then symmetric up to signs, and its eigenvalues may be complex.
+// The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½). They stand
+// for an indefinite D too: T is then symmetric up to signs, and its eigenvalues may be complex.
 Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, const Comm& comm) {
   const std::size_t n = A.size();
   std::vector<double> r(n), z(n), p(n), q(n);
@@ -27,7 +27,8 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   p = z;
   double rz = inner_product(r, z, comm), beta = 0, alpha = 1;
   std::vector<double> diagonal, off;
-  const double least = 1e-11 * std::abs(rz);  // below it the rounding of single precision makes eigenvalues of its own
+  const double least =
+      1e-11 * std::abs(rz);  // below it the rounding of single precision makes eigenvalues of its own
   for (int k = 0; k < steps && std::abs(rz) > least; ++k) {
     A.apply(p, q);
     const double before = alpha, pq = inner_product(p, q, comm);
@@ -52,7 +53,8 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   return {e.minCoeff(), e.maxCoeff()};
 }
 
-DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm, double largest)
+DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest,
+                               const Comm& comm, double largest)
     : A_(A), D_(D), part_(lowest), largest_(largest), comm_(comm) {
   if (largest_ == 0) follow();
   own_ = largest_;
@@ -64,8 +66,15 @@ bool DampedSpectrum::follow() {
   return largest_ < growth * own_;
 }
 
-Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm, double largest)
-    : A_(A), D_(D), degree_(degree), spectrum_(A, D, smoothed_part, comm, largest), r_(A.size()), z_(A.size()), d_(A.size()) {}
+Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part,
+                     const Comm& comm, double largest)
+    : A_(A),
+      D_(D),
+      degree_(degree),
+      spectrum_(A, D, smoothed_part, comm, largest),
+      r_(A.size()),
+      z_(A.size()),
+      d_(A.size()) {}
 
 void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
   auto steps = spectrum_.steps();

@@ -6,27 +6,30 @@
 
 namespace bulbus {
 
-/// Extreme real parts of the eigenvalues of D⁻¹A as Lanczos sees them after `steps` steps from a fixed random vector; neither A nor
-/// D needs to be definite. Collective.
+/// Extreme real parts of the eigenvalues of D⁻¹A as Lanczos sees them after `steps` steps from a fixed random
+/// vector; neither A nor D needs to be definite. Collective.
 struct Spectrum {
   double smallest, largest;
 };
 Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, const Comm& comm);
 
-/// The part 1.1 [lowest, 1]·λ of the spectrum of D⁻¹A that a Chebyshev polynomial damps; λ: the estimate of λ_max.
+/// The part 1.1 [lowest, 1]·λ of the spectrum of D⁻¹A that a Chebyshev polynomial damps; λ: the estimate of
+/// λ_max.
 class DampedSpectrum {
  public:
   /// Estimates λ_max by a few Lanczos steps, unless it is given. `A` and `D` must outlive this. Collective.
-  DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm, double largest = 0);
-  /// Estimates the largest eigenvalue of the present A; false if it has grown so much that D does not fit any more: of stiffness that is
-  /// new, of a contact, D knows nothing.
+  DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm,
+                 double largest = 0);
+  /// Estimates the largest eigenvalue of the present A; false if it has grown so much that D does not fit any
+  /// more: of stiffness that is new, of a contact, D knows nothing.
   bool follow();
   double largest_eigenvalue() const { return largest_; }
 
   /// The polynomial's recurrence: d ← keep d + add D⁻¹ r, x += d, with r = b − A x.
   class Steps {
    public:
-    Steps(double lowest, double largest) : center_(.5 * (largest + lowest)), radius_(.5 * (largest - lowest)) {}
+    Steps(double lowest, double largest)
+        : center_(.5 * (largest + lowest)), radius_(.5 * (largest - lowest)) {}
     struct Step {
       double keep, add;
     };
@@ -48,11 +51,13 @@ class DampedSpectrum {
   Comm comm_;
 };
 
-/// Chebyshev polynomial in D⁻¹A from a zero guess: a fixed symmetric linear map that damps the upper part of the spectrum.
+/// Chebyshev polynomial in D⁻¹A from a zero guess: a fixed symmetric linear map that damps the upper part of
+/// the spectrum.
 class Chebyshev final : public Preconditioner {
  public:
   /// `A` and `D` must outlive this. Collective.
-  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part, const Comm& comm, double largest = 0);
+  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part,
+            const Comm& comm, double largest = 0);
   int size() const override { return A_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool fixed() const override { return true; }

@@ -10,7 +10,8 @@ namespace {
 
 using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// The node after every local node on its line, as a local node; −1 at ends and where this rank does not have it.
+// The node after every local node on its line, as a local node; −1 at ends and where this rank does not have
+// it.
 std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
   std::vector<int> next(mesh.nodes(), -1);
   for (int k = 0; k < lines.count(); ++k)
@@ -22,18 +23,23 @@ std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
   std::unordered_map<long long, int> ghost;
   for (int n = mesh.owned; n < mesh.nodes(); ++n) ghost[mesh.number[n]] = n;
   for (int n = mesh.owned; n < mesh.nodes(); ++n)
-    if (const auto at = ghost.find(static_cast<long long>(number[n])); at != ghost.end()) next[n] = at->second;
+    if (const auto at = ghost.find(static_cast<long long>(number[n])); at != ghost.end())
+      next[n] = at->second;
   return next;
 }
 
 LineBlocks blocks_of(const CoupledSystem& system, const Lines& lines, Matrices matrices) {
   LineBlocks blocks(system, lines);
-  for_each_condensed_matrix(system.problem(), system.state(), matrices, [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
+  for_each_condensed_matrix(
+      system.problem(), system.state(), matrices,
+      [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
   blocks.complete();
   return blocks;
 }
 
-Block block_at(std::span<const double> blocks, int node) { return Eigen::Map<const Block>(&blocks[9 * static_cast<std::size_t>(node)]); }
+Block block_at(std::span<const double> blocks, int node) {
+  return Eigen::Map<const Block>(&blocks[9 * static_cast<std::size_t>(node)]);
+}
 
 std::array<float, 6> packed(const Block& symmetric) {
   std::array<float, 6> p;
@@ -75,7 +81,11 @@ void LineBlocks::complete() {
 }
 
 LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const LineBlocks& blocks)
-    : size_(system.layout().primal()), lines_(lines), inverse_(lines.nodes.size()), lower_(lines.nodes.size() - lines.count()), bodies_(system) {
+    : size_(system.layout().primal()),
+      lines_(lines),
+      inverse_(lines.nodes.size()),
+      lower_(lines.nodes.size() - lines.count()),
+      bodies_(system) {
   for (int k = 0; k < lines.count(); ++k) {
     if (!factorise(k, blocks)) factorise_nodes(k, blocks);
     longest_ = std::max(longest_, nodes(k).size());
@@ -83,7 +93,8 @@ LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const Li
   on_lines_.resize(at_once * longest_);
 }
 
-LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, Matrices matrices) : LineJacobi(system, lines, blocks_of(system, lines, matrices)) {}
+LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, Matrices matrices)
+    : LineJacobi(system, lines, blocks_of(system, lines, matrices)) {}
 
 bool LineJacobi::factorise(int line, const LineBlocks& blocks) {
   Block inverse;
@@ -124,8 +135,8 @@ void LineJacobi::for_each_group(Use use) const {
   }
 }
 
-// L D Lᵀ y = y of lines of one length, the nodes of a line one after the other. Each waits for the one before; several lines do not wait for
-// each other.
+// L D Lᵀ y = y of lines of one length, the nodes of a line one after the other. Each waits for the one
+// before; several lines do not wait for each other.
 template <int Many, class Number>
 void LineJacobi::solve(int first, Number* y, int stride) const {
   const int count = lines_.start[first + 1] - lines_.start[first];
@@ -142,7 +153,8 @@ void LineJacobi::solve(int first, Number* y, int stride) const {
       const auto& l = L[m][i - 1];
       const Number* before = of[m] + stride * (i - 1);
       Number* to = of[m] + stride * i;
-      for (int r = 0; r < 3; ++r) to[r] -= l[3 * r] * before[0] + l[3 * r + 1] * before[1] + l[3 * r + 2] * before[2];
+      for (int r = 0; r < 3; ++r)
+        to[r] -= l[3 * r] * before[0] + l[3 * r + 1] * before[1] + l[3 * r + 2] * before[2];
     }
   for (int i = count - 1; i >= 0; --i)
     for (int m = 0; m < Many; ++m) {
@@ -169,9 +181,11 @@ void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
   std::vector<double> on_lines(3 * at_once * longest_);
   for_each_group([&](int k, int many) {
     const auto group = nodes(k, many);
-    for (std::size_t i = 0; i < group.size(); ++i) std::copy_n(&x[3 * static_cast<std::size_t>(group[i])], 3, &on_lines[3 * i]);
+    for (std::size_t i = 0; i < group.size(); ++i)
+      std::copy_n(&x[3 * static_cast<std::size_t>(group[i])], 3, &on_lines[3 * i]);
     solve(k, many, on_lines.data(), 3);
-    for (std::size_t i = 0; i < group.size(); ++i) std::copy_n(&on_lines[3 * i], 3, &y[3 * static_cast<std::size_t>(group[i])]);
+    for (std::size_t i = 0; i < group.size(); ++i)
+      std::copy_n(&on_lines[3 * i], 3, &y[3 * static_cast<std::size_t>(group[i])]);
   });
   const std::size_t nodal = 3 * lines_.nodes.size();
   bodies_.apply(x.subspan(nodal), y.subspan(nodal));
@@ -186,7 +200,8 @@ void LineJacobi::apply(std::span<NodeSingle> v) const {
   });
 }
 
-void LineJacobi::step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d, std::span<NodeSingle> x) const {
+void LineJacobi::step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z,
+                      std::span<NodeSingle> d, std::span<NodeSingle> x) const {
   constexpr std::size_t ahead = 12;  // nodes, whose numbers are soon to be asked for
   const std::size_t last = lines_.nodes.size() - 1;
   for_each_group([&](int k, int many) {
@@ -212,7 +227,8 @@ Eigen::MatrixXf LineJacobi::energy(int line, Rows& F) const {
   for (int i = first; i <= last; ++i) {
     auto rows = F.middleRows<3>(3 * (i - first));
     if (i > first)
-      rows -= Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(lower_[i - line - 1].data()).lazyProduct(F.middleRows<3>(3 * (i - first - 1)));
+      rows -= Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(lower_[i - line - 1].data())
+                  .lazyProduct(F.middleRows<3>(3 * (i - first - 1)));
     const auto& d = inverse_[i];
     const Eigen::Matrix3f D{{d[0], d[1], d[2]}, {d[1], d[3], d[4]}, {d[2], d[4], d[5]}};
     scaled.middleRows<3>(3 * (i - first)) = D.lazyProduct(rows);
@@ -220,6 +236,9 @@ Eigen::MatrixXf LineJacobi::energy(int line, Rows& F) const {
   return F.transpose() * scaled;
 }
 
-std::size_t LineJacobi::bytes() const { return bytes_of(inverse_) + bytes_of(lower_) + bodies_.bytes() + bytes_of(lines_.nodes) + bytes_of(lines_.start); }
+std::size_t LineJacobi::bytes() const {
+  return bytes_of(inverse_) + bytes_of(lower_) + bodies_.bytes() + bytes_of(lines_.nodes) +
+         bytes_of(lines_.start);
+}
 
 }  // namespace bulbus

@@ -26,15 +26,19 @@ class LineBlocks {
  private:
   const CoupledSystem& system_;
   const LocalMesh& mesh_;
-  std::vector<int> next_;  // local node after every local node on its line; −1 at ends and where this rank does not have it
+  std::vector<int> next_;  // local node after every local node on its line; −1 at ends and where this rank
+                           // does not have it
   std::vector<double> diagonal_, ahead_;
 };
 
 /// The element matrices that a preconditioner in this precision is made of.
-inline Matrices matrices_of(Precision precision) { return precision == Precision::single ? Matrices::mean : Matrices::augmented; }
+inline Matrices matrices_of(Precision precision) {
+  return precision == Precision::single ? Matrices::mean : Matrices::augmented;
+}
 
-/// Inverses of the displacement block's parts on lines of nodes, block tridiagonal with 3×3 blocks, and on rigid bodies. A line
-/// whose part is not positive definite falls back to its nodes' blocks, so that the result is symmetric positive.
+/// Inverses of the displacement block's parts on lines of nodes, block tridiagonal with 3×3 blocks, and on
+/// rigid bodies. A line whose part is not positive definite falls back to its nodes' blocks, so that the
+/// result is symmetric positive.
 class LineJacobi final : public Preconditioner {
  public:
   /// Collective.
@@ -45,15 +49,18 @@ class LineJacobi final : public Preconditioner {
   void apply(std::span<const double> x, std::span<double> y) const override;
   /// The nodes' part, in place, on owned nodes.
   void apply(std::span<NodeSingle> v) const;
-  /// One step of a Chebyshev polynomial on owned nodes, with an application's forces z = A d, which become zero:
+  /// One step of a Chebyshev polynomial on owned nodes, with an application's forces z = A d, which become
+  /// zero:
   ///     r −= z,   d ← keep d + add D⁻¹ r,   x += d
-  void step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d, std::span<NodeSingle> x) const;
+  void step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d,
+            std::span<NodeSingle> x) const;
   const BodyBlocks& bodies() const { return bodies_; }
   const Lines& lines() const { return lines_; }
   int count() const { return lines_.count(); }
   /// Of one line, or of several one after the other.
   std::span<const int> nodes(int line, int many = 1) const {
-    return std::span(lines_.nodes).subspan(lines_.start[line], lines_.start[line + many] - lines_.start[line]);
+    return std::span(lines_.nodes)
+        .subspan(lines_.start[line], lines_.start[line + many] - lines_.start[line]);
   }
   /// Three rows per node of a line.
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -75,7 +82,8 @@ class LineJacobi final : public Preconditioner {
 
   int size_;
   const Lines& lines_;
-  // Per position on a line: D_k⁻¹ (upper triangle) and, unless it is the first, L_k = A_(k,k−1) D_(k−1)⁻¹ by rows.
+  // Per position on a line: D_k⁻¹ (upper triangle) and, unless it is the first, L_k = A_(k,k−1) D_(k−1)⁻¹ by
+  // rows.
   std::vector<std::array<float, 6>> inverse_;
   std::vector<std::array<float, 9>> lower_;
   BodyBlocks bodies_;

@@ -36,8 +36,10 @@ std::vector<Edge> edges_of(const Problem& problem) {
         if (b >= mesh.owned) continue;
         const double strength = mu * V[h] / squared_length(mesh.X, a, b);
         const auto known = std::ranges::find(of[a], b, &Edge::b);
-        if (known == of[a].end()) of[a].push_back({a, b, strength});
-        else known->strength += strength;
+        if (known == of[a].end())
+          of[a].push_back({a, b, strength});
+        else
+          known->strength += strength;
       }
   }
   std::vector<Edge> edges;
@@ -63,10 +65,13 @@ std::vector<double> thirds(const std::vector<Edge>& edges, int owned) {
 }
 
 bool share_hexahedron(const LocalMesh& mesh, const Corners& corners, int a, int b) {
-  return std::ranges::any_of(corners.at(a), [&](const auto& c) { return std::ranges::find(mesh.hexes[c.hex()], b) != mesh.hexes[c.hex()].end(); });
+  return std::ranges::any_of(corners.at(a), [&](const auto& c) {
+    return std::ranges::find(mesh.hexes[c.hex()], b) != mesh.hexes[c.hex()].end();
+  });
 }
 
-// The neighbours of every node in its line, or −1. Lines run straight, so that only neighbours on them are coupled.
+// The neighbours of every node in its line, or −1. Lines run straight, so that only neighbours on them are
+// coupled.
 std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& mesh) {
   constexpr double strong = 2;
   const int owned = mesh.owned;
@@ -77,9 +82,13 @@ std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& m
   std::ranges::stable_sort(edges, [](const Edge& p, const Edge& q) { return p.strength > q.strength; });
   std::vector<std::array<int, 2>> next(owned, {-1, -1});
   DisjointSets joined(owned);
-  const auto turns = [&](int end, int beyond) { return next[end][0] >= 0 && share_hexahedron(mesh, corners, next[end][0], beyond); };
+  const auto turns = [&](int end, int beyond) {
+    return next[end][0] >= 0 && share_hexahedron(mesh, corners, next[end][0], beyond);
+  };
   for (const Edge& e : edges) {
-    if (next[e.a][1] >= 0 || next[e.b][1] >= 0 || joined.root(e.a) == joined.root(e.b) || turns(e.a, e.b) || turns(e.b, e.a)) continue;
+    if (next[e.a][1] >= 0 || next[e.b][1] >= 0 || joined.root(e.a) == joined.root(e.b) || turns(e.a, e.b) ||
+        turns(e.b, e.a))
+      continue;
     joined.join(e.a, e.b);
     next[e.a][next[e.a][0] >= 0] = e.b;
     next[e.b][next[e.b][0] >= 0] = e.a;

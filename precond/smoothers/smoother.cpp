@@ -4,17 +4,21 @@
 #include <utility>
 
 #include "core/base/memory.hpp"
-#include "precond/smoothers/chebyshev.hpp"
 #include "precond/operators/displacement.hpp"
 #include "precond/operators/single_block.hpp"
+#include "precond/smoothers/chebyshev.hpp"
 
 namespace bulbus {
 namespace {
 
 class FullSmoother final : public Smoother {
  public:
-  FullSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s, double largest)
-      : A_(system), S_(A_, lines, s.degree, s.smoothed_part, system.problem().comm(), largest), rest_(A_.size()), correction_(A_.size()) {}
+  FullSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s,
+               double largest)
+      : A_(system),
+        S_(A_, lines, s.degree, s.smoothed_part, system.problem().comm(), largest),
+        rest_(A_.size()),
+        correction_(A_.size()) {}
 
   void before(std::span<const double> b, std::span<double> x, std::span<double> r) const override {
     S_.apply(b, x);
@@ -45,8 +49,14 @@ class FullSmoother final : public Smoother {
 // Held directions are taken out first and solved for as what they are, identity rows.
 class SingleSmoother final : public Smoother {
  public:
-  SingleSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s, double largest)
-      : A_(system), lines_(lines), degree_(s.degree), spectrum_(A_, lines, s.smoothed_part, system.problem().comm(), largest), r_(system), x_(system) {}
+  SingleSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s,
+                 double largest)
+      : A_(system),
+        lines_(lines),
+        degree_(s.degree),
+        spectrum_(A_, lines, s.smoothed_part, system.problem().comm(), largest),
+        r_(system),
+        x_(system) {}
 
   void before(std::span<const double> b, std::span<double> x, std::span<double> r) const override {
     load(b);
@@ -118,7 +128,8 @@ class SingleSmoother final : public Smoother {
       lines_.step(static_cast<float>(keep), static_cast<float>(add), r_.nodal, z.nodal, d.nodal, x_.nodal);
       subtract_bodies();
       lines_.bodies().apply(r_.bodies, change);
-      for (std::size_t i = 0; i < change.size(); ++i) x_.bodies[i] += d.bodies[i] = keep * d.bodies[i] + add * change[i];
+      for (std::size_t i = 0; i < change.size(); ++i)
+        x_.bodies[i] += d.bodies[i] = keep * d.bodies[i] + add * change[i];
     }
   }
 
@@ -139,9 +150,11 @@ class SingleSmoother final : public Smoother {
 
 }  // namespace
 
-std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& settings, Precision precision,
+std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines,
+                                        const SmootherSettings& settings, Precision precision,
                                         double largest_eigenvalue) {
-  if (precision == Precision::single) return std::make_unique<SingleSmoother>(system, lines, settings, largest_eigenvalue);
+  if (precision == Precision::single)
+    return std::make_unique<SingleSmoother>(system, lines, settings, largest_eigenvalue);
   return std::make_unique<FullSmoother>(system, lines, settings, largest_eigenvalue);
 }
 

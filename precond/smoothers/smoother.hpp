@@ -8,13 +8,15 @@
 
 namespace bulbus {
 
-/// Chebyshev with line Jacobi on the displacement block A, a symmetric linear map S, beside a coarser space's correction. Primal vectors.
+/// Chebyshev with line Jacobi on the displacement block A, a symmetric linear map S, beside a coarser space's
+/// correction. Primal vectors.
 class Smoother {
  public:
   virtual ~Smoother() = default;
   /// x = S b,   r = b − A x. Collective.
   virtual void before(std::span<const double> b, std::span<double> x, std::span<double> r) const = 0;
-  /// x += e + S (r − A e) with the r that before() has left, e: a correction without held directions. Collective.
+  /// x += e + S (r − A e) with the r that before() has left, e: a correction without held directions.
+  /// Collective.
   virtual void after(std::span<const double> e, std::span<double> x) const = 0;
   /// x = e + S (b − A e). Collective.
   virtual void improve(std::span<const double> b, std::span<const double> e, std::span<double> x) const = 0;
@@ -26,7 +28,8 @@ class Smoother {
 };
 
 /// `system` and `lines` must outlive it. `largest_eigenvalue`: 0 if it is not known. Collective.
-std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& settings, Precision precision,
+std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines,
+                                        const SmootherSettings& settings, Precision precision,
                                         double largest_eigenvalue = 0);
 
 }  // namespace bulbus

@@ -78,9 +78,11 @@ TEST(HugeCounts, OfASectionsCornersAreRefused) {
   for (int i = 0; i < 20001; ++i)
     corners += (i ? ", [" : "[") + std::to_string(2 * std::cos(i * std::numbers::pi / 10000.5)) + ", " +
                std::to_string(9 + 2 * std::sin(i * std::numbers::pi / 10000.5)) + "]";
-  const std::string swept = "rigid_bodies.lid={swept: {spline: true, parts: 1, facets: 1, section: [" + corners + "]}}";
+  const std::string swept =
+      "rigid_bodies.lid={swept: {spline: true, parts: 1, facets: 1, section: [" + corners + "]}}";
   const double before = peak();
-  expect_refused_in_time(checked(with_body, {swept}), before + 200e6, {"section", "20001 corners", "at most 20000"});
+  expect_refused_in_time(checked(with_body, {swept}), before + 200e6,
+                         {"section", "20001 corners", "at most 20000"});
 }
 
 TEST(HugeCounts, OfDivisionsAreNoneOnAFewFaces) {

@@ -10,10 +10,11 @@ namespace {
 using Edit = std::function<std::string(std::string)>;
 
 // The case with one of its files changed.
-Ran run_changed(const std::string& folder, const std::string& file, const Edit& edit, const std::vector<std::string>& set = {},
-                const std::string& scene = "s.yaml") {
+Ran run_changed(const std::string& folder, const std::string& file, const Edit& edit,
+                const std::vector<std::string>& set = {}, const std::string& scene = "s.yaml") {
   const auto copy = fresh_folder("bulbus_case_" + std::to_string(getpid()));
-  std::filesystem::copy(std::string(BULBUS_CASES) + "/" + folder, copy, std::filesystem::copy_options::recursive);
+  std::filesystem::copy(std::string(BULBUS_CASES) + "/" + folder, copy,
+                        std::filesystem::copy_options::recursive);
   const auto text = [&](const std::string& name) {
     std::ifstream in(copy / name);
     return std::string(std::istreambuf_iterator<char>(in), {});
@@ -34,7 +35,8 @@ std::string warnings(const Ran& run) { return run.summary()["warnings"].dump(); 
 
 void expect_warning(const Ran& run, const std::vector<std::string>& parts) {
   ASSERT_EQ(run.status, 0) << run.err;
-  for (const std::string& part : parts) EXPECT_NE(warnings(run).find(part), std::string::npos) << "no '" << part << "' in: " << warnings(run);
+  for (const std::string& part : parts)
+    EXPECT_NE(warnings(run).find(part), std::string::npos) << "no '" << part << "' in: " << warnings(run);
   EXPECT_NE(run.text("run.log").find("warning: "), std::string::npos);
 }
 
@@ -44,15 +46,17 @@ void expect_no_warning(const Ran& run) {
 }
 
 TEST(HexahedraTwice, AreRefusedWithTheirRegions) {
-  expect_refused(run_case("hexahedra_twice"), {"block.msh:122", "element 57 of region 'all'", "element 41 (line 106) of region 'left'",
-                                               "16 of 32 hexahedra stand twice", "Physical Volume"});
+  expect_refused(run_case("hexahedra_twice"),
+                 {"block.msh:122", "element 57 of region 'all'", "element 41 (line 106) of region 'left'",
+                  "16 of 32 hexahedra stand twice", "Physical Volume"});
 }
 
 TEST(HexahedraTwice, InAnyOrderAndInOneRegion) {
   const auto with = [](int count, const std::string& more) -> Edit {  // in place of the volume `all`
     return [=](const std::string& text) {
       const std::string kept = text.substr(0, text.find("\n57 5") + 1) + more + "$EndElements\n";
-      return std::regex_replace(kept, std::regex(R"(\$Elements\n\d+)"), "$$Elements\n" + std::to_string(count));
+      return std::regex_replace(kept, std::regex(R"(\$Elements\n\d+)"),
+                                "$$Elements\n" + std::to_string(count));
     };
   };
   const auto scene = std::vector<std::string>{"regions={left: {c10: 50 kPa}, right: {c10: 50 kPa}}"};
@@ -60,7 +64,8 @@ TEST(HexahedraTwice, InAnyOrderAndInOneRegion) {
   ASSERT_EQ(clean.status, 0) << clean.err;
   EXPECT_NEAR(probe(clean, "F"), 105.556, 1e-3);
   for (const char* nodes : {"24 25 30 29 39 40 45 44", "25 30 29 24 40 45 44 39", "39 40 45 44 24 25 30 29"})
-    expect_refused(run_changed("hexahedra_twice", "block.msh", with(57, "57 5 2 2 2 " + std::string(nodes) + "\n"), scene),
+    expect_refused(run_changed("hexahedra_twice", "block.msh",
+                               with(57, "57 5 2 2 2 " + std::string(nodes) + "\n"), scene),
                    {"element 57 of region 'right'", "1 of 17 hexahedra stand twice"});
 }
 
@@ -69,15 +74,19 @@ TEST(CoincidentNodes, AreWarnedOf) {
   expect_warning(run, {"9 nodes of region 'left'", "region 'right'", "(1, 0, 0) mm", "Coherence"});
   testing::internal::CaptureStdout();
   EXPECT_EQ(run_case("coincident_nodes", {}, "s.yaml", "check").status, 0);
-  EXPECT_NE(testing::internal::GetCapturedStdout().find("warning: 9 nodes of region 'left'"), std::string::npos);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("warning: 9 nodes of region 'left'"),
+            std::string::npos);
 }
 
 TEST(CoincidentNodes, AreFoundThroughNoise) {
-  expect_warning(run_changed("coincident_nodes", "block.msh", replacing("28 1.0 0.0 0.0", "28 1.000001 -1e-6 2e-6")), {"9 nodes of region 'left'"});
+  expect_warning(
+      run_changed("coincident_nodes", "block.msh", replacing("28 1.0 0.0 0.0", "28 1.000001 -1e-6 2e-6")),
+      {"9 nodes of region 'left'"});
 }
 
 TEST(CoincidentNodes, OfAContactAreNone) {
-  const Ran run = run_case("matching_nodes", {"steps.0.increments=1", "steps.0.displace.0.z=0.001"}, "s.yaml", "check");
+  const Ran run =
+      run_case("matching_nodes", {"steps.0.increments=1", "steps.0.displace.0.z=0.001"}, "s.yaml", "check");
   EXPECT_EQ(run.status, 0) << run.err;
   testing::internal::CaptureStdout();
   run_case("matching_nodes", {}, "s.yaml", "check");
@@ -94,7 +103,8 @@ TEST(PartitionedMesh, IsReadAsTheWhole) {
 
 TEST(PartitionedMesh, TakesGroupsFromTheParents) {
   const Edit without_groups = [](const std::string& text) {
-    return std::regex_replace(text, std::regex(R"((\n[12]0\d [23] \d 1 [12] 0 0 0 2 1 1) 1 \d+ 0)"), "$1 0 0");
+    return std::regex_replace(text, std::regex(R"((\n[12]0\d [23] \d 1 [12] 0 0 0 2 1 1) 1 \d+ 0)"),
+                              "$1 0 0");
   };
   const Ran run = run_changed("partitioned_mesh", "block.msh", without_groups);
   ASSERT_EQ(run.status, 0) << run.err;
@@ -109,7 +119,8 @@ TEST(PartitionedMesh, OneFileOfSeveralIsRefused) {
 TEST(PressureBetweenRegions, AsksForTheRegion) {
   for (const char* folder : {"pressure_between_regions", "pressure_between_regions/swapped"}) {
     expect_refused(run_case(folder), {"s.yaml:", "loads.0.surface", "'left'", "'right'", "region: left"});
-    expect_refused(run_case(folder, {"steps.0.loads.0.region=lefd"}), {"loads.0.region", "Did you mean 'left'?"});
+    expect_refused(run_case(folder, {"steps.0.loads.0.region=lefd"}),
+                   {"loads.0.region", "Did you mean 'left'?"});
     for (const auto& [region, middle] : {std::pair{"left", -.0128293}, {"right", .0128293}}) {
       const Ran run = run_case(folder, {std::string("steps.0.loads.0.region=") + region});
       ASSERT_EQ(run.status, 0) << run.err;
@@ -119,22 +130,28 @@ TEST(PressureBetweenRegions, AsksForTheRegion) {
 }
 
 TEST(PressureBetweenRegions, HasNoSideIfDeadInADirection) {
-  const Ran run = run_case("pressure_between_regions", {"steps.0.loads.0.dead=true", "steps.0.loads.0.direction=[-1, 0, 0]"});
+  const Ran run = run_case("pressure_between_regions",
+                           {"steps.0.loads.0.dead=true", "steps.0.loads.0.direction=[-1, 0, 0]"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_LT(probe(run, "middle"), -.01);
 }
 
 TEST(PressureBetweenRegions, NoLiquidAndNoContactIsThere) {
-  expect_refused(run_case("pressure_between_regions", {"steps.0.loads=[]", "liquids={l: {surface: mid}}"}), {"liquids.l.surface"});
-  expect_refused(run_case("pressure_between_regions", {"steps.0.loads=[]", "contacts=[{name: c, slave: mid, master: ymax}]"}),
+  expect_refused(run_case("pressure_between_regions", {"steps.0.loads=[]", "liquids={l: {surface: mid}}"}),
+                 {"liquids.l.surface"});
+  expect_refused(run_case("pressure_between_regions",
+                          {"steps.0.loads=[]", "contacts=[{name: c, slave: mid, master: ymax}]"}),
                  {"contacts.0.slave", "hexahedra on both sides", "nothing can touch"});
 }
 
 TEST(PressureOnce, TwoOnOneSurfaceAreRefused) {
-  const std::string loads = "steps.0.loads=[{surface: xmax, pressure: 1 kPa}, {surface: xmax, pressure: 2 kPa}]";
+  const std::string loads =
+      "steps.0.loads=[{surface: xmax, pressure: 1 kPa}, {surface: xmax, pressure: 2 kPa}]";
   const std::vector<std::string> set{"steps.0.displace=[]", loads};
   expect_refused(run_case("partitioned_mesh", set), {"loads.1.surface", "two pressures in one step", "sum"});
-  expect_refused(run_case("partitioned_mesh", {"steps.0.displace=[]", "steps.0.loads=[{set: xmax, force: [1, 0, 0]}, {set: xmax, force: [2, 0, 0]}]"}),
+  expect_refused(run_case("partitioned_mesh",
+                          {"steps.0.displace=[]",
+                           "steps.0.loads=[{set: xmax, force: [1, 0, 0]}, {set: xmax, force: [2, 0, 0]}]"}),
                  {"loads.1.set", "two forces"});
 }
 
@@ -143,14 +160,19 @@ TEST(PressureOnce, OverlappingSurfacesAreWarnedOf) {
     std::string more = replaced(text, "8\n2 10", "9\n2 99 \"again\"\n2 10");
     return replaced(more, "2 0 0 0 2 1 1 1 11 0", "2 0 0 0 2 1 1 2 11 99 0");
   };
-  const Edit both = [=](const std::string& text) { return replaced(second(text), "101 2 2 1 1 0 0 0 2 1 1 1 11 0", "101 2 2 1 1 0 0 0 2 1 1 2 11 99 0"); };
-  expect_warning(run_changed("partitioned_mesh", "block.msh", both,
-                             {"steps.0.displace=[]", "steps.0.loads=[{surface: xmax, pressure: 1 kPa}, {surface: again, pressure: 1 kPa}]"}),
-                 {"'again'", "'xmax'", "share 4 faces", "add up"});
+  const Edit both = [=](const std::string& text) {
+    return replaced(second(text), "101 2 2 1 1 0 0 0 2 1 1 1 11 0", "101 2 2 1 1 0 0 0 2 1 1 2 11 99 0");
+  };
+  expect_warning(
+      run_changed("partitioned_mesh", "block.msh", both,
+                  {"steps.0.displace=[]",
+                   "steps.0.loads=[{surface: xmax, pressure: 1 kPa}, {surface: again, pressure: 1 kPa}]"}),
+      {"'again'", "'xmax'", "share 4 faces", "add up"});
 }
 
 TEST(TwoLiquids, MayNotShareFaces) {
-  expect_refused(run_case("two_liquids_one_surface"), {"s.yaml:5", "'one' and 'other' share 48 faces", "surface of its own"});
+  expect_refused(run_case("two_liquids_one_surface"),
+                 {"s.yaml:5", "'one' and 'other' share 48 faces", "surface of its own"});
 }
 
 TEST(SymmetryNoise, IsReadAsThePlane) {
@@ -164,14 +186,17 @@ TEST(SymmetryNoise, IsReadAsThePlane) {
 }
 
 TEST(SymmetryNoise, BeyondTheToleranceIsRefused) {
-  expect_refused(run_case("symmetry_noise", {"symmetry_tolerance=1e-9"}, "noise.yaml"),
-                 {"symmetry:", "lie along the symmetry plane x = 0", "1e-07 mm", "symmetry_tolerance: 1.1e-07 mm"});
+  expect_refused(
+      run_case("symmetry_noise", {"symmetry_tolerance=1e-9"}, "noise.yaml"),
+      {"symmetry:", "lie along the symmetry plane x = 0", "1e-07 mm", "symmetry_tolerance: 1.1e-07 mm"});
   const Edit coarser = [](const std::string& text) {
     EXPECT_NE(text.find("1e-07"), std::string::npos);
     return std::regex_replace(text, std::regex("1e-07"), "1e-03");
   };
-  expect_refused(run_changed("symmetry_noise", "noise.msh", coarser, {}, "noise.yaml"), {"0.001 mm", "symmetry_tolerance: 0.0011 mm"});
-  const Ran run = run_changed("symmetry_noise", "noise.msh", coarser, {"symmetry_tolerance=0.0011"}, "noise.yaml");
+  expect_refused(run_changed("symmetry_noise", "noise.msh", coarser, {}, "noise.yaml"),
+                 {"0.001 mm", "symmetry_tolerance: 0.0011 mm"});
+  const Ran run =
+      run_changed("symmetry_noise", "noise.msh", coarser, {"symmetry_tolerance=0.0011"}, "noise.yaml");
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_NEAR(probe(run, "mises_most"), 158.333, 1e-3);
 }
@@ -196,7 +221,8 @@ TEST(Scale, NoiseAndFiveDigitsAreRead) {
 
 TEST(MeshCoordinates, AreFinite) {
   for (const char* bad : {"nan", "inf", "-inf"})
-    expect_refused(run_changed("hexahedra_twice", "block.msh", replacing("\n3 1.0 0.0 0.0", std::string("\n3 1.0 ") + bad + " 0.0")),
+    expect_refused(run_changed("hexahedra_twice", "block.msh",
+                               replacing("\n3 1.0 0.0 0.0", std::string("\n3 1.0 ") + bad + " 0.0")),
                    {"block.msh:20: node 3 has the coordinate"});
 }
 
@@ -208,27 +234,38 @@ TEST(Stl, RepeatedFacetsAreLeftOut) {
 
 TEST(Stl, ATurnedFacetIsRefusedWithItsPlace) {
   expect_refused(run_case("stl_facet_turned"),
-                 {"lid.stl:2: 1 of 12 facets is turned", "(-3, -3, 1.5), (3, 3, 1.5), (-3, 3, 1.5)", "Exchange two of its corners"});
+                 {"lid.stl:2: 1 of 12 facets is turned", "(-3, -3, 1.5), (3, 3, 1.5), (-3, 3, 1.5)",
+                  "Exchange two of its corners"});
 }
 
 TEST(Stl, OpenAndBranchedSurfacesAreRefusedWithTheirPlace) {
   const std::string last = "facet normal 0 0 0\n outer loop\n  vertex -3 -3 1.5\n  vertex -3 -3 1.5\n";
   const Edit fin = replacing(last, "facet normal 0 0 0\n outer loop\n  vertex -3 -3 1.5\n  vertex 0 0 5\n");
-  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", fin), {"lid.stl:", "belongs to 3 facets", "(-3, -3, 1.5)"});
-  const Edit flat = replacing(last, "facet normal 0 0 0\n outer loop\n  vertex -3 -3 1.5\n  vertex -3 0 1.5\n");
-  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", flat), {"lid.stl:", "has no area", "lie on a line"});
-  const Edit hole = [](const std::string& text) { return text.substr(0, text.find("facet normal 0 0 1\n")) + text.substr(text.find("facet normal 0 -1 0\n")); };
-  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", hole), {"lid.stl:", "the surface is open", "facet in line"});
+  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", fin),
+                 {"lid.stl:", "belongs to 3 facets", "(-3, -3, 1.5)"});
+  const Edit flat =
+      replacing(last, "facet normal 0 0 0\n outer loop\n  vertex -3 -3 1.5\n  vertex -3 0 1.5\n");
+  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", flat),
+                 {"lid.stl:", "has no area", "lie on a line"});
+  const Edit hole = [](const std::string& text) {
+    return text.substr(0, text.find("facet normal 0 0 1\n")) +
+           text.substr(text.find("facet normal 0 -1 0\n"));
+  };
+  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", hole),
+                 {"lid.stl:", "the surface is open", "facet in line"});
 }
 
 TEST(Stl, AShellThatIsInsideOutIsRefused) {
   const Edit two = [](const std::string& text) {  // the lid again as a second solid, moved by 9 mm and turned
-    const std::string good = text.substr(0, text.rfind("facet normal 0 0 -1\n", text.rfind("facet normal 0 0 -1\n") - 1)) + "endsolid body\n";
+    const std::string good =
+        text.substr(0, text.rfind("facet normal 0 0 -1\n", text.rfind("facet normal 0 0 -1\n") - 1)) +
+        "endsolid body\n";
     std::string other = std::regex_replace(good, std::regex("vertex (-?3) (-?3) (\\S+)"), "vertex 1$1 $2 $3");
     other = std::regex_replace(other, std::regex("vertex 1-3"), "vertex 9");
     return good + std::regex_replace(other, std::regex("( *vertex[^\n]*\n)( *vertex[^\n]*\n)"), "$2$1");
   };
-  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", two), {"lid.stl:", "inside out", "closed surface 2 of 2"});
+  expect_refused(run_changed("stl_duplicate_facets", "lid.stl", two),
+                 {"lid.stl:", "inside out", "closed surface 2 of 2"});
 }
 
 }  // namespace

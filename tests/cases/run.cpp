@@ -19,7 +19,8 @@ TEST(Interrupt, EndsWithTheSignalsStatusAndWholeRecords) {
     EXPECT_EQ(run.status, 128 + signal) << run.err;
     EXPECT_EQ(run.summary()["converged"], false);
     EXPECT_EQ(run.summary()["reason"], "interrupted");
-    EXPECT_NE(run.text("run.log").find(std::string("interrupted by ") + name_of_interrupt(signal)), std::string::npos);
+    EXPECT_NE(run.text("run.log").find(std::string("interrupted by ") + name_of_interrupt(signal)),
+              std::string::npos);
     EXPECT_TRUE(run.wrote("checkpoint.h5"));  // though the scene asks for none
   }
 }
@@ -28,7 +29,8 @@ TEST(Interrupt, LeavesWhatARestartGoesOnFrom) {
   const Ran left = interrupted_by(SIGTERM);
   std::ostringstream out, err;
   const std::string folder = left.folder;
-  const int status = command_line({"run", folder + "/s.yaml", "-o", folder + "/out", "--restart"}, Comm(MPI_COMM_SELF), out, err);
+  const int status = command_line({"run", folder + "/s.yaml", "-o", folder + "/out", "--restart"},
+                                  Comm(MPI_COMM_SELF), out, err);
   ASSERT_EQ(status, 0) << err.str();
   EXPECT_EQ(left.summary()["totals"]["increments"], 2);
   EXPECT_NEAR(probe(left, "length"), 1.4, 1e-9);

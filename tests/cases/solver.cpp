@@ -36,13 +36,15 @@ void expect_same(const Both& both) {
   const auto &found = both.iterative.summary, &expected = both.direct.summary;
   ASSERT_FALSE(found["probes"].empty());
   double scale = 0;
-  for (const auto& [name, value] : expected["probes"].items()) scale = std::max(scale, std::abs(value.get<double>()));
+  for (const auto& [name, value] : expected["probes"].items())
+    scale = std::max(scale, std::abs(value.get<double>()));
   for (const auto& [name, value] : expected["probes"].items()) {
     const double size = std::max(std::abs(value.get<double>()), 1e-6 * scale);
     EXPECT_NEAR(found["probes"][name].get<double>(), value.get<double>(), 1e-6 * size) << name;
   }
   EXPECT_EQ(found["unstable_increments"], expected["unstable_increments"]);
-  EXPECT_LE(found["totals"]["increments"].get<double>(), 1.2 * expected["totals"]["increments"].get<double>());
+  EXPECT_LE(found["totals"]["increments"].get<double>(),
+            1.2 * expected["totals"]["increments"].get<double>());
 }
 
 TEST(Indefinite, IsPulledToTwiceItsLengthInOneIncrement) {
@@ -53,9 +55,10 @@ TEST(Indefinite, IsPulledToTwiceItsLengthInOneIncrement) {
 
 // Other lengths, meshes and laws meet other indefinite tangents.
 TEST(Indefinite, IsPulledAndPressedOtherwise) {
-  for (const std::vector<std::string>& set : {std::vector<std::string>{"steps.0.displace.0.x=2"},
-                                              {"steps.0.displace.0.x=1.5", "mesh.block.nx=3", "mesh.block.ny=3", "mesh.block.nz=3"},
-                                              {"steps.0.displace.0.x=-0.5", "mesh.block.ny=4"}})
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{"steps.0.displace.0.x=2"},
+        {"steps.0.displace.0.x=1.5", "mesh.block.nx=3", "mesh.block.ny=3", "mesh.block.nz=3"},
+        {"steps.0.displace.0.x=-0.5", "mesh.block.ny=4"}})
     expect_same(run_both("indefinite", set));
 }
 
@@ -72,7 +75,8 @@ TEST(UnstableMaterial, IsSolvedByMumpsWhereGmresFails) {
   expect_same(both);
   EXPECT_GT(both.iterative.summary["direct_solves"], 0);
   EXPECT_NE(both.iterative.log.find("by MUMPS (GMRES: iterations exhausted)"), std::string::npos);
-  const Result alone = result_of("unstable_material", {"solver.linear.max_iterations=12", "solver.linear.fallback=none"});
+  const Result alone =
+      result_of("unstable_material", {"solver.linear.max_iterations=12", "solver.linear.fallback=none"});
   EXPECT_EQ(alone.status, 1);
   EXPECT_NE(alone.summary["reason"].get<std::string>().find("GMRES"), std::string::npos);
   EXPECT_EQ(alone.summary["direct_solves"], 0);

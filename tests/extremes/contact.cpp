@@ -12,20 +12,24 @@ Scene on_a_stiff_block(double penalty) {
   return scene;
 }
 
-double default_penalty(const Scene& scene) { return ContactTrial(scene).interactions->contact("joint", "").penalty; }
+double default_penalty(const Scene& scene) {
+  return ContactTrial(scene).interactions->contact("joint", "").penalty;
+}
 
-/// Nominal stress of the upper block, 0.5 high and pressed by 0.1, where the penalty lets it sink in by g: α g = −P(0.8 + 2 g).
+/// Nominal stress of the upper block, 0.5 high and pressed by 0.1, where the penalty lets it sink in by g: α
+/// g = −P(0.8 + 2 g).
 double on_springs(double alpha) {
   double g = 0;
-  for (int i = 0; i < 50; ++i) g -= (alpha * g + uniaxial(.8 + 2 * g)) / (alpha + 4 * block_c10 * (1 + 2 / std::pow(.8 + 2 * g, 3)));
+  for (int i = 0; i < 50; ++i)
+    g -= (alpha * g + uniaxial(.8 + 2 * g)) / (alpha + 4 * block_c10 * (1 + 2 / std::pow(.8 + 2 * g, 3)));
   return uniaxial(.8 + 2 * g);
 }
 
 void record(const std::string& extreme, double times, bool iterative, ContactTrial& run, double off) {
   const std::string value = fmt::format("{:g}{}", times, iterative ? "" : ", direct");
   if (!run.report.converged) return row(extreme, value, run, "{} increments done", run.report.increments);
-  row(extreme, value, run, "force off by {:.0e} of the closed form with this penalty; penetration {:.1e} mm", off,
-      run.contact("joint").figures(run.state).penetration);
+  row(extreme, value, run, "force off by {:.0e} of the closed form with this penalty; penetration {:.1e} mm",
+      off, run.contact("joint").figures(run.state).penetration);
 }
 
 TEST(Contact, PenaltyFarFromItsDefault) {

@@ -1,4 +1,5 @@
-// The small half eye: nothing done to it, a deep buckle and back, a retina far off its bed, zonules slack and cut.
+// The small half eye: nothing done to it, a deep buckle and back, a retina far off its bed, zonules slack and
+// cut.
 #include "tests/extremes/run.hpp"
 #include "tests/support/small_eye.hpp"
 
@@ -54,7 +55,8 @@ TEST(Eye, DeepBuckleAndBackAgain) {
   expect_clean(run);
   ASSERT_TRUE(run.report.converged) << run.report.reason;
   row("buckle", "3.5 mm, and back", run,
-      "{:.1f} mmHg at its deepest; afterwards {:.0e} of the displacements away from the eye before, {:.3f} mmHg",
+      "{:.1f} mmHg at its deepest; afterwards {:.0e} of the displacements away from the eye before, {:.3f} "
+      "mmHg",
       mmHg(deepest.P[0]), off(run, filled), mmHg(run.state.P[0]));
   EXPECT_GT(deepest.P[0], 2 * filled.P[0]);
   EXPECT_LT(off(run, filled), 1e-5);
@@ -77,8 +79,8 @@ TEST(Eye, RetinaFarOffItsBed) {
     as_people_do(run, .02);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
     EXPECT_GT(run.pairs("retina"), 0);
-    row("lift of the retina", fmt::format("{:g} mm, buckle 2 mm", height), run, "{:.1f} mmHg, {} nodes of the retina touch",
-        mmHg(run.state.P[0]), run.pairs("retina"));
+    row("lift of the retina", fmt::format("{:g} mm, buckle 2 mm", height), run,
+        "{:.1f} mmHg, {} nodes of the retina touch", mmHg(run.state.P[0]), run.pairs("retina"));
   }
 }
 

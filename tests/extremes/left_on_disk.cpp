@@ -1,4 +1,5 @@
-// Runs that cannot finish, as a user runs them: exit status 1, the reason, and the last good state in files without a NaN.
+// Runs that cannot finish, as a user runs them: exit status 1, the reason, and the last good state in files
+// without a NaN.
 #include <unistd.h>
 
 #include <filesystem>
@@ -28,22 +29,28 @@ struct Left {
     run({"run", (folder / "scene.yaml").string(), "-o", (folder / "out").string()});
   }
   ~Left() { fs::remove_all(folder); }
-  void again() { run({"run", (folder / "scene.yaml").string(), "-o", (folder / "out").string(), "--restart"}); }
+  void again() {
+    run({"run", (folder / "scene.yaml").string(), "-o", (folder / "out").string(), "--restart"});
+  }
 
   /// Files with a number that is none: as text, or among the displacements of a saved state.
   std::vector<std::string> not_finite() const {
     std::vector<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder / "out")) {
       const std::string name = entry.path().filename(), type = entry.path().extension();
-      const bool bad = type == ".vtkhdf" ? !std::isfinite(largest(read_dataset(entry.path(), "VTKHDF/PointData/displacement")))
-                       : type == ".csv" || type == ".json" ? speaks_of_nan(entry.path()) : false;
+      const bool bad =
+          type == ".vtkhdf"
+              ? !std::isfinite(largest(read_dataset(entry.path(), "VTKHDF/PointData/displacement")))
+          : type == ".csv" || type == ".json" ? speaks_of_nan(entry.path())
+                                              : false;
       if (bad) found.push_back(name);
     }
     return found;
   }
   int states() const {
     int count = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(folder / "out")) count += entry.path().extension() == ".vtkhdf";
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
+      count += entry.path().extension() == ".vtkhdf";
     return count;
   }
 
@@ -80,9 +87,12 @@ void expect_left(const std::string& extreme, const std::string& value, Left& lef
   EXPECT_EQ(left.status, 1);
   EXPECT_GE(left.states(), before);
   EXPECT_NEAR(left.summary["probes"][probe], last, 1e-6 * std::abs(last));
-  measured("{} | {} | {}; {} {:.4g}; {} states on disk without a NaN; `--restart` ends where the run did | {} | {} | | {}", extreme, value,
-           left.summary["reason"].get<std::string>(), probe, last, before, totals["newton_iterations"].get<int>(),
-           totals["krylov_iterations"].get<int>(), totals["cuts"].get<int>());
+  measured(
+      "{} | {} | {}; {} {:.4g}; {} states on disk without a NaN; `--restart` ends where the run did | {} | "
+      "{} | | {}",
+      extreme, value, left.summary["reason"].get<std::string>(), probe, last, before,
+      totals["newton_iterations"].get<int>(), totals["krylov_iterations"].get<int>(),
+      totals["cuts"].get<int>());
 }
 
 TEST(LeftOnDisk, PressureBeyondTheLimitPoint) {

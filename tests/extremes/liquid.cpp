@@ -39,8 +39,8 @@ TEST(Liquid, DrainedUntilTheCavityIsNearlyEmpty) {
     const Trial& run = both.run;
     const double la = stretch_of(run);
     row("cavity drained", fmt::format("to {:g} of its volume", left), run,
-        "{:.3f} of its volume left, P {:.4f} MPa (as a sphere {:.4f} MPa); {}{}", la * la * la, run.state.P[0],
-        pressure_of(wall, la), both.compared(), both.stable() ? "" : "; not stable");
+        "{:.3f} of its volume left, P {:.4f} MPa (as a sphere {:.4f} MPa); {}{}", la * la * la,
+        run.state.P[0], pressure_of(wall, la), both.compared(), both.stable() ? "" : "; not stable");
     EXPECT_LT(run.state.P[0], 0);
   }
 }

@@ -8,7 +8,8 @@ struct Layer {
   double inner, outer, c10;
 };
 
-/// Pressure in a sphere of incompressible neo-Hookean layers whose inside has the stretch `la`: Σ c10 [4/l + 1/l⁴] from inside to outside.
+/// Pressure in a sphere of incompressible neo-Hookean layers whose inside has the stretch `la`: Σ c10 [4/l +
+/// 1/l⁴] from inside to outside.
 inline double pressure_of(const std::vector<Layer>& layers, double la) {
   const double a = layers.front().inner;
   const auto stretch = [&](double R) { return std::cbrt(1 + (la * la * la - 1) * std::pow(a / R, 3)); };
@@ -18,8 +19,10 @@ inline double pressure_of(const std::vector<Layer>& layers, double la) {
   return p;
 }
 
-/// An octant of a liquid-filled shell of layers, each of `cells` cells, in `increments` filled by beta times its volume.
-inline Scene filled_layers(int n, int cells, const std::vector<Layer>& layers, double beta, double K, int increments) {
+/// An octant of a liquid-filled shell of layers, each of `cells` cells, in `increments` filled by beta times
+/// its volume.
+inline Scene filled_layers(int n, int cells, const std::vector<Layer>& layers, double beta, double K,
+                           int increments) {
   const double inner = layers.front().inner, outer = layers.back().outer;
   const int count = static_cast<int>(layers.size()), all = cells * count;
   Scene scene{generate(ShellShape{.inner = inner, .outer = outer, .n = n, .layers = all}), {}};
@@ -33,7 +36,8 @@ inline Scene filled_layers(int n, int cells, const std::vector<Layer>& layers, d
   m.regions["shell"] = neo_hooke(layers.front().c10);
   for (int k = 1; k < count; ++k) {
     const std::string name = fmt::format("layer {}", k);
-    split_region(scene.mesh, name, [&, least = layers[k].inner](const Point& p) { return norm(p) > least * (1 - 1e-9); });
+    split_region(scene.mesh, name,
+                 [&, least = layers[k].inner](const Point& p) { return norm(p) > least * (1 - 1e-9); });
     m.regions[name] = neo_hooke(layers[k].c10);
   }
   m.liquids["fluid"] = {.surface = "inner", .K = K};

@@ -37,7 +37,8 @@ TEST(Tissue, LayersOfVeryDifferentStiffness) {
     const std::vector<Layer> layers{{10, 11, .0833 * contrast}, {11, 12, .0833}};
     BothSolvers both(filled_layers(4, 1, layers, .1, 2083.3, 2));
     const double exact = pressure_of(layers, stretch_of(both.run)), dp = relative(both.run.state.P[0], exact);
-    row("stiffness contrast, inner layer", fmt::format("{:g}", contrast), both.run, "P off by {:.1e} of the closed form", dp);
+    row("stiffness contrast, inner layer", fmt::format("{:g}", contrast), both.run,
+        "P off by {:.1e} of the closed form", dp);
     ASSERT_TRUE(both.run.report.converged) << both.run.report.reason;
     EXPECT_LT(dp, .01);
   }
@@ -45,11 +46,13 @@ TEST(Tissue, LayersOfVeryDifferentStiffness) {
 
 TEST(Tissue, LayersDownToAMicrometre) {
   for (double t : {.2, .02, .005, .001}) {
-    const std::vector<Layer> layers{{11.3, 11.3 + t, .0008}, {11.3 + t, 11.5 + t, .0083}, {11.5 + t, 12.3, .0833}};
+    const std::vector<Layer> layers{
+        {11.3, 11.3 + t, .0008}, {11.3 + t, 11.5 + t, .0083}, {11.5 + t, 12.3, .0833}};
     BothSolvers both(filled_layers(6, 1, layers, .1, 2083.3, 2));
     const double exact = pressure_of(layers, stretch_of(both.run)), dp = relative(both.run.state.P[0], exact);
     row("thickness of the inner layer", fmt::format("{:g} um", 1000 * t), both.run,
-        "P off by {:.1e} of the closed form; {}; aspect {:.0f}", dp, both.compared(), 11.3 * M_PI / 4 / 6 / t);
+        "P off by {:.1e} of the closed form; {}; aspect {:.0f}", dp, both.compared(),
+        11.3 * M_PI / 4 / 6 / t);
     ASSERT_TRUE(both.both()) << both.run.report.reason;
     EXPECT_LT(dp, .01);
     EXPECT_LT(both.apart().places, 1e-5);
@@ -61,8 +64,8 @@ TEST(Tissue, CellsOfLargeAspect) {
   for (bool apart : {false, true})
     for (double aspect : {1., 5., 10., 50., 500.}) {
       BothSolvers both(glued_slab(aspect, apart));
-      row(apart ? "aspect, glued slab pulled" : "aspect, glued slab sheared",
-          fmt::format("{:g}", aspect), both.run, "{}{}", both.compared(), both.stable() ? "" : "; not stable");
+      row(apart ? "aspect, glued slab pulled" : "aspect, glued slab sheared", fmt::format("{:g}", aspect),
+          both.run, "{}{}", both.compared(), both.stable() ? "" : "; not stable");
       if (both.both()) {
         EXPECT_LT(both.apart().places, 1e-3);
       }
@@ -80,17 +83,19 @@ TEST(Tissue, StretchesUpToFive) {
     ASSERT_TRUE(run.report.converged) << run.report.reason;
     expect_clean(run);
     const double stress = run.virial()(2, 2), off = relative(stress, l - 1 / (l * l));
-    row("stretch in one increment", fmt::format("{:g}", l), run, "nominal stress off by {:.0e} of the closed form", off);
+    row("stretch in one increment", fmt::format("{:g}", l), run,
+        "nominal stress off by {:.0e} of the closed form", off);
     EXPECT_LT(off, 1e-6);
   }
 }
 
-/// A block one node of which comes so near to the plane of its three neighbours in a cell that the cell's scaled Jacobian there is `flat`.
+/// A block one node of which comes so near to the plane of its three neighbours in a cell that the cell's
+/// scaled Jacobian there is `flat`.
 Scene flattened(double flat) {
   Scene scene = stretched_block(3, "0.5");
   const int node = nodes_where(scene.mesh, [](const Point& p) {
-    return norm({p[0] - 1. / 3, p[1] - 1. / 3, p[2] - 1. / 3}) < 1e-9;
-  }).front();
+                     return norm({p[0] - 1. / 3, p[1] - 1. / 3, p[2] - 1. / 3}) < 1e-9;
+                   }).front();
   const auto least = [&](double q) {
     scene.mesh.points[node] = {q, q, q};
     return quality(scene.mesh)[0].least;
@@ -111,7 +116,8 @@ TEST(Tissue, CellsThatAreNearlyFlat) {
     expect_clean(run);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
     const double off = relative(run.virial()(2, 2), 1.5 - 1 / 2.25);
-    row("scaled Jacobian of a cell", fmt::format("{:g}", flat), run, "nominal stress off by {:.0e} of the closed form", off);
+    row("scaled Jacobian of a cell", fmt::format("{:g}", flat), run,
+        "nominal stress off by {:.0e} of the closed form", off);
     EXPECT_LT(off, 1e-6);
   }
   EXPECT_THROW(refuse_inverted(flattened(-1e-3).mesh), InputError);

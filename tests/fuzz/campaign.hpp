@@ -27,7 +27,7 @@ struct Progress {
   long long next;  ///< mutant that is tried next, or under way
   int kind;        ///< of that mutant
   bool finished;
-  double start;    ///< of the campaign, by Clock::now()
+  double start;  ///< of the campaign, by Clock::now()
   Tally tally[kinds];
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "app/scene/entry.hpp"
 #include "app/prepare.hpp"
+#include "app/scene/entry.hpp"
 
 namespace bulbus::fuzz {
 

@@ -24,7 +24,8 @@ Scene two_blocks_and_a_ball() {
   poke.displace = {d};
   poke.move = {shift("ball", {-.05, 0, 0}, "touch")};
   m.steps = {press, poke};
-  for (const auto& [kind, set] : {std::pair{"reaction", "high zmax"}, {"displacement", "low xmax"}, {"mises", ""}}) {
+  for (const auto& [kind, set] :
+       {std::pair{"reaction", "high zmax"}, {"displacement", "low xmax"}, {"mises", ""}}) {
     ProbeSpec p;
     p.name = p.kind = kind, p.set = set, p.statistic = "max";
     m.probes.push_back(p);
@@ -49,13 +50,18 @@ void expect_the_same_on_any_number_of_ranks(const Scene& scene) {
       EXPECT_GT(alone.pairs(name), 0) << name;
       EXPECT_EQ(together.pairs(name), alone.pairs(name)) << name;
     }
-    measured("two blocks and a ball, {} ranks, {}, against direct alone: {} and {} active pairs, worst probe {:.0e}; {} increments ({}), {} Newton iterations ({}), {} Krylov",
-             together.comm.size(), direct ? "direct" : "iterative", together.pairs("blocks"), together.pairs("ball"), worst, together.report.increments,
-             alone.report.increments, together.report.newton_iterations, alone.report.newton_iterations, together.report.krylov_iterations);
+    measured(
+        "two blocks and a ball, {} ranks, {}, against direct alone: {} and {} active pairs, worst probe "
+        "{:.0e}; {} increments ({}), {} Newton iterations ({}), {} Krylov",
+        together.comm.size(), direct ? "direct" : "iterative", together.pairs("blocks"),
+        together.pairs("ball"), worst, together.report.increments, alone.report.increments,
+        together.report.newton_iterations, alone.report.newton_iterations, together.report.krylov_iterations);
   }
 }
 
-TEST(Contact, IsTheSameOnAnyNumberOfRanks) { expect_the_same_on_any_number_of_ranks(two_blocks_and_a_ball()); }
+TEST(Contact, IsTheSameOnAnyNumberOfRanks) {
+  expect_the_same_on_any_number_of_ranks(two_blocks_and_a_ball());
+}
 
 TEST(Contact, OfBothWaysIsTheSameOnAnyNumberOfRanks) {
   Scene scene = two_blocks_and_a_ball();
@@ -64,14 +70,19 @@ TEST(Contact, OfBothWaysIsTheSameOnAnyNumberOfRanks) {
   ContactTrial alone(scene, Comm(MPI_COMM_SELF)), together(scene);
   alone.direct(), together.direct();
   Snapshot one(alone.problem, alone.state), many(together.problem, together.state);
-  const ContactStanding expected = standing(alone.interactions->contact("blocks", ""), one), found = standing(together.interactions->contact("blocks", ""), many);
+  const ContactStanding expected = standing(alone.interactions->contact("blocks", ""), one),
+                        found = standing(together.interactions->contact("blocks", ""), many);
   EXPECT_EQ(found.touching, expected.touching);
   EXPECT_LT(relative(found.pressure, expected.pressure), 1e-6);
-  const Vec3<double> push = probes::total(together.problem, on_master(together.interactions->contact("blocks", ""), many), "whole").force;
-  EXPECT_LT(relative(-push[2], std::abs(ProbeSet(alone.problem).values(alone.problem, alone.state)[0])), 1e-6) << "held from below";
+  const Vec3<double> push =
+      probes::total(together.problem, on_master(together.interactions->contact("blocks", ""), many), "whole")
+          .force;
+  EXPECT_LT(relative(-push[2], std::abs(ProbeSet(alone.problem).values(alone.problem, alone.state)[0])), 1e-6)
+      << "held from below";
 }
 
-// Each node lies on an edge or a corner of the other side: GMRES leaves a little of the residual, and no pair may make more of it.
+// Each node lies on an edge or a corner of the other side: GMRES leaves a little of the residual, and no pair
+// may make more of it.
 TEST(Contact, OfMatchingNodesIsIterativelyAsDirectly) {
   for (double penalty : {100., 1e6}) {
     ContactTrial alone(two_blocks(3, 3, penalty), Comm(MPI_COMM_SELF));
@@ -103,7 +114,11 @@ TEST(Contact, CountsAnOverlapAtTheStartOverAllRanks) {
     return "accepted";
   };
   const std::string alone = refusal(Comm(MPI_COMM_SELF));
-  EXPECT_NE(alone.find("starts with 16 of its points inside 'low zmax', the deepest by 0.025 mm at (0.8, 0.7, 0.475)"), std::string::npos) << alone;
+  EXPECT_NE(
+      alone.find(
+          "starts with 16 of its points inside 'low zmax', the deepest by 0.025 mm at (0.8, 0.7, 0.475)"),
+      std::string::npos)
+      << alone;
   EXPECT_EQ(refusal(Comm()), alone);
 }
 

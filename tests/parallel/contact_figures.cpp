@@ -1,4 +1,5 @@
-// Probes and fields of contacts however many ranks: of a prescribed state, on every rank by itself and together.
+// Probes and fields of contacts however many ranks: of a prescribed state, on every rank by itself and
+// together.
 #include <gtest/gtest.h>
 
 #include "app/records/contact_fields.hpp"
@@ -9,7 +10,8 @@
 namespace bulbus {
 namespace {
 
-ProbeSpec probe(const std::string& kind, const std::string& component = "magnitude", const std::string& set = "") {
+ProbeSpec probe(const std::string& kind, const std::string& component = "magnitude",
+                const std::string& set = "") {
   ProbeSpec p;
   p.name = kind + " " + component + " " + set;
   p.kind = kind, p.component = component, p.set = set;
@@ -26,7 +28,8 @@ Scene bar() {
   s.model.rigid_bodies["plate"].plane = PlaneShape{.point = {6, 0, .5}, .normal = {-1, 0, .1}};
   s.model.contacts.push_back({.name = "press", .slave = "xmax", .master = "plate", .start = "resolve"});
   s.model.steps = {step("one")};
-  for (const char* kind : {"contact_area", "contact_pressure", "penetration", "gap", "closed_fraction"}) s.model.probes.push_back(probe(kind));
+  for (const char* kind : {"contact_area", "contact_pressure", "penetration", "gap", "closed_fraction"})
+    s.model.probes.push_back(probe(kind));
   for (const char* c : {"x", "z", "radial"}) s.model.probes.push_back(probe("body_force", c));
   s.model.probes.push_back(probe("body_moment", "y"));
   s.model.probes.push_back(probe("reaction", "x", "xmin"));
@@ -53,7 +56,8 @@ TEST(ContactFigures, DoNotDependOnTheRanks) {
   Trial alone(scene, Comm(MPI_COMM_SELF)), together(scene, Comm());
   const ProbeSet probes(alone.problem, interaction_probes(alone.interactions));
   const auto expected = probes.values(alone.snapshot),
-             found = ProbeSet(together.problem, interaction_probes(together.interactions)).values(together.snapshot);
+             found = ProbeSet(together.problem, interaction_probes(together.interactions))
+                         .values(together.snapshot);
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], expected[i], 1e-10 * (1 + std::abs(expected[i]))) << probes.name(i);
     EXPECT_NE(expected[i], 0) << probes.name(i);
@@ -68,13 +72,16 @@ TEST(ContactFigures, DoNotDependOnTheRanks) {
 TEST(ContactFields, DoNotDependOnTheRanks) {
   const Scene scene = bar();
   Trial alone(scene, Comm(MPI_COMM_SELF)), together(scene, Comm());
-  const auto expected = contact_fields(*alone.interactions, alone.snapshot), found = contact_fields(*together.interactions, together.snapshot);
+  const auto expected = contact_fields(*alone.interactions, alone.snapshot),
+             found = contact_fields(*together.interactions, together.snapshot);
   ASSERT_EQ(found.size(), 3u);
   std::vector<int> local(alone.problem.mesh().nodes());
-  for (std::size_t n = 0; n < local.size(); ++n) local[alone.problem.mesh().input_node[n]] = static_cast<int>(n);
+  for (std::size_t n = 0; n < local.size(); ++n)
+    local[alone.problem.mesh().input_node[n]] = static_cast<int>(n);
   for (std::size_t f = 0; f < 3; ++f)
     for (int n = 0; n < together.problem.mesh().nodes(); ++n)
-      EXPECT_NEAR(found[f].values[n], expected[f].values[local[together.problem.mesh().input_node[n]]], 1e-12) << found[f].name << ' ' << n;
+      EXPECT_NEAR(found[f].values[n], expected[f].values[local[together.problem.mesh().input_node[n]]], 1e-12)
+          << found[f].name << ' ' << n;
 }
 
 }  // namespace

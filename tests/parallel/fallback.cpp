@@ -5,7 +5,8 @@ namespace bulbus {
 namespace {
 
 Scene with_probes(Scene scene) {
-  for (const auto& [kind, set] : {std::pair{"displacement", "xmax"}, {"displacement", "ymax"}, {"mises", ""}}) {
+  for (const auto& [kind, set] :
+       {std::pair{"displacement", "xmax"}, {"displacement", "ymax"}, {"mises", ""}}) {
     ProbeSpec p;
     p.name = std::string(kind) + set, p.kind = kind, p.set = set, p.statistic = "max";
     scene.model.probes.push_back(p);
@@ -46,8 +47,9 @@ int expect_as_direct(const Scene& scene, const char* what) {
     direct_solves += b.direct_solves;
     EXPECT_EQ(b.negative_pivots, a.negative_pivots) << i;
   }
-  measured("{}, {} ranks: {} Newton iterations ({}), {} Krylov, {} direct solves, worst probe {:.0e}", what, together.comm.size(),
-           together.report.newton_iterations, alone.report.newton_iterations, together.report.krylov_iterations, direct_solves, worst);
+  measured("{}, {} ranks: {} Newton iterations ({}), {} Krylov, {} direct solves, worst probe {:.0e}", what,
+           together.comm.size(), together.report.newton_iterations, alone.report.newton_iterations,
+           together.report.krylov_iterations, direct_solves, worst);
   return direct_solves;
 }
 
@@ -55,7 +57,9 @@ TEST(Fallback, PulledBlocksAreSolvedOnAnyNumberOfRanks) {
   for (int n : {2, 3, 4}) expect_as_direct(pulled_block(n), "pulled block");
 }
 
-TEST(Fallback, AnUnstableBlockIsFollowedAndItsPivotsAreTold) { expect_as_direct(unstable_block(), "unstable block"); }
+TEST(Fallback, AnUnstableBlockIsFollowedAndItsPivotsAreTold) {
+  expect_as_direct(unstable_block(), "unstable block");
+}
 
 // Three iterations are never enough: all is MUMPS's.
 TEST(Fallback, MumpsSolvesWhatGmresLeaves) {
@@ -64,7 +68,8 @@ TEST(Fallback, MumpsSolvesWhatGmresLeaves) {
   alone.direct();
   for (ContactTrial* t : {&together, &refused}) t->settings.linear.max_iterations = 1;
   together.iterative();
-  ASSERT_TRUE(alone.report.converged && together.report.converged) << alone.report.reason << together.report.reason;
+  ASSERT_TRUE(alone.report.converged && together.report.converged)
+      << alone.report.reason << together.report.reason;
   EXPECT_EQ(together.report.newton_iterations, alone.report.newton_iterations);
   EXPECT_LT(relative(together.state.P[0], alone.state.P[0]), 1e-8);
   for (const Increment& i : together.increments) EXPECT_GT(i.newton.direct_solves, 0);

@@ -14,7 +14,8 @@ double noise(int hex, int k) { return std::sin(12.9898 * hex + 78.233 * k); }
 
 std::vector<double> noise(const CheckerboardModes& patterns) {
   std::vector<double> c(patterns.size());
-  for (int i = 0; i < patterns.size(); ++i) c[i] = noise(patterns.labels()[i / patterns.count()], i % patterns.count());
+  for (int i = 0; i < patterns.size(); ++i)
+    c[i] = noise(patterns.labels()[i / patterns.count()], i % patterns.count());
   return c;
 }
 
@@ -35,7 +36,8 @@ void expect_product(const Scene& scene, int refinements) {
 }
 
 // What R leaves of pressures that a hexahedron's place in the whole mesh gives, by that place.
-std::vector<double> rough(const Scene& scene, const Comm& comm, const std::function<double(int region, int hex)>& pressure) {
+std::vector<double> rough(const Scene& scene, const Comm& comm,
+                          const std::function<double(int region, int hex)>& pressure) {
   const Problem problem(scene.mesh, scene.model, comm);
   const LocalMesh& mesh = problem.mesh();
   std::vector<double> p(mesh.hexes.size()), all(mesh.all_hexes);
@@ -52,7 +54,8 @@ std::vector<double> rough(const Scene& scene, const Comm& comm, const std::funct
 }
 
 TEST(OscillationFilter, TakesWhatIsTheSameInATissue) {
-  for (double v : rough(small_eye(8), Comm(), [](int region, int) { return std::pow(100., region); })) EXPECT_NEAR(v, 0, 1e-3);
+  for (double v : rough(small_eye(8), Comm(), [](int region, int) { return std::pow(100., region); }))
+    EXPECT_NEAR(v, 0, 1e-3);
 }
 
 TEST(OscillationFilter, IsTheSameOnAnyNumberOfRanks) {
@@ -101,7 +104,8 @@ TEST(CheckerboardMatrix, DropsWhatHardlyCouples) {
   EXPECT_LT(matrix.bytes(), bytes);
   matrix.apply(c, kept);
   double size = 0, error = 0;
-  for (std::size_t i = 0; i < c.size(); ++i) size += whole[i] * whole[i], error += std::pow(kept[i] - whole[i], 2);
+  for (std::size_t i = 0; i < c.size(); ++i)
+    size += whole[i] * whole[i], error += std::pow(kept[i] - whole[i], 2);
   EXPECT_LT(Comm().sum(error), 1e-6 * Comm().sum(size));
   matrix.drop(10);  // all but the diagonal's
   matrix.apply(c, kept);

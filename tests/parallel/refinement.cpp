@@ -5,9 +5,9 @@
 
 #include "contact/interactions.hpp"
 #include "core/base/error.hpp"
-#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/distributed/mesh_levels.hpp"
 #include "core/mesh/distributed/partition.hpp"
+#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/running_sums.hpp"
 #include "tests/support/models.hpp"
@@ -30,7 +30,8 @@ std::vector<int> inherited(const std::vector<int>& rank, int level) {
   return fine;
 }
 
-void expect_equal(const std::map<std::string, std::vector<Bar>>& found, const std::map<std::string, std::vector<Bar>>& wanted) {
+void expect_equal(const std::map<std::string, std::vector<Bar>>& found,
+                  const std::map<std::string, std::vector<Bar>>& wanted) {
   ASSERT_EQ(found.size(), wanted.size());
   for (const auto& [name, group] : wanted) {
     const auto& other = found.at(name);
@@ -82,7 +83,8 @@ void expect_equal(const Interpolation& found, const Interpolation& wanted, int n
   }
 }
 
-// Owners by hexahedra, numbers by owners in the order in which their hexahedra meet nodes: from the whole mesh.
+// Owners by hexahedra, numbers by owners in the order in which their hexahedra meet nodes: from the whole
+// mesh.
 void expect_numbered(const LocalMesh& m, const Mesh& whole, const std::vector<int>& rank_of_hex) {
   std::vector<int> owner(whole.points.size(), m.comm.size());
   for (std::size_t h = 0; h < whole.hexes.size(); ++h)
@@ -96,7 +98,8 @@ void expect_numbered(const LocalMesh& m, const Mesh& whole, const std::vector<in
     };
     for (std::size_t region = 0; region < whole.region_names.size(); ++region)
       for (std::size_t h = 0; h < whole.hexes.size(); ++h)
-        if (rank_of_hex[h] == r && whole.region[h] == static_cast<int>(region)) std::ranges::for_each(whole.hexes[h], meet);
+        if (rank_of_hex[h] == r && whole.region[h] == static_cast<int>(region))
+          std::ranges::for_each(whole.hexes[h], meet);
     for (std::size_t n = 0; n < owner.size(); ++n) meet(static_cast<int>(n));
   }
   EXPECT_EQ(m.all_nodes, next);
@@ -125,8 +128,8 @@ TEST(Refinement, OfPartsIsThatOfTheWhole) {
   for (int i = 1; i < 3; ++i) {
     const std::vector<double> stiffness(wanted[i - 1].hexes.size(), 1);
     const Prolongation expected(i == 1 ? once : twice, wanted[i - 1], wanted[i]);
-    expect_equal(levels[i].prolongation->at(wanted[i - 1].X, wanted[i].X, stiffness), expected.at(wanted[i - 1].X, wanted[i].X, stiffness),
-                 wanted[i].nodes());
+    expect_equal(levels[i].prolongation->at(wanted[i - 1].X, wanted[i].X, stiffness),
+                 expected.at(wanted[i - 1].X, wanted[i].X, stiffness), wanted[i].nodes());
   }
 }
 
@@ -138,10 +141,13 @@ TEST(Refinement, HoldsLittleMoreThanTheRanksShare) {
   const RefinedMesh once = refine(part.mesh);
   const double all = 33 * 33 * 33, share = all / comm.size();
   const Labels labels = labels_of(once.mesh, inherited(part.whole.rank, 1));
-  const double held = comm.max(static_cast<double>(refine(part_of(once.mesh, labels, comm.rank(), {}).mesh).mesh.points.size()));
-  const double layers = 2 * 35 * 35 * 3;  // around a share: no more than two layers of fine hexahedra on three sides
+  const double held = comm.max(
+      static_cast<double>(refine(part_of(once.mesh, labels, comm.rank(), {}).mesh).mesh.points.size()));
+  const double layers =
+      2 * 35 * 35 * 3;  // around a share: no more than two layers of fine hexahedra on three sides
   EXPECT_LE(held, comm.size() == 1 ? all : share * 1.1 + layers);
-  if (comm.rank() == 0) std::printf("%.0f nodes of %.0f held by the rank that holds most of %d\n", held, all, comm.size());
+  if (comm.rank() == 0)
+    std::printf("%.0f nodes of %.0f held by the rank that holds most of %d\n", held, all, comm.size());
 }
 
 TEST(Refinement, QualityIsThatOfTheWhole) {
@@ -200,9 +206,11 @@ Scene sewn_shell() {
   m.regions["shell"] = neo_hooke(.08);
   m.symmetry = {"x"};
   m.fix.push_back({"inner", {"x", "y", "z"}});
-  m.rigid_bodies["tire"].tire = TireShape{.width = 4, .crown = 2, .edge_radius = .5, .arc = {.from = 0, .to = 30}};
+  m.rigid_bodies["tire"].tire =
+      TireShape{.width = 4, .crown = 2, .edge_radius = .5, .arc = {.from = 0, .to = 30}};
   m.contacts = {{.name = "tire", .slave = "outer", .master = "tire", .start = "resolve"}};
-  m.sutures["string"] = {.body = "tire", .surface = "outer", .pair = SutureSpec::Pair{.azimuth = 0, .spacing = 8}};
+  m.sutures["string"] = {
+      .body = "tire", .surface = "outer", .pair = SutureSpec::Pair{.azimuth = 0, .spacing = 8}};
   m.steps = {step("sew")};
   m.steps[0].sew["string"] = .05;
   return s;

@@ -1,4 +1,5 @@
-// A run is left on some ranks and goes on on others: 1 → 1, 1 → 2 and 2 → 1, 2 → 3 and 3 → 1, as many as there are.
+// A run is left on some ranks and goes on on others: 1 → 1, 1 → 2 and 2 → 1, 2 → 3 and 3 → 1, as many as
+// there are.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -47,10 +48,12 @@ nlohmann::json probes_in(const fs::path& folder) {
 
 /// Rows of a table of the checkpoint in the order of their keys.
 std::vector<double> in_order(const fs::path& folder, const std::string& keys, const std::string& name) {
-  const auto key = read_dataset(folder / "checkpoint.h5", keys), rows = read_dataset(folder / "checkpoint.h5", name);
+  const auto key = read_dataset(folder / "checkpoint.h5", keys),
+             rows = read_dataset(folder / "checkpoint.h5", name);
   const std::size_t width = rows.size() / key.size();
   std::vector<double> sorted(rows.size());
-  for (std::size_t i = 0; i < key.size(); ++i) std::copy_n(&rows[i * width], width, &sorted[static_cast<std::size_t>(key[i]) * width]);
+  for (std::size_t i = 0; i < key.size(); ++i)
+    std::copy_n(&rows[i * width], width, &sorted[static_cast<std::size_t>(key[i]) * width]);
   return sorted;
 }
 
@@ -81,7 +84,9 @@ void expect_same(int from, const std::map<int, double>& tolerance_on) {
     for (const char* last : {"4", "8"}) {
       const auto out = folder_of("out");
       int status = 0;
-      on(to, [&](const Comm& comm) { status = run(scene, "", out, comm, Log::Screen::silent, left / last / "checkpoint.h5"); });
+      on(to, [&](const Comm& comm) {
+        status = run(scene, "", out, comm, Log::Screen::silent, left / last / "checkpoint.h5");
+      });
       ASSERT_EQ(status, 0);
       if (Comm().rank() != 0) continue;
       const double d = difference(out, whole);
@@ -92,9 +97,12 @@ void expect_same(int from, const std::map<int, double>& tolerance_on) {
 
 TEST(Restart, DoesNotDependOnTheRanks) {
   switch (Comm().size()) {
-    case 1: return expect_same(1, {{1, 1e-12}});
-    case 2: return expect_same(1, {{2, 1e-8}}), expect_same(2, {{1, 1e-8}, {2, 1e-12}});
-    case 3: return expect_same(2, {{3, 1e-8}}), expect_same(3, {{1, 1e-8}, {3, 1e-12}});
+    case 1:
+      return expect_same(1, {{1, 1e-12}});
+    case 2:
+      return expect_same(1, {{2, 1e-8}}), expect_same(2, {{1, 1e-8}, {2, 1e-12}});
+    case 3:
+      return expect_same(2, {{3, 1e-8}}), expect_same(3, {{1, 1e-8}, {3, 1e-12}});
   }
 }
 

@@ -1,4 +1,5 @@
-// The same figures however many ranks: every rank solves the scene by itself, directly, then all solve it together.
+// The same figures however many ranks: every rank solves the scene by itself, directly, then all solve it
+// together.
 #include "tests/support/small_eye.hpp"
 #include "tests/verify/run.hpp"
 
@@ -40,7 +41,8 @@ Scene eye() {
   return scene;
 }
 
-void expect_same_figures(const char* what, const Scene& scene, double force, const std::string& formulation = "bordered") {
+void expect_same_figures(const char* what, const Scene& scene, double force,
+                         const std::string& formulation = "bordered") {
   Trial alone(scene, Comm(MPI_COMM_SELF));
   alone.settings.newton = tight(force);
   alone.direct();
@@ -72,7 +74,9 @@ TEST(Ranks, DoNotMatterToAShellWithARigidCapBarsAndSkewHolds) {
   expect_same_figures("half shell", shell(), 1e-11);
 }
 
-TEST(Ranks, DoNotMatterToAShellWhoseLiquidIsEliminated) { expect_same_figures("half shell, P eliminated", shell(), 1e-11, "eliminated"); }
+TEST(Ranks, DoNotMatterToAShellWhoseLiquidIsEliminated) {
+  expect_same_figures("half shell, P eliminated", shell(), 1e-11, "eliminated");
+}
 
 TEST(Ranks, DoNotMatterToTheHalfEye) { expect_same_figures("half eye", eye(), 1e-9); }
 

@@ -3,8 +3,8 @@
 
 #include "contact/rigid/rigid_shapes.hpp"
 #include "contact/suture/suture_term.hpp"
-#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/distributed/partition.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {

@@ -41,7 +41,8 @@ const json& tight() {
 void expect_within(const json& got, const json& right, double promised) {
   for (const ProbeSpec& probe : read_scene(interactions).model.probes) {
     const double value = got[probe.name], wanted = right[probe.name];
-    EXPECT_LE(relative_error(value, wanted, least_of(probe)), promised) << probe.name << " " << value << " instead of " << wanted;
+    EXPECT_LE(relative_error(value, wanted, least_of(probe)), promised)
+        << probe.name << " " << value << " instead of " << wanted;
   }
   EXPECT_EQ(got["tear_closed"], right["tear_closed"]);
   EXPECT_NEAR(got["axial_length"], right["axial_length"], .01);  // mm
@@ -49,18 +50,23 @@ void expect_within(const json& got, const json& right, double promised) {
 }
 
 TEST(Accuracy, TightIsConverged) {
-  expect_within(tight(), probes_with({"solver.newton.force=1e-9", "solver.newton.volume=1e-9", "solver.newton.liquid=1e-10"}), 1e-4);
+  expect_within(
+      tight(),
+      probes_with({"solver.newton.force=1e-9", "solver.newton.volume=1e-9", "solver.newton.liquid=1e-10"}),
+      1e-4);
 }
 
 // A path of other rounding must not end with another point in contact.
 const std::vector<std::string> roundings{"solver.linear.gamma=5", "solver.linear.gamma=6"};
 
 TEST(Accuracy, BalancedIsWithinTwoInAThousand) {
-  for (const auto& gamma : roundings) expect_within(probes_with({"solver.accuracy=balanced", gamma}), tight(), 2e-3);
+  for (const auto& gamma : roundings)
+    expect_within(probes_with({"solver.accuracy=balanced", gamma}), tight(), 2e-3);
 }
 
 TEST(Accuracy, FastIsWithinTwoInAHundred) {
-  for (const auto& gamma : roundings) expect_within(probes_with({"solver.accuracy=fast", gamma}), tight(), 2e-2);
+  for (const auto& gamma : roundings)
+    expect_within(probes_with({"solver.accuracy=fast", gamma}), tight(), 2e-2);
 }
 
 }  // namespace

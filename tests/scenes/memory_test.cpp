@@ -22,13 +22,15 @@ struct Memory {
 Memory of_half_eye(const std::vector<std::string>& settings) {
   const fs::path out = fs::temp_directory_path() / ("bulbus_memory_" + std::to_string(getpid()));
   std::vector<std::string> arguments{BULBUS_PROGRAM, "run", BULBUS_DATA "/scenes/half_eye.yaml", "-o", out};
-  for (const char* s : {"steps.1.displace.0.radial=-.1", "steps.1.increments=1", "output.checkpoint=1"}) arguments.insert(arguments.end(), {"--set", s});
+  for (const char* s : {"steps.1.displace.0.radial=-.1", "steps.1.increments=1", "output.checkpoint=1"})
+    arguments.insert(arguments.end(), {"--set", s});
   for (const std::string& s : settings) arguments.insert(arguments.end(), {"--set", s});
   EXPECT_EQ(run_process(arguments).status, 0);
   std::ifstream file(out / "summary.json");
   const json memory = json::parse(file)["memory_mb"];
   fs::remove_all(out);
-  return {memory["forecast"]["together"], memory["forecast"]["last resort"], memory["process_peak"]["all_ranks"]};
+  return {memory["forecast"]["together"], memory["forecast"]["last resort"],
+          memory["process_peak"]["all_ranks"]};
 }
 
 TEST(Memory, OfAnEyeIsForecast) {
@@ -48,7 +50,8 @@ TEST(Memory, OfARefinedEyeIsForecast) {
 
 // Its solves are easy: there are no tight ones and no weak pressure patterns.
 TEST(Memory, OfALooseBalanceIsForecast) {
-  const Memory m = of_half_eye({"mesh.eye.n=10", "mesh.refine=1", "solver.newton.force=1e-3", "solver.newton.volume=1e-3", "solver.newton.liquid=1e-5"});
+  const Memory m = of_half_eye({"mesh.eye.n=10", "mesh.refine=1", "solver.newton.force=1e-3",
+                                "solver.newton.volume=1e-3", "solver.newton.liquid=1e-5"});
   EXPECT_NEAR(m.forecast, m.peak, .15 * m.peak);
 }
 

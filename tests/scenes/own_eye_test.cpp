@@ -46,7 +46,8 @@ TEST(OwnEye, FromAFileIsTheOneGenerated) {
     std::ostringstream out, err;
     ASSERT_EQ(command_line(arguments, Comm(MPI_COMM_SELF), out, err), 0) << err.str();
     const auto probes = expected.summary()["probes"];
-    const auto read = test::run_scene(test::replaced(generated, "eye: {n: 6, detachment: {tear: {}}}", "file: " + file));
+    const auto read =
+        test::run_scene(test::replaced(generated, "eye: {n: 6, detachment: {tear: {}}}", "file: " + file));
     ASSERT_EQ(read.status, 0) << read.err;
     for (const auto& [name, value] : probes.items()) {
       const double was = value, is = read.summary()["probes"][name];

@@ -28,8 +28,9 @@ struct Ran {
   explicit Ran(const std::string& scene) {
     const fs::path out = fs::temp_directory_path() / ("bulbus_scene_" + std::to_string(getpid()));
     std::ostringstream said, faults;
-    status = command_line({"run", std::string(BULBUS_DATA) + "/scenes/" + scene + ".yaml", "-o", out, "--set", "output.vtk=false"}, Comm(MPI_COMM_SELF),
-                          said, faults);
+    status = command_line({"run", std::string(BULBUS_DATA) + "/scenes/" + scene + ".yaml", "-o", out, "--set",
+                           "output.vtk=false"},
+                          Comm(MPI_COMM_SELF), said, faults);
     err = faults.str();
     if (std::ifstream file(out / "summary.json"); file) summary = nlohmann::json::parse(file);
     read_history(out / "history.csv");
@@ -59,7 +60,8 @@ struct Ran {
     const auto names = cells(line);
     while (std::getline(in, line)) {
       const auto values = cells(line);
-      for (std::size_t i = 0; i < values.size(); ++i) history[names[i]].push_back(std::strtod(values[i].c_str(), nullptr));
+      for (std::size_t i = 0; i < values.size(); ++i)
+        history[names[i]].push_back(std::strtod(values[i].c_str(), nullptr));
     }
   }
 };

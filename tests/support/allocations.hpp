@@ -1,6 +1,6 @@
 #pragma once
-// Counts every allocation by `new` of the program; for one source of a program only, since it replaces the operators. Out of line, so that
-// the compiler does not pair malloc with delete.
+// Counts every allocation by `new` of the program; for one source of a program only, since it replaces the
+// operators. Out of line, so that the compiler does not pair malloc with delete.
 #include <cstdlib>
 #include <new>
 

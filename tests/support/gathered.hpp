@@ -9,7 +9,8 @@ namespace bulbus {
 /// The whole matrix on every rank. Collective.
 inline Eigen::MatrixXd gathered(const Triplets& t, long long size, const Comm& comm) {
   const std::vector<long long> row(t.row.begin(), t.row.end()), col(t.col.begin(), t.col.end());
-  const auto rows = comm.gather(std::span<const long long>(row)), cols = comm.gather(std::span<const long long>(col));
+  const auto rows = comm.gather(std::span<const long long>(row)),
+             cols = comm.gather(std::span<const long long>(col));
   const auto values = comm.gather(std::span<const double>(t.value));
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t k = 0; k < rows.size(); ++k) A(rows[k], cols[k]) += values[k];

@@ -14,8 +14,12 @@ struct Left {};
 class Leaving final : public MarchObserver {
  public:
   Leaving(MarchObserver& inner, const std::function<void(int)>& rested) : inner_(inner), rested_(rested) {}
-  void step_begins(int step, const StepSpec& spec, const State& start) override { inner_.step_begins(step, spec, start); }
-  void increment_done(const Increment& increment, const State& state) override { inner_.increment_done(increment, state); }
+  void step_begins(int step, const StepSpec& spec, const State& start) override {
+    inner_.step_begins(step, spec, start);
+  }
+  void increment_done(const Increment& increment, const State& state) override {
+    inner_.increment_done(increment, state);
+  }
   void rests(const MarchPlace& place, State& state, bool last) override {
     inner_.rests(place, state, last);
     rested_(place.report.increments);
@@ -26,9 +30,10 @@ class Leaving final : public MarchObserver {
   const std::function<void(int)>& rested_;
 };
 
-/// Solves a scene directly into a folder as a run does, which is left where `rested` (of each converged increment) throws Left, as if
-/// killed. Collective.
-inline void run_and_leave(const Scene& scene, const std::string& folder, const Comm& comm, const std::function<void(int)>& rested) {
+/// Solves a scene directly into a folder as a run does, which is left where `rested` (of each converged
+/// increment) throws Left, as if killed. Collective.
+inline void run_and_leave(const Scene& scene, const std::string& folder, const Comm& comm,
+                          const std::function<void(int)>& rested) {
   Profiler profiler;
   const Prepared prepared = prepare(scene, comm);
   ResultsFolder results(folder, record_names(scene), comm);
@@ -46,8 +51,9 @@ inline void run_and_leave(const Scene& scene, const std::string& folder, const C
   }
 }
 
-/// Liquid, bodies, contacts (one augmented), a string, probes that count from the end of a step, and a set that is held where it
-/// has come to: all that a checkpoint has to bring back, 10 increments in about a second.
+/// Liquid, bodies, contacts (one augmented), a string, probes that count from the end of a step, and a set
+/// that is held where it has come to: all that a checkpoint has to bring back, 10 increments in about a
+/// second.
 inline const std::string full_of_memory = R"yaml(title: everything that is remembered
 mesh: {shell: {inner: 11, outer: 12, n: 4, layers: 2, part: octant}}
 regions:
@@ -102,8 +108,9 @@ output: {checkpoint: 1, every: 2}
 )yaml";
 constexpr int increments_of_memory = 10;
 
-/// What round-off of one of its probes is small against: a gap is a difference of places 12 mm away, a contact pressure some 5 MPa/mm
-/// times a gap. (The same run on the same ranks differs that much from itself.)
+/// What round-off of one of its probes is small against: a gap is a difference of places 12 mm away, a
+/// contact pressure some 5 MPa/mm times a gap. (The same run on the same ranks differs that much from
+/// itself.)
 inline double size_of(const std::string& probe, double value) {
   const bool of_a_gap = probe == "gap" || probe == "under" || probe == "pole";
   return std::max(std::abs(value), of_a_gap ? 1. : .01);

@@ -1,20 +1,24 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "precond/smoothers/line_jacobi.hpp"
 #include "precond/make_preconditioner.hpp"
+#include "precond/smoothers/line_jacobi.hpp"
 #include "tests/support/models.hpp"
 
 namespace bulbus {
 
-// A refined problem in a state of its first step, with its tangent and the settings that are its mesh's defaults.
+// A refined problem in a state of its first step, with its tangent and the settings that are its mesh's
+// defaults.
 struct Linearised {
   Problem problem;
   State state;
   LinearSettings settings;
   CoupledSystem system;
   Linearised(const Scene& scene, int refine, double shake)
-      : problem(refined(scene.mesh, refine), scene.model, Comm()), state(problem.initial_state()), settings(defaults(refine)), system(problem, settings) {
+      : problem(refined(scene.mesh, refine), scene.model, Comm()),
+        state(problem.initial_state()),
+        settings(defaults(refine)),
+        system(problem, settings) {
     problem.begin_step(0, state);
     problem.set_progress(.1, state);
     if (shake > 0) state = shaken(problem, state, shake, 7);

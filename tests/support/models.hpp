@@ -28,7 +28,8 @@ template <class Predicate>
 void split_region(Mesh& mesh, const std::string& name, Predicate inside) {
   mesh.region_names.push_back(name);
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
-    if (inside(center(mesh, static_cast<int>(h)))) mesh.region[h] = static_cast<int>(mesh.region_names.size()) - 1;
+    if (inside(center(mesh, static_cast<int>(h))))
+      mesh.region[h] = static_cast<int>(mesh.region_names.size()) - 1;
 }
 
 /// Nodes for which `inside` holds.
@@ -42,7 +43,8 @@ std::vector<int> nodes_where(const Mesh& mesh, Predicate inside) {
 
 /// Appends another mesh; its regions and surfaces must have other names. Nodes are not joined.
 inline void append(Mesh& mesh, const Mesh& other) {
-  const int nodes = static_cast<int>(mesh.points.size()), regions = static_cast<int>(mesh.region_names.size());
+  const int nodes = static_cast<int>(mesh.points.size()),
+            regions = static_cast<int>(mesh.region_names.size());
   mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
   for (Hex h : other.hexes) {
     for (int& n : h) n += nodes;
@@ -89,7 +91,8 @@ inline Scene stretched_block(int n, const std::string& dz) {
   return scene;
 }
 
-/// A slab of cells `aspect` times as long as thick, both faces glued to plates that move by a fifth of its thickness: sideways, or apart.
+/// A slab of cells `aspect` times as long as thick, both faces glued to plates that move by a fifth of its
+/// thickness: sideways, or apart.
 inline Scene glued_slab(double aspect, bool apart) {
   Scene scene{generate(BlockShape{.upper = {1, 1, 4 / (8 * aspect)}, .nx = 8, .ny = 8, .nz = 4}), {}};
   scene.model.regions["block"] = neo_hooke(.5);
@@ -102,14 +105,19 @@ inline Scene glued_slab(double aspect, bool apart) {
   return scene;
 }
 
-/// A liquid-filled shell with all that a coupled system can have: two tissues, a rigid cap at the z pole (cut by x = 0 and, in
-/// an octant, by y = 0), bars with embedded ends, skew radial holds, given pressure in step 0 and an enclosed liquid in step 1.
+/// A liquid-filled shell with all that a coupled system can have: two tissues, a rigid cap at the z pole (cut
+/// by x = 0 and, in an octant, by y = 0), bars with embedded ends, skew radial holds, given pressure in step
+/// 0 and an enclosed liquid in step 1.
 inline Scene filled_shell(const std::string& part) {
-  Scene scene{generate(ShellShape{.inner = 2, .outer = 2.6, .n = part == "octant" ? 3 : 2, .layers = 2, .part = part}), {}};
+  Scene scene{generate(ShellShape{
+                  .inner = 2, .outer = 2.6, .n = part == "octant" ? 3 : 2, .layers = 2, .part = part}),
+              {}};
   Mesh& mesh = scene.mesh;
   split_region(mesh, "cap", [](const Point& p) { return p[2] > .86 * norm(p); });
   split_region(mesh, "belt", [](const Point& p) { return p[2] < .5 * norm(p); });
-  mesh.node_sets["pulled"] = nodes_where(mesh, [](const Point& p) { return norm(p) > 2.59 && p[2] < 1.2 && p[2] > .1 && p[0] > .1 && p[1] > .1; });
+  mesh.node_sets["pulled"] = nodes_where(mesh, [](const Point& p) {
+    return norm(p) > 2.59 && p[2] < 1.2 && p[2] > .1 && p[0] > .1 && p[1] > .1;
+  });
   const auto& inner = mesh.surfaces.at("inner");
   mesh.bars["struts"] = {{{inner.front(), {.1, .2, .3, .4}}, {inner.back(), {.25, .25, .25, .25}}},
                          {at_node(inner[1][2]), {inner.back(), {0, .5, .5, 0}}, .5}};
@@ -168,7 +176,8 @@ inline State shaken(const Problem& problem, const State& from, double shake, int
   return s;
 }
 
-inline std::vector<double> reduced(const Problem& problem, const State& state, std::span<const double> force) {
+inline std::vector<double> reduced(const Problem& problem, const State& state,
+                                   std::span<const double> force) {
   std::vector<double> r(problem.dofs().primal_size());
   problem.dofs().reduce(state, force, r);
   return r;

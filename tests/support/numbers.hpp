@@ -9,7 +9,8 @@
 
 namespace bulbus {
 
-/// Uniform in [-1, 1], a function of its keys alone: every rank and every run draws the same number for the same thing.
+/// Uniform in [-1, 1], a function of its keys alone: every rank and every run draws the same number for the
+/// same thing.
 inline double noise(std::uint64_t seed, std::uint64_t key) {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15 + key * 0xBF58476D1CE4E5B9 + 0x94D049BB133111EB;
   for (int i = 0; i < 3; ++i) z = (z ^ (z >> 29)) * 0xBF58476D1CE4E5B9 + 0x9E3779B97F4A7C15;

@@ -30,8 +30,8 @@ struct Ran {
 };
 
 /// Calls the command on a file of the folder, which gets this text.
-inline Ran call(const std::string& command, const std::filesystem::path& folder, const std::string& file, const std::string& yaml,
-                const std::vector<std::string>& set) {
+inline Ran call(const std::string& command, const std::filesystem::path& folder, const std::string& file,
+                const std::string& yaml, const std::vector<std::string>& set) {
   std::ofstream(folder / file) << yaml;
   std::vector<std::string> arguments{command, folder / file};
   if (command == "run" || command == "study") arguments.insert(arguments.end(), {"-o", folder / "out"});

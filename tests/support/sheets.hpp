@@ -45,16 +45,22 @@ inline std::shared_ptr<RigidSurface> prism(const std::vector<std::array<double, 
   for (auto& t : triangles) std::swap(t[1], t[2]);
   s->facets = make_facets(triangles);
   s->places = s->reference;
-  s->parts = {{.first_point = 0, .points = 2 * n, .first_triangle = 0, .triangles = static_cast<int>(triangles.size())}};
+  s->parts = {{.first_point = 0,
+               .points = 2 * n,
+               .first_triangle = 0,
+               .triangles = static_cast<int>(triangles.size())}};
   return s;
 }
 
 /// Box of half widths a, h in x, z.
-inline std::shared_ptr<RigidSurface> box(double a, double h, double length) { return prism({{a, -h}, {a, h}, {-a, h}, {-a, -h}}, length); }
+inline std::shared_ptr<RigidSurface> box(double a, double h, double length) {
+  return prism({{a, -h}, {a, h}, {-a, h}, {-a, -h}}, length);
+}
 
 inline std::shared_ptr<RigidSurface> cylinder(int sides, double radius, double length) {
   std::vector<std::array<double, 2>> outline;
-  for (int i = 0; i < sides; ++i) outline.push_back({radius * std::cos(2 * M_PI * i / sides), radius * std::sin(2 * M_PI * i / sides)});
+  for (int i = 0; i < sides; ++i)
+    outline.push_back({radius * std::cos(2 * M_PI * i / sides), radius * std::sin(2 * M_PI * i / sides)});
   return prism(outline, length);
 }
 

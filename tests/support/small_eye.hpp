@@ -5,7 +5,8 @@
 
 namespace bulbus {
 
-/// The half eye: filled to 15 mmHg, then its equator pressed inwards by a buckle of 2 mm while the liquid is enclosed.
+/// The half eye: filled to 15 mmHg, then its equator pressed inwards by a buckle of 2 mm while the liquid is
+/// enclosed.
 inline Scene small_eye(int n) {
   EyeSettings settings;
   settings.n = n;

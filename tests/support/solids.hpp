@@ -21,7 +21,8 @@ inline Mesh shaken_block(int nx, int ny, int nz, double shake = .12, int seed = 
 }
 
 /// A random affine map and a random shake: finite strains, nothing inverted.
-inline std::vector<double> deformed(std::span<const double> X, int seed, double strain = .2, double shake = .08) {
+inline std::vector<double> deformed(std::span<const double> X, int seed, double strain = .2,
+                                    double shake = .08) {
   const Mat3<double> F = random_gradient(seed, strain);
   std::vector<double> x(X.size());
   for (std::size_t i = 0; i < X.size(); ++i) {
@@ -36,17 +37,22 @@ inline std::vector<double> deformed(std::span<const double> X, int seed, double 
 struct Row {
   int n;
   Mesh mesh = shaken_block(n, 1, 1);
-  std::vector<double> X = places(mesh), x = deformed(X, 3, .15, .05), lambda = noise_vector(n, 1), d = noise_vector(X.size(), 2);
+  std::vector<double> X = places(mesh), x = deformed(X, 3, .15, .05), lambda = noise_vector(n, 1),
+                      d = noise_vector(X.size(), 2);
   Solid solid{X, mesh.hexes, {{"a", make_material({{1, 0, .8}}), 0, n}}};
 };
 
-/// 27 hexahedra of three materials: 10 neo-Hookean, 9 Mooney-Rivlin, 8 polynomial; full packs and partial ones.
+/// 27 hexahedra of three materials: 10 neo-Hookean, 9 Mooney-Rivlin, 8 polynomial; full packs and partial
+/// ones.
 struct ThreeTissues {
   Mesh mesh = shaken_block(3, 3, 3);
   std::vector<double> X = places(mesh), x = deformed(X, 7), lambda = noise_vector(27, 5);
-  Solid solid{X, mesh.hexes, {{"a", make_material({{1, 0, .8}}), 0, 10},
-                              {"b", make_material({{1, 0, .5}, {0, 1, .4}}), 10, 9},
-                              {"c", make_material({{1, 0, .7}, {0, 1, .2}, {2, 0, .3}, {1, 1, .1}, {0, 2, .2}, {3, 0, .1}}), 19, 8}}};
+  Solid solid{X,
+              mesh.hexes,
+              {{"a", make_material({{1, 0, .8}}), 0, 10},
+               {"b", make_material({{1, 0, .5}, {0, 1, .4}}), 10, 9},
+               {"c", make_material({{1, 0, .7}, {0, 1, .2}, {2, 0, .3}, {1, 1, .1}, {0, 2, .2}, {3, 0, .1}}),
+                19, 8}}};
   int size() const { return static_cast<int>(X.size()); }
 
   std::vector<double> force(std::span<const double> at, std::span<const double> pressures) const {

@@ -17,8 +17,10 @@ TEST(Blocks, PenaltyErsWithItsInverse) {
   for (double alpha : {10., 100., 1000., 10000.}) {
     ContactTrial run(two_blocks(3, 3, alpha));
     const double force = pressed(run), error = relative(force, uniaxial(.9));
-    measured("two blocks, matching nodes, penalty {:g} MPa/mm: force off by {:.2e} (of the exact one with that penalty {:.1e})", alpha, error,
-             relative(force, with_penalty(alpha)));
+    measured(
+        "two blocks, matching nodes, penalty {:g} MPa/mm: force off by {:.2e} (of the exact one with that "
+        "penalty {:.1e})",
+        alpha, error, relative(force, with_penalty(alpha)));
     EXPECT_LT(relative(force, with_penalty(alpha)), 1e-8);
     if (before > 0) {
       EXPECT_NEAR(before / error, 10, alpha < 1000 ? 3 : .5);
@@ -31,7 +33,10 @@ TEST(Blocks, AugmentedForceIsExact) {
   ContactTrial run(two_blocks(3, 3, 100, 1e-8));
   const double error = relative(pressed(run), uniaxial(.9));
   const auto& augmentation = run.contact("joint").augmentation();
-  measured("two blocks, matching nodes, augmented to 1e-8 mm: force off by {:.1e} (target 1e-6) after {} updates in the last increment", error, augmentation.updates);
+  measured(
+      "two blocks, matching nodes, augmented to 1e-8 mm: force off by {:.1e} (target 1e-6) after {} updates "
+      "in the last increment",
+      error, augmentation.updates);
   EXPECT_LT(error, 1e-6);
   EXPECT_FALSE(augmentation.gave_up);
 }
@@ -41,7 +46,8 @@ double scatter(const ContactTrial& run, double sigma) {
   double worst = 0;
   const auto stresses = run.problem.solid().stresses(run.state.x, run.state.lambda);
   const SolidRegion& high = *std::ranges::find(run.problem.solid().regions(), "high", &SolidRegion::name);
-  for (int h = high.first; h < high.first + high.count; ++h) worst = std::max(worst, relative(stresses[h].mises, std::abs(sigma)));
+  for (int h = high.first; h < high.first + high.count; ++h)
+    worst = std::max(worst, relative(stresses[h].mises, std::abs(sigma)));
   return worst;
 }
 
@@ -52,7 +58,8 @@ std::pair<double, double> imbalance(const ContactTrial& run) {
   Vec3<double> sum{0, 0, 0}, moment{0, 0, 0};
   double size = 0;
   for (std::size_t n = 0; n < f.size(); n += 3) {
-    const Vec3<double> at_node{f[n], f[n + 1], f[n + 2]}, m = cross({run.state.x[n], run.state.x[n + 1], run.state.x[n + 2]}, at_node);
+    const Vec3<double> at_node{f[n], f[n + 1], f[n + 2]},
+        m = cross({run.state.x[n], run.state.x[n + 1], run.state.x[n + 2]}, at_node);
     for (int c = 0; c < 3; ++c) sum[c] += at_node[c], moment[c] += m[c];
     size += norm(at_node);
   }
@@ -67,8 +74,10 @@ TEST(Blocks, NodesThatDoNotMatchPressTheSlaveEvenly) {
     ContactTrial run(scene);
     const double error = relative(pressed(run), uniaxial(.8)), uneven = scatter(run, uniaxial(.8) * .8);
     const auto [force, moment] = imbalance(run);
-    measured("two blocks, {0} x {0} faces on {1} x {1} of a wider, stiff one: force off by {2:.1e}, Mises stress by at most {3:.1e}; sum of the pairs' forces {4:.0e}, of their moments {5:.0e}, over the force",
-             high, low, error, uneven, force, moment);
+    measured(
+        "two blocks, {0} x {0} faces on {1} x {1} of a wider, stiff one: force off by {2:.1e}, Mises stress "
+        "by at most {3:.1e}; sum of the pairs' forces {4:.0e}, of their moments {5:.0e}, over the force",
+        high, low, error, uneven, force, moment);
     EXPECT_LT(error, 1e-3);
     EXPECT_LT(uneven, 1e-3);
     EXPECT_LT(force, 1e-14);
@@ -78,8 +87,14 @@ TEST(Blocks, NodesThatDoNotMatchPressTheSlaveEvenly) {
 
 /// A sheet held at its ends in x, and a strip across it that goes down by .5 mm at its ends in y.
 Scene sheets(double thickness, int increments) {
-  const Mesh low = generate(BlockShape{.lower = {-1, -1, 0}, .upper = {1, 1, thickness}, .nx = 6, .ny = 6, .nz = 1, .region = "low"});
-  Mesh high = generate(BlockShape{.lower = {-.4, -1.5, thickness + .05}, .upper = {.4, 1.5, 2 * thickness + .05}, .nx = 3, .ny = 7, .nz = 1, .region = "high"});
+  const Mesh low = generate(BlockShape{
+      .lower = {-1, -1, 0}, .upper = {1, 1, thickness}, .nx = 6, .ny = 6, .nz = 1, .region = "low"});
+  Mesh high = generate(BlockShape{.lower = {-.4, -1.5, thickness + .05},
+                                  .upper = {.4, 1.5, 2 * thickness + .05},
+                                  .nx = 3,
+                                  .ny = 7,
+                                  .nz = 1,
+                                  .region = "high"});
   Scene scene{low, {}};
   std::map<std::string, std::vector<Quad>> surfaces;
   for (const auto& [side, faces] : high.surfaces) surfaces["high " + side] = faces;
@@ -110,8 +125,10 @@ TEST(ThinSheet, IsCarriedAlongByASecondSheet) {
       force.push_back(run.force("joint")[2]);
       EXPECT_NEAR(force.back() / force[0], 1, 1e-3) << thickness << " " << increments;
     }
-    measured("a sheet of {:g} mm carried along by a second one in 10, 1, 2, 3 increments: {:.6g}, {:.6g}, {:.6g}, {:.6g} N", thickness, force[0], force[1],
-             force[2], force[3]);
+    measured(
+        "a sheet of {:g} mm carried along by a second one in 10, 1, 2, 3 increments: {:.6g}, {:.6g}, {:.6g}, "
+        "{:.6g} N",
+        thickness, force[0], force[1], force[2], force[3]);
     EXPECT_GT(force[0], 0);
   }
 }
@@ -125,10 +142,12 @@ Mesh half_space(int n) {
   return mesh;
 }
 
-const std::array<double, 3> depths{1.5e-4, 3e-4, 6e-4};  // small, for the closed form is of small strains: a/R ≤ .025
+const std::array<double, 3> depths{1.5e-4, 3e-4,
+                                   6e-4};  // small, for the closed form is of small strains: a/R ≤ .025
 
 void press(Scene& scene, const std::function<void(StepSpec&, double)>& by) {
-  scene.model.contacts[0].penalty = 2e4, scene.model.contacts[0].depth = .01, scene.model.contacts[0].tolerance = 1e-6;
+  scene.model.contacts[0].penalty = 2e4, scene.model.contacts[0].depth = .01,
+  scene.model.contacts[0].tolerance = 1e-6;
   for (double depth : depths) {
     scene.model.steps.push_back(step("press"));
     by(scene.model.steps.back(), depth);
@@ -136,13 +155,17 @@ void press(Scene& scene, const std::function<void(StepSpec&, double)>& by) {
 }
 
 /// F = 4/3 E* √R δ^(3/2)
-double hertz_force(double modulus, double radius, double depth) { return 4. / 3 * modulus * std::sqrt(radius) * std::pow(depth, 1.5); }
+double hertz_force(double modulus, double radius, double depth) {
+  return 4. / 3 * modulus * std::sqrt(radius) * std::pow(depth, 1.5);
+}
 
-/// The displacement of an incompressible half-space far from a load F along z (Boussinesq), over F/(4πμ), less a shift along z.
+/// The displacement of an incompressible half-space far from a load F along z (Boussinesq), over F/(4πμ),
+/// less a shift along z.
 DisplaceSpec far_away(const std::string& set, double force, double shift) {
   const std::string scale = fmt::format("{:.17g}", force / (4 * M_PI * mu)), r = "sqrt(X^2+Y^2+Z^2)";
   DisplaceSpec d = displace(set);
-  d.x = scale + "*X*Z/" + r + "^3", d.y = scale + "*Y*Z/" + r + "^3", d.z = scale + "*(Z^2/" + r + "^3+1/" + r + ")" + fmt::format("-{:.17g}", shift);
+  d.x = scale + "*X*Z/" + r + "^3", d.y = scale + "*Y*Z/" + r + "^3",
+  d.z = scale + "*(Z^2/" + r + "^3+1/" + r + ")" + fmt::format("-{:.17g}", shift);
   return d;
 }
 
@@ -205,10 +228,13 @@ HertzErrors hertz_errors(const std::string& what, const Scene& scene, double mod
     if (i.progress < 1) return;
     const double depth = depths[steps++];
     const ContactFigures f = run.contact("pole").figures(state);
-    e.force = 4 * std::abs(f.on_master[0].force[2]) / hertz_force(modulus, radius, depth) - 1, e.area = 4 * f.area / (M_PI * radius * depth) - 1;
+    e.force = 4 * std::abs(f.on_master[0].force[2]) / hertz_force(modulus, radius, depth) - 1,
+    e.area = 4 * f.area / (M_PI * radius * depth) - 1;
     e.mean += std::abs(e.force) / depths.size();
-    measured("Hertz, {}, {} hexahedra, depth / radius {:g}: force off by {:+.2f} %, contact area by {:+.1f} %; largest penetration {:.0e} of the depth", what,
-             run.problem.mesh().all_hexes, depth, 100 * e.force, 100 * e.area, f.penetration / depth);
+    measured(
+        "Hertz, {}, {} hexahedra, depth / radius {:g}: force off by {:+.2f} %, contact area by {:+.1f} %; "
+        "largest penetration {:.0e} of the depth",
+        what, run.problem.mesh().all_hexes, depth, 100 * e.force, 100 * e.area, f.penetration / depth);
   };
   run.direct();
   EXPECT_TRUE(run.report.converged) << run.report.reason;
@@ -217,9 +243,12 @@ HertzErrors hertz_errors(const std::string& what, const Scene& scene, double mod
 }
 
 TEST(Hertz, RigidBallOnAHalfSpace) {
-  const HertzErrors coarse = hertz_errors("rigid ball", hertz(6), 4 * mu, 1), fine = hertz_errors("rigid ball", hertz(9), 4 * mu, 1);
-  measured("Hertz, rigid ball, deepest: force off by {:.2f} % (target 2 %), area by {:.1f} % (target 5 %); observed order of the mean error of force {:.1f}",
-           100 * fine.force, 100 * fine.area, std::log(coarse.mean / fine.mean) / std::log(1.5));
+  const HertzErrors coarse = hertz_errors("rigid ball", hertz(6), 4 * mu, 1),
+                    fine = hertz_errors("rigid ball", hertz(9), 4 * mu, 1);
+  measured(
+      "Hertz, rigid ball, deepest: force off by {:.2f} % (target 2 %), area by {:.1f} % (target 5 %); "
+      "observed order of the mean error of force {:.1f}",
+      100 * fine.force, 100 * fine.area, std::log(coarse.mean / fine.mean) / std::log(1.5));
   EXPECT_LT(std::abs(fine.force), .02);
   EXPECT_LT(std::abs(fine.area), .05);
   EXPECT_LT(fine.mean, coarse.mean / 1.5);
@@ -253,8 +282,10 @@ TEST(Ball, ReturnsToItsShapeWhenLetGo) {
   };
   run.direct();
   ASSERT_TRUE(run.report.converged) << run.report.reason;
-  measured("ball pressed to 0.7 of its height (largest displacement {:.3f} of the radius, force {:.3f} mu R²) and let go: {:.0e} of the radius is left", most, force / mu,
-           moved(run.state));
+  measured(
+      "ball pressed to 0.7 of its height (largest displacement {:.3f} of the radius, force {:.3f} mu R²) and "
+      "let go: {:.0e} of the radius is left",
+      most, force / mu, moved(run.state));
   EXPECT_GT(force, .5);
   EXPECT_LT(moved(run.state), 1e-8);
   EXPECT_EQ(run.pairs("pole"), 0);

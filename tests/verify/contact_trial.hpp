@@ -7,7 +7,8 @@ namespace bulbus {
 /// A trial with rigid bodies, contacts and sutures.
 struct ContactTrial : Trial {
   std::shared_ptr<Interactions> interactions;
-  explicit ContactTrial(const Scene& scene, const Comm& c = {}) : Trial(scene, c), interactions(Interactions::attach(problem, scene.mesh)) {
+  explicit ContactTrial(const Scene& scene, const Comm& c = {})
+      : Trial(scene, c), interactions(Interactions::attach(problem, scene.mesh)) {
     settings.newton = tight(1e-10);
   }
   const ContactTerm& contact(const std::string& name) const { return *interactions->contact(name, "").term; }
@@ -30,7 +31,8 @@ inline ContactSpec contact(const std::string& name, const std::string& slave, co
 
 /// A block whose surfaces bear its name: "low xmin", ...
 inline Mesh named_block(const std::string& name, const Point& lower, const Point& upper, int n, int nz) {
-  Mesh mesh = generate(BlockShape{.lower = lower, .upper = upper, .nx = n, .ny = n, .nz = nz, .region = name});
+  Mesh mesh =
+      generate(BlockShape{.lower = lower, .upper = upper, .nx = n, .ny = n, .nz = nz, .region = name});
   std::map<std::string, std::vector<Quad>> surfaces;
   for (const auto& [side, faces] : mesh.surfaces) surfaces[name + " " + side] = faces;
   mesh.surfaces = surfaces;

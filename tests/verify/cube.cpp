@@ -27,10 +27,12 @@ Scene cube(const std::string& material) {
   return scene;
 }
 
-Scene stretched(const std::string& material, std::optional<double> x, std::optional<double> y, std::optional<double> z) {
+Scene stretched(const std::string& material, std::optional<double> x, std::optional<double> y,
+                std::optional<double> z) {
   Scene scene = cube(material);
   scene.model.symmetry = {"x", "y", "z"};
-  const auto pull = [&](const char* set, std::optional<double> stretch, std::optional<std::string> DisplaceSpec::*axis) {
+  const auto pull = [&](const char* set, std::optional<double> stretch,
+                        std::optional<std::string> DisplaceSpec::*axis) {
     if (!stretch) return;
     DisplaceSpec d = displace(set);
     d.*axis = number(*stretch - 1);
@@ -54,7 +56,8 @@ Scene sheared(const std::string& material, double gamma) {
   return scene;
 }
 
-/// Largest deviation over the cells and of the mean nominal stress, relative to the largest stress of the state.
+/// Largest deviation over the cells and of the mean nominal stress, relative to the largest stress of the
+/// state.
 double error_of(const Scene& scene, const Mat3<double>& cauchy, const Mat3<double>& nominal) {
   Trial run(scene);
   run.settings.newton = tight(1e-13);
@@ -70,13 +73,15 @@ double error_of(const Scene& scene, const Mat3<double>& cauchy, const Mat3<doubl
     double mises = 0;
     for (auto [i, j] : pairs) {
       error = std::max(error, std::abs(s.cauchy(i, j) - cauchy(i, j)) / scale);
-      mises += i == j ? std::pow(cauchy(i, i) - cauchy((i + 1) % 3, (i + 1) % 3), 2) / 2 : 3 * std::pow(cauchy(i, j), 2);
+      mises += i == j ? std::pow(cauchy(i, i) - cauchy((i + 1) % 3, (i + 1) % 3), 2) / 2
+                      : 3 * std::pow(cauchy(i, j), 2);
     }
     error = std::max(error, std::abs(s.mises - std::sqrt(mises)) / scale);
   }
   const Mat3<double> P = run.virial();
   for (int i = 0; i < 9; ++i)
-    nominal_error = std::max(nominal_error, std::abs(P(i / 3, i % 3) - nominal(i / 3, i % 3)) / nominal_scale);
+    nominal_error =
+        std::max(nominal_error, std::abs(P(i / 3, i % 3) - nominal(i / 3, i % 3)) / nominal_scale);
   return std::max(error, nominal_error);
 }
 
@@ -99,33 +104,38 @@ class Cube : public testing::TestWithParam<const char*> {
       EXPECT_LT(e, 1e-9) << "lambda = " << r["lambda"];
       worst = std::max(worst, e);
     }
-    measured("cube, {} {}: largest relative error of the stresses {:.1e} (target 1e-9)", GetParam(), what, worst);
+    measured("cube, {} {}: largest relative error of the stresses {:.1e} (target 1e-9)", GetParam(), what,
+             worst);
   }
 };
 
 TEST_P(Cube, Uniaxial) {
   expect_exact("uniaxial", [](const auto& r) {
-    return error_of(stretched(GetParam(), r["lambda"], {}, {}), diagonal(r["uniaxial_Cauchy"], 0, 0), diagonal(r["uniaxial_nominal"], 0, 0));
+    return error_of(stretched(GetParam(), r["lambda"], {}, {}), diagonal(r["uniaxial_Cauchy"], 0, 0),
+                    diagonal(r["uniaxial_nominal"], 0, 0));
   });
 }
 
 TEST_P(Cube, Equibiaxial) {
   expect_exact("equibiaxial", [](const auto& r) {
     const double s = r["equibiax_Cauchy"], P = r["equibiax_nominal"];
-    return error_of(stretched(GetParam(), r["lambda"], r["lambda"], {}), diagonal(s, s, 0), diagonal(P, P, 0));
+    return error_of(stretched(GetParam(), r["lambda"], r["lambda"], {}), diagonal(s, s, 0),
+                    diagonal(P, P, 0));
   });
 }
 
 TEST_P(Cube, PureShear) {
   expect_exact("pure shear", [](const auto& r) {
-    return error_of(stretched(GetParam(), r["lambda"], 1, {}), diagonal(r["pureshear_Cauchy_1"], r["pureshear_Cauchy_2(held)"], 0),
+    return error_of(stretched(GetParam(), r["lambda"], 1, {}),
+                    diagonal(r["pureshear_Cauchy_1"], r["pureshear_Cauchy_2(held)"], 0),
                     diagonal(r["pureshear_nominal_1"], r["pureshear_nominal_2"], 0));
   });
 }
 
 TEST_P(Cube, SimpleShear) {
   expect_exact("simple shear", [](const auto& r) {
-    const double g = r["simpleshear_gamma"], s12 = r["simpleshear_s12"], s11 = r["simpleshear_s11-s33"], s22 = r["simpleshear_s22-s33"];
+    const double g = r["simpleshear_gamma"], s12 = r["simpleshear_s12"], s11 = r["simpleshear_s11-s33"],
+                 s22 = r["simpleshear_s22-s33"];
     const Mat3<double> cauchy{{{{s11, s12, 0}, {s12, s22, 0}, {0, 0, 0}}}};
     // P = σ F⁻ᵀ, F⁻ᵀ = I − γ e2 ⊗ e1
     const Mat3<double> nominal{{{{s11 - g * s12, s12, 0}, {s12 - g * s22, s22, 0}, {0, 0, 0}}}};
@@ -133,7 +143,8 @@ TEST_P(Cube, SimpleShear) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, Cube, testing::Values("nh", "mr"), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Materials, Cube, testing::Values("nh", "mr"),
+                         [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
 }  // namespace bulbus

@@ -34,13 +34,15 @@ Errors errors(int n, const ReferenceRow& r) {
   const double outside = r["p_outside_MPa"];
   const Scene scene = filled_sphere(n, outside, r["beta_vol_expansion"]);
   Trial run(scene);
-  // P - p_outside is a small part of P, so the balance must be closer than usual; with nothing but a small strain to carry,
-  // round-off of the deformation gradient stands at 1e-11
+  // P - p_outside is a small part of P, so the balance must be closer than usual; with nothing but a small
+  // strain to carry, round-off of the deformation gradient stands at 1e-11
   run.settings.newton = tight(outside > 0 ? 1e-12 : 1e-10, 1e-13);
   run.direct();
   EXPECT_TRUE(run.report.converged) << run.report.reason;
-  return {relative(run.mean_radial(scene.mesh, "inner"), r["u_r_inner_mm"]), relative(run.mean_radial(scene.mesh, "outer"), r["u_r_outer_mm"]),
-          relative(run.state.P[0], r["p_liquid_MPa"]), relative(run.state.P[0] - outside, r["p_liquid_minus_p_outside_MPa"])};
+  return {relative(run.mean_radial(scene.mesh, "inner"), r["u_r_inner_mm"]),
+          relative(run.mean_radial(scene.mesh, "outer"), r["u_r_outer_mm"]),
+          relative(run.state.P[0], r["p_liquid_MPa"]),
+          relative(run.state.P[0] - outside, r["p_liquid_minus_p_outside_MPa"])};
 }
 
 TEST(FilledSphere, ConvergesWithSecondOrder) {
@@ -49,9 +51,13 @@ TEST(FilledSphere, ConvergesWithSecondOrder) {
   for (const auto& r : rows) {
     const Errors coarse = errors(4, r), fine = errors(8, r);
     const auto order = [](double c, double f) { return std::log2(c / f); };
-    measured("filled sphere, p_outside = {}, beta = {}: inner u_r {:.1e} {:.1e} order {:.2f}; outer {:.1e} {:.1e} order {:.2f}; P {:.1e} {:.1e} order {:.2f}; P - p_outside {:.1e} {:.1e} order {:.2f}",
-             r["p_outside_MPa"], r["beta_vol_expansion"], coarse.inner, fine.inner, order(coarse.inner, fine.inner), coarse.outer, fine.outer, order(coarse.outer, fine.outer),
-             coarse.pressure, fine.pressure, order(coarse.pressure, fine.pressure), coarse.excess, fine.excess, order(coarse.excess, fine.excess));
+    measured(
+        "filled sphere, p_outside = {}, beta = {}: inner u_r {:.1e} {:.1e} order {:.2f}; outer {:.1e} {:.1e} "
+        "order {:.2f}; P {:.1e} {:.1e} order {:.2f}; P - p_outside {:.1e} {:.1e} order {:.2f}",
+        r["p_outside_MPa"], r["beta_vol_expansion"], coarse.inner, fine.inner,
+        order(coarse.inner, fine.inner), coarse.outer, fine.outer, order(coarse.outer, fine.outer),
+        coarse.pressure, fine.pressure, order(coarse.pressure, fine.pressure), coarse.excess, fine.excess,
+        order(coarse.excess, fine.excess));
     // the liquid prescribes the volume, so that displacements converge even faster
     EXPECT_LT(fine.inner, 1e-4);
     EXPECT_LT(fine.outer, 1e-4);

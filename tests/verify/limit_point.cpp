@@ -1,5 +1,5 @@
-// A thin neo-Hookean sphere through its pressure maximum. Only the coupled system passes: at the maximum the tangent at fixed
-// pressure is singular, and beyond it indefinite.
+// A thin neo-Hookean sphere through its pressure maximum. Only the coupled system passes: at the maximum the
+// tangent at fixed pressure is singular, and beyond it indefinite.
 #include "tests/verify/run.hpp"
 
 namespace bulbus {
@@ -63,9 +63,12 @@ double inflate(int n) {
   EXPECT_GE(before, 3);
   EXPECT_GE(after, 8);
   EXPECT_LT(run.state.P[0], .85 * highest);
-  measured("thin sphere, {} hexahedra: largest pressure {:.6f} (closed form {:.6f} at stretch {:.4f}), last {:.6f} (closed form {:.6f}); worst {:.3f} % of the maximum; {} Newton, {} Krylov iterations",
-           run.problem.mesh().all_hexes, highest, top.pressure, top.stretch, run.state.P[0], closed_form(std::cbrt(volume(run.problem, run.state) / V0)), 100 * worst,
-           run.report.newton_iterations, run.report.krylov_iterations);
+  measured(
+      "thin sphere, {} hexahedra: largest pressure {:.6f} (closed form {:.6f} at stretch {:.4f}), last "
+      "{:.6f} (closed form {:.6f}); worst {:.3f} % of the maximum; {} Newton, {} Krylov iterations",
+      run.problem.mesh().all_hexes, highest, top.pressure, top.stretch, run.state.P[0],
+      closed_form(std::cbrt(volume(run.problem, run.state) / V0)), 100 * worst, run.report.newton_iterations,
+      run.report.krylov_iterations);
   return worst;
 }
 
@@ -94,7 +97,8 @@ TEST(LimitPoint, PressureControlEndsBelowItWithAReason) {
   const Balance b = run.problem.balance(run.problem.residual(run.state));
   EXPECT_LT(b.force, 1e-8);
   EXPECT_LT(b.volume, 1e-8);
-  measured("thin sphere under pressure alone: stopped at {:.4f} of the largest pressure; {}", run.state.P[0] / top.pressure, run.report.reason);
+  measured("thin sphere under pressure alone: stopped at {:.4f} of the largest pressure; {}",
+           run.state.P[0] / top.pressure, run.report.reason);
 }
 
 }  // namespace

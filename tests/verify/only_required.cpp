@@ -1,4 +1,5 @@
-// What a scene leaves out costs nothing: no term, no unknown, no allocation, no search, no hexahedron in the kernels.
+// What a scene leaves out costs nothing: no term, no unknown, no allocation, no search, no hexahedron in the
+// kernels.
 #include "contact/interactions.hpp"
 #include "tests/support/allocations.hpp"
 #include "tests/verify/run.hpp"
@@ -30,7 +31,8 @@ struct Linearised {
   CoupledSystem system;
   std::vector<double> x, y;
 
-  explicit Linearised(const Scene& scene) : problem(scene.mesh, scene.model, Comm()), state(problem.initial_state()), system(problem, {}) {
+  explicit Linearised(const Scene& scene)
+      : problem(scene.mesh, scene.model, Comm()), state(problem.initial_state()), system(problem, {}) {
     for (int k = 0; k < static_cast<int>(scene.model.steps.size()); ++k) {
       if (k > 0) problem.end_step();
       problem.begin_step(k, state), problem.set_progress(1, state);
@@ -59,7 +61,8 @@ TEST(OnlyRequired, ASolidAloneIsAppliedWithoutAllocations) {
 }
 
 TEST(OnlyRequired, PartsLeftOutLeaveNothingBehind) {
-  Linearised all(shell({})), no_bars(shell({.bars = false})), no_cap(shell({.cap = false})), no_liquid(shell({.liquid = false}));
+  Linearised all(shell({})), no_bars(shell({.bars = false})), no_cap(shell({.cap = false})),
+      no_liquid(shell({.liquid = false}));
   EXPECT_EQ(all.problem.terms().size(), 1u);
   EXPECT_TRUE(no_bars.problem.terms().empty());
   EXPECT_EQ(all.problem.liquids().size(), 1u);
@@ -72,7 +75,8 @@ TEST(OnlyRequired, PartsLeftOutLeaveNothingBehind) {
 }
 
 TEST(OnlyRequired, ApplyAllocatesForTheLiquidOnlyWhereThereIsOne) {
-  Linearised none(shell({.bars = false, .cap = false, .liquid = false})), liquid(shell({.bars = false, .cap = false}));
+  Linearised none(shell({.bars = false, .cap = false, .liquid = false})),
+      liquid(shell({.bars = false, .cap = false}));
   const auto of = [](Linearised& l) { return allocated([&] { l.apply(); }); };
   EXPECT_EQ(of(none), 0);
   EXPECT_GT(of(liquid), 0);
@@ -95,7 +99,8 @@ long long march_allocations(const Scene& scene, bool asked) {
   if (asked) interactions = Interactions::attach(run.problem, scene.mesh);
   const long long made = allocated([&] { run.iterative(); });
   EXPECT_TRUE(run.report.converged);
-  EXPECT_TRUE(!asked || (interactions->contacts().empty() && interactions->sutures().empty() && interactions->bodies().empty()));
+  EXPECT_TRUE(!asked || (interactions->contacts().empty() && interactions->sutures().empty() &&
+                         interactions->bodies().empty()));
   return made;
 }
 
@@ -108,14 +113,16 @@ TEST(OnlyRequired, ASceneWithoutContactsMarchesAsIfThereWereNoContactFloor) {
 /// Two blocks, one above the other at a distance, or one alone.
 Scene blocks(bool both, double distance) {
   Scene scene{generate(BlockShape{.nx = 2, .ny = 2, .nz = 2, .region = "lower"}), {}};
-  scene.mesh.surfaces = {{"lower_top", scene.mesh.surfaces.at("zmax")}, {"lower_bottom", scene.mesh.surfaces.at("zmin")}};
+  scene.mesh.surfaces = {{"lower_top", scene.mesh.surfaces.at("zmax")},
+                         {"lower_bottom", scene.mesh.surfaces.at("zmin")}};
   scene.mesh.node_sets["base"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] < 1e-9; });
   scene.model.regions["lower"] = neo_hooke(.5);
   scene.model.fix.push_back({"base", {"x", "y", "z"}});
   scene.model.steps = {step("rest", 2)};
   if (!both) return scene;
   const double z = 1 + distance;
-  Mesh upper = generate(BlockShape{.lower = {-.5, -.5, z}, .upper = {1.5, 1.5, z + 1}, .nx = 3, .ny = 3, .nz = 2, .region = "upper"});
+  Mesh upper = generate(BlockShape{
+      .lower = {-.5, -.5, z}, .upper = {1.5, 1.5, z + 1}, .nx = 3, .ny = 3, .nz = 2, .region = "upper"});
   upper.surfaces = {{"upper_bottom", upper.surfaces.at("zmin")}};
   append(scene.mesh, upper);
   scene.mesh.node_sets["lid"] = nodes_where(scene.mesh, [&](const Point& p) { return p[2] > z + .9; });
@@ -128,7 +135,8 @@ Scene blocks(bool both, double distance) {
 TEST(OnlyRequired, WithoutContactsNothingIsSearchedAndWithOneOnlyWhatMoves) {
   const Scene alone = blocks(false, 0), both = blocks(true, .05);
   Trial without(alone), with(both);
-  const auto none = Interactions::attach(without.problem, alone.mesh), one = Interactions::attach(with.problem, both.mesh);
+  const auto none = Interactions::attach(without.problem, alone.mesh),
+             one = Interactions::attach(with.problem, both.mesh);
   without.direct(), with.direct();
   ASSERT_TRUE(without.report.converged && with.report.converged);
   EXPECT_TRUE(none->contacts().empty());

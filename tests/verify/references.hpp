@@ -22,7 +22,8 @@ inline std::vector<std::string> split_cells(const std::string& line) {
   return cells;
 }
 
-/// All rows of data/references/NAME; lines that begin with # are remarks, the first other one names the columns.
+/// All rows of data/references/NAME; lines that begin with # are remarks, the first other one names the
+/// columns.
 inline std::vector<ReferenceRow> references(const std::string& name) {
   const std::string path = std::string(BULBUS_DATA) + "/references/" + name;
   std::ifstream in(path);

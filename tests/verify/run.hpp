@@ -35,7 +35,8 @@ struct Trial : MarchTrial {
     return with(make_direct_solver(settings.linear, profiler));
   }
   Trial& iterative() {
-    return with(make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, profiler), profiler));
+    return with(make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, profiler),
+                                   profiler));
   }
 
   double displacement(int local_node, int axis) const {

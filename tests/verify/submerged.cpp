@@ -16,7 +16,8 @@ void expect_pressure_only(const Trial& run, const std::string& region, double P,
         mises = std::max(mises, stresses[h].mises / P);
         pressure = std::max(pressure, std::abs(run.state.lambda[h] + P) / P);
       }
-  measured("{} at {} MPa: Mises stress / P {:.1e} (target 1e-10), |lambda + P| / P {:.1e} (target 1e-10)", what, P, mises, pressure);
+  measured("{} at {} MPa: Mises stress / P {:.1e} (target 1e-10), |lambda + P| / P {:.1e} (target 1e-10)",
+           what, P, mises, pressure);
   EXPECT_LT(mises, 1e-10);
   EXPECT_LT(pressure, 1e-10);
 }
@@ -41,7 +42,8 @@ TEST_P(Submerged, FreeBall) {
   }
 }
 
-/// A ball in the liquid of a vessel as stiff as the pressure needs: a wet surface of two parts, pressure given and then enclosed with liquid added.
+/// A ball in the liquid of a vessel as stiff as the pressure needs: a wet surface of two parts, pressure
+/// given and then enclosed with liquid added.
 TEST_P(Submerged, BallInTheLiquidOfAVessel) {
   const double P = GetParam();
   for (bool direct : {true, false}) {
@@ -66,7 +68,8 @@ TEST_P(Submerged, BallInTheLiquidOfAVessel) {
     direct ? run.direct() : run.iterative();
     ASSERT_TRUE(run.report.converged) << run.report.reason;
     EXPECT_GT(run.state.P[0], 1.05 * P);
-    expect_pressure_only(run, "ball", run.state.P[0], direct ? "ball in a vessel, direct" : "ball in a vessel, iterative");
+    expect_pressure_only(run, "ball", run.state.P[0],
+                         direct ? "ball in a vessel, direct" : "ball in a vessel, iterative");
   }
 }
 

@@ -8,7 +8,8 @@ namespace {
 constexpr double radius = 5, height = 4;
 
 Scene twisted(int n, double twist) {
-  Scene scene{generate(CylinderShape{.radius = radius, .height = height, .n = n, .rings = n, .layers = n}), {}};
+  Scene scene{generate(CylinderShape{.radius = radius, .height = height, .n = n, .rings = n, .layers = n}),
+              {}};
   Model& m = scene.model;
   m.regions["cylinder"] = neo_hooke(.0833);
   m.fix.push_back({"bottom", {"x", "y", "z"}});
@@ -44,9 +45,12 @@ TEST(Torsion, MomentAndAxialForceConvergeWithSecondOrder) {
     const double twist = r["twist_per_ref_length_rad_per_mm"];
     const Reactions coarse = reactions(4, twist), fine = reactions(8, twist);
     const double mc = relative(coarse.moment, r["Moment_Nmm"]), mf = relative(fine.moment, r["Moment_Nmm"]);
-    const double nc = relative(coarse.force, r["Axial_force_N"]), nf = relative(fine.force, r["Axial_force_N"]);
-    measured("torsion, {} rad/mm: moment off by {:.3f} % and {:.3f} % (order {:.2f}), axial force by {:.3f} % and {:.3f} % (order {:.2f})",
-             twist, 100 * mc, 100 * mf, std::log2(mc / mf), 100 * nc, 100 * nf, std::log2(nc / nf));
+    const double nc = relative(coarse.force, r["Axial_force_N"]),
+                 nf = relative(fine.force, r["Axial_force_N"]);
+    measured(
+        "torsion, {} rad/mm: moment off by {:.3f} % and {:.3f} % (order {:.2f}), axial force by {:.3f} % and "
+        "{:.3f} % (order {:.2f})",
+        twist, 100 * mc, 100 * mf, std::log2(mc / mf), 100 * nc, 100 * nf, std::log2(nc / nf));
     EXPECT_NEAR(std::log2(mc / mf), 2, .2);
     EXPECT_NEAR(std::log2(nc / nf), 2, .2);
   }

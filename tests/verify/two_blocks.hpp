@@ -6,7 +6,8 @@ namespace bulbus {
 /// Half the shear modulus of the blocks, MPa.
 constexpr double block_c10 = .5;
 
-/// Two blocks 1 × 1 × 1 in all, a quarter of the whole, pressed to 0.9 of their height; the lower one may be wider.
+/// Two blocks 1 × 1 × 1 in all, a quarter of the whole, pressed to 0.9 of their height; the lower one may be
+/// wider.
 inline Scene two_blocks(int low, int high, double penalty, double tolerance = 0, double width = 1) {
   Scene scene{named_block("low", {0, 0, 0}, {width, width, .5}, low, 2), {}};
   append(scene.mesh, named_block("high", {0, 0, .5}, {1, 1, 1}, high, 2));
@@ -30,7 +31,8 @@ inline double uniaxial(double l) { return 2 * block_c10 * (l - 1 / (l * l)); }
 /// The same where the springs of the penalty take their part of the squeeze: α g = −P(0.9 + g).
 inline double with_penalty(double alpha) {
   double g = 0;
-  for (int i = 0; i < 50; ++i) g -= (alpha * g + uniaxial(.9 + g)) / (alpha + 2 * block_c10 * (1 + 2 / std::pow(.9 + g, 3)));
+  for (int i = 0; i < 50; ++i)
+    g -= (alpha * g + uniaxial(.9 + g)) / (alpha + 2 * block_c10 * (1 + 2 / std::pow(.9 + g, 3)));
   return uniaxial(.9 + g);
 }
 

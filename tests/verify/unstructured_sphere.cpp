@@ -1,4 +1,5 @@
-// A thick sphere under inner pressure in hexahedra that are aligned with nothing (data/meshes/unstructured_shell.geo).
+// A thick sphere under inner pressure in hexahedra that are aligned with nothing
+// (data/meshes/unstructured_shell.geo).
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/verify/references.hpp"
 #include "tests/verify/run.hpp"
@@ -32,8 +33,10 @@ TEST(UnstructuredSphere, TakesAsFewIterationsOnBothMeshes) {
   for (const auto& r : references("thick_sphere_inflation_given_pressure.csv")) {
     if (r["p_MPa"] != .005) continue;
     const Found coarse = inflated("coarse", r), fine = inflated("fine", r);
-    measured("unstructured thick sphere, p = {}: inner u_r off by {:.3f} % (1168 hexahedra) and {:.3f} % (3140); at most {} and {} iterations",
-             r["p_MPa"], 100 * coarse.error, 100 * fine.error, coarse.iterations, fine.iterations);
+    measured(
+        "unstructured thick sphere, p = {}: inner u_r off by {:.3f} % (1168 hexahedra) and {:.3f} % (3140); "
+        "at most {} and {} iterations",
+        r["p_MPa"], 100 * coarse.error, 100 * fine.error, coarse.iterations, fine.iterations);
     EXPECT_LT(coarse.error, .01);
     EXPECT_LT(fine.error, coarse.error);
     EXPECT_LE(coarse.iterations, 25);

@@ -33,10 +33,11 @@ void sort_unique(std::vector<int>& v) {
   v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
-// Per rank, the nodes that its hexahedra, bars and shared surfaces touch but that others own: all of them for this rank, those
-// that this rank owns for others.
-std::vector<std::vector<int>> ghosts_by_rank(const Mesh& mesh, std::span<const int> rank_of_hex, const std::vector<int>& owner,
-                                             const Comm& comm, const std::set<std::string>& shared) {
+// Per rank, the nodes that its hexahedra, bars and shared surfaces touch but that others own: all of them for
+// this rank, those that this rank owns for others.
+std::vector<std::vector<int>> ghosts_by_rank(const Mesh& mesh, std::span<const int> rank_of_hex,
+                                             const std::vector<int>& owner, const Comm& comm,
+                                             const std::set<std::string>& shared) {
   std::vector<std::vector<int>> ghosts(comm.size());
   const auto needs = [&](int rank, int n) {
     if (owner[n] != rank && (owner[n] == comm.rank() || rank == comm.rank())) ghosts[rank].push_back(n);
@@ -53,8 +54,9 @@ std::vector<std::vector<int>> ghosts_by_rank(const Mesh& mesh, std::span<const i
   return ghosts;
 }
 
-std::vector<Halo::Neighbour> neighbours(const std::vector<std::vector<int>>& ghosts, const std::vector<int>& owner,
-                                        const std::vector<int>& local, int me) {
+std::vector<Halo::Neighbour> neighbours(const std::vector<std::vector<int>>& ghosts,
+                                        const std::vector<int>& owner, const std::vector<int>& local,
+                                        int me) {
   std::vector<Halo::Neighbour> all;
   for (int r = 0; r < static_cast<int>(ghosts.size()); ++r) {
     Halo::Neighbour n{r, {}, {}};
@@ -69,9 +71,10 @@ std::vector<Halo::Neighbour> neighbours(const std::vector<std::vector<int>>& gho
   return all;
 }
 
-// A rank's own nodes in the order in which its hexahedra meet them, region by region, so that neighbours lie together in memory; then those
-// that it has none around.
-std::vector<int> owned_nodes(const Mesh& mesh, std::span<const int> rank_of_hex, const std::vector<int>& owner, int me) {
+// A rank's own nodes in the order in which its hexahedra meet them, region by region, so that neighbours lie
+// together in memory; then those that it has none around.
+std::vector<int> owned_nodes(const Mesh& mesh, std::span<const int> rank_of_hex,
+                             const std::vector<int>& owner, int me) {
   std::vector<int> nodes;
   std::vector<bool> met(owner.size());
   const auto meet = [&](int n) {
@@ -129,7 +132,8 @@ Quad key_of(Quad q) {
 }
 
 // The rank of every named face: that of the first hexahedron that has it.
-void take_surfaces(const Mesh& mesh, std::span<const int> rank_of_hex, const std::vector<int>& local, LocalMesh& m) {
+void take_surfaces(const Mesh& mesh, std::span<const int> rank_of_hex, const std::vector<int>& local,
+                   LocalMesh& m) {
   std::unordered_map<Quad, int, KeyHash> rank;
   for (const auto& [name, faces] : mesh.surfaces)
     for (const Quad& q : faces) rank.emplace(key_of(q), -1);
@@ -193,11 +197,13 @@ void take_sets(const Mesh& mesh, const std::vector<int>& local, LocalMesh& m) {
 
 }  // namespace
 
-LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm, const std::set<std::string>& shared) {
+LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm,
+                     const std::set<std::string>& shared) {
   return distribute(mesh, labels_of(mesh, rank_of_hex), comm, shared);
 }
 
-LocalMesh distribute(const Mesh& mesh, const Labels& whole, const Comm& comm, const std::set<std::string>& shared) {
+LocalMesh distribute(const Mesh& mesh, const Labels& whole, const Comm& comm,
+                     const std::set<std::string>& shared) {
   const int me = comm.rank();
   const auto owner = node_owners(mesh, whole.rank);
   const auto ghosts = ghosts_by_rank(mesh, whole.rank, owner, comm, shared);

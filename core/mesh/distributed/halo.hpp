@@ -16,7 +16,8 @@ class Halo {
     std::vector<int> receive;  ///< ghost local nodes that are owned there, in the order it sends them
   };
 
-  Halo(const Comm& comm, std::vector<Neighbour> neighbours) : comm_(comm), neighbours_(std::move(neighbours)) {}
+  Halo(const Comm& comm, std::vector<Neighbour> neighbours)
+      : comm_(comm), neighbours_(std::move(neighbours)) {}
 
   /// Ghosts take the owners' values. Collective.
   void update_ghosts(std::span<double> v, int width = 3) const;

@@ -10,31 +10,34 @@
 
 namespace bulbus {
 
-/// One rank's part of a mesh. Local nodes: the owned ones first, as this rank's hexahedra meet them, then ghosts. Node numbers of the
-/// whole are renumbered so that each rank owns a run; hexahedra are sorted by region.
+/// One rank's part of a mesh. Local nodes: the owned ones first, as this rank's hexahedra meet them, then
+/// ghosts. Node numbers of the whole are renumbered so that each rank owns a run; hexahedra are sorted by
+/// region.
 struct LocalMesh {
   struct Run {
     int first = 0, count = 0;
   };
 
   Comm comm;
-  int owned = 0;                   ///< owned nodes
-  std::vector<double> X;           ///< 3 per local node, mm
-  std::vector<long long> number;   ///< global number of a local node
-  std::vector<int> input_node;     ///< its index in the Mesh
-  std::vector<int> by_input;       ///< local nodes in the order of the Mesh
+  int owned = 0;                  ///< owned nodes
+  std::vector<double> X;          ///< 3 per local node, mm
+  std::vector<long long> number;  ///< global number of a local node
+  std::vector<int> input_node;    ///< its index in the Mesh
+  std::vector<int> by_input;      ///< local nodes in the order of the Mesh
   long long first_node = 0, all_nodes = 0;
-  std::vector<Hex> hexes;          ///< local nodes
-  std::vector<int> input_hex;      ///< index in the Mesh
-  std::vector<Run> regions;        ///< hexahedra of each region of the Mesh
+  std::vector<Hex> hexes;      ///< local nodes
+  std::vector<int> input_hex;  ///< index in the Mesh
+  std::vector<Run> regions;    ///< hexahedra of each region of the Mesh
   long long first_hex = 0, all_hexes = 0;
   std::vector<std::string> region_names;
   std::map<std::string, std::vector<Quad>> surfaces;  ///< faces of this rank's hexahedra
-  std::map<std::string, std::vector<Quad>> shared;    ///< all faces of surfaces that every rank asked for, in the Mesh's order
+  std::map<std::string, std::vector<Quad>>
+      shared;  ///< all faces of surfaces that every rank asked for, in the Mesh's order
   std::map<std::string, std::vector<Bar>> bars;       ///< each bar on one rank
   std::map<std::string, std::vector<int>> input_bar;  ///< index of each in the Mesh's group
-  std::map<std::string, std::vector<int>> sets;       ///< local nodes of every node set, and surface of no set's name
-  std::vector<std::vector<int>> region_nodes;         ///< local nodes of every region
+  std::map<std::string, std::vector<int>>
+      sets;  ///< local nodes of every node set, and surface of no set's name
+  std::vector<std::vector<int>> region_nodes;  ///< local nodes of every region
   int refinements = 0;  ///< that the Mesh is away from the one that was read or generated
   Halo halo;
 
@@ -48,10 +51,12 @@ struct LocalMesh {
   std::size_t bytes() const;
 };
 
-/// Takes what this rank is given of a part, as from part_of(). Every rank gets the nodes of the surfaces `shared` at least as
-/// ghosts. Collective.
-LocalMesh distribute(const Mesh& part, const Labels& whole, const Comm& comm, const std::set<std::string>& shared);
+/// Takes what this rank is given of a part, as from part_of(). Every rank gets the nodes of the surfaces
+/// `shared` at least as ghosts. Collective.
+LocalMesh distribute(const Mesh& part, const Labels& whole, const Comm& comm,
+                     const std::set<std::string>& shared);
 /// Of a mesh that every rank has; `rank_of_hex` as from partition(). Collective.
-LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm, const std::set<std::string>& shared = {});
+LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm,
+                     const std::set<std::string>& shared = {});
 
 }  // namespace bulbus

@@ -10,9 +10,10 @@
 namespace bulbus {
 namespace {
 
-// Edges or faces of a part follow each other as in the whole, by their lowest node; labelled nodes have all of theirs. So the
-// index of one in the whole is that of its node's first, plus its place among its node's.
-std::vector<int> labels_by_lowest_node(std::span<const int> lowest, const MeshPart& part, const LocalMesh& local, long long first, long long& all) {
+// Edges or faces of a part follow each other as in the whole, by their lowest node; labelled nodes have all
+// of theirs. So the index of one in the whole is that of its node's first, plus its place among its node's.
+std::vector<int> labels_by_lowest_node(std::span<const int> lowest, const MeshPart& part,
+                                       const LocalMesh& local, long long first, long long& all) {
   std::vector<int> count(part.whole.node.size()), keys, owned, of_owned;
   for (int n : lowest) ++count[n];
   for (std::size_t n = 0; n < count.size(); ++n) {
@@ -33,7 +34,8 @@ std::vector<int> labels_by_lowest_node(std::span<const int> lowest, const MeshPa
   auto next = lowest.begin();
   for (std::size_t n = 0, k = 0; n < count.size(); ++n) {
     const bool known = part.whole.node[n] >= 0;
-    for (int i = 0; i < count[n]; ++i, ++next) labels.push_back(known ? static_cast<int>(first + before[k] + i) : -1);
+    for (int i = 0; i < count[n]; ++i, ++next)
+      labels.push_back(known ? static_cast<int>(first + before[k] + i) : -1);
     k += known;
   }
   return labels;
@@ -71,7 +73,8 @@ Labels refined_labels(const MeshPart& part, const RefinedMesh& r, const LocalMes
 // The parents of labelled nodes, by their labels.
 class LabelledParents {
  public:
-  LabelledParents(const Labels& coarse, const RefinedMesh& r, const Labels& fine) : coarse_(coarse), r_(r), fine_(fine) {
+  LabelledParents(const Labels& coarse, const RefinedMesh& r, const Labels& fine)
+      : coarse_(coarse), r_(r), fine_(fine) {
     for (int n = 0; n < static_cast<int>(fine.node.size()); ++n)
       if (fine.node[n] >= 0) labelled_.push_back(n);
   }
@@ -91,7 +94,8 @@ class LabelledParents {
 
 }  // namespace
 
-std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, const Comm& comm, const std::set<std::string>& shared) {
+std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, const Comm& comm,
+                                         const std::set<std::string>& shared) {
   const Labels whole = labels_of(base, partition(base, comm.size()));
   std::vector<MeshLevel> levels;
   const auto add = [&](const Mesh& mesh, const Labels& labels) {
@@ -106,7 +110,8 @@ std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, cons
     RefinedMesh r = refine(part.mesh);
     const Labels fine = refined_labels(part, r, *levels.back().mesh);
     add(r.mesh, fine);
-    levels[i].prolongation = std::make_unique<const Prolongation>(LabelledParents(part.whole, r, fine), *levels[i - 1].mesh, *levels[i].mesh);
+    levels[i].prolongation = std::make_unique<const Prolongation>(LabelledParents(part.whole, r, fine),
+                                                                  *levels[i - 1].mesh, *levels[i].mesh);
     if (i < refinements) part = part_of(r.mesh, fine, comm.rank(), shared);
   }
   return levels;

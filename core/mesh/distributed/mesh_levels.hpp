@@ -11,8 +11,9 @@ struct MeshLevel {
   std::unique_ptr<const Prolongation> prolongation;  ///< from the level below; the base has none
 };
 
-/// A mesh, given to the ranks by partition(), and its refinements; hexahedra stay where their parents are. Every rank
-/// refines only its part. The finest last. Collective.
-std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, const Comm& comm, const std::set<std::string>& shared);
+/// A mesh, given to the ranks by partition(), and its refinements; hexahedra stay where their parents are.
+/// Every rank refines only its part. The finest last. Collective.
+std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, const Comm& comm,
+                                         const std::set<std::string>& shared);
 
 }  // namespace bulbus

@@ -53,7 +53,8 @@ void take_names(const Mesh& mesh, const Marks& in, const std::vector<int>& to, M
     auto& mine = part.bars[name];
     for (const Bar& b : group)
       if (all_in(b.a.nodes, in) && all_in(b.b.nodes, in))
-        mine.push_back({{translated(b.a.nodes, to), b.a.weights}, {translated(b.b.nodes, to), b.b.weights}, b.share});
+        mine.push_back(
+            {{translated(b.a.nodes, to), b.a.weights}, {translated(b.b.nodes, to), b.b.weights}, b.share});
   }
 }
 
@@ -76,7 +77,9 @@ Marks needed_nodes(const Mesh& mesh, const Labels& whole, int rank, const std::s
 }  // namespace
 
 Labels labels_of(const Mesh& mesh, std::span<const int> rank_of_hex) {
-  Labels whole{std::vector<int>(mesh.points.size()), std::vector<int>(mesh.hexes.size()), {rank_of_hex.begin(), rank_of_hex.end()}};
+  Labels whole{std::vector<int>(mesh.points.size()),
+               std::vector<int>(mesh.hexes.size()),
+               {rank_of_hex.begin(), rank_of_hex.end()}};
   std::iota(whole.node.begin(), whole.node.end(), 0);
   std::iota(whole.hex.begin(), whole.hex.end(), 0);
   return whole;
@@ -91,7 +94,8 @@ Extract extract(const Mesh& mesh, const Marks& hexes, Marks nodes) {
   std::vector<int> to(mesh.points.size(), -1);
   for (std::size_t i = 0; i < e.nodes.size(); ++i) to[e.nodes[i]] = static_cast<int>(i);
   e.mesh.points = picked(mesh.points, e.nodes);
-  if (mesh.parameters.size() == mesh.points.size()) e.mesh.parameters = picked(mesh.parameters, e.nodes), e.mesh.place = mesh.place;
+  if (mesh.parameters.size() == mesh.points.size())
+    e.mesh.parameters = picked(mesh.parameters, e.nodes), e.mesh.place = mesh.place;
   e.mesh.region = picked(mesh.region, e.hexes);
   e.mesh.region_names = mesh.region_names;
   e.mesh.hexes.reserve(e.hexes.size());
@@ -106,7 +110,8 @@ MeshPart part_of(const Mesh& mesh, const Labels& whole, int rank, const std::set
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
     hexes[h] = std::ranges::any_of(mesh.hexes[h], [&](int n) { return needed[n]; });
   Extract e = extract(mesh, hexes, needed);
-  MeshPart part{std::move(e.mesh), {picked(whole.node, e.nodes), picked(whole.hex, e.hexes), picked(whole.rank, e.hexes)}};
+  MeshPart part{std::move(e.mesh),
+                {picked(whole.node, e.nodes), picked(whole.hex, e.hexes), picked(whole.rank, e.hexes)}};
   for (std::size_t i = 0; i < e.nodes.size(); ++i)
     if (!needed[e.nodes[i]]) part.whole.node[i] = -1;
   return part;

@@ -15,8 +15,8 @@ struct Labels {
   std::vector<int> rank;  ///< to which a hexahedron is given
 };
 
-/// Some hexahedra of a mesh. Its nodes, hexahedra, faces, bars and sets keep the order that they have in the whole, and so do
-/// those of its refinement.
+/// Some hexahedra of a mesh. Its nodes, hexahedra, faces, bars and sets keep the order that they have in the
+/// whole, and so do those of its refinement.
 struct MeshPart {
   Mesh mesh;
   Labels whole;
@@ -30,11 +30,13 @@ struct Extract {
   Mesh mesh;
   std::vector<int> nodes, hexes;  ///< indices in the mesh, ascending
 };
-/// The marked hexahedra and nodes with the faces of surfaces, members of sets and bars between them; every name stays.
+/// The marked hexahedra and nodes with the faces of surfaces, members of sets and bars between them; every
+/// name stays.
 Extract extract(const Mesh& mesh, const std::vector<bool>& hexes, std::vector<bool> nodes);
 
-/// What a rank needs of a mesh for its LocalMesh and for those of the refinements: its hexahedra, the faces of the surfaces
-/// `shared`, all bars, and every hexahedron that touches a node of these. `mesh` may be such a part already.
+/// What a rank needs of a mesh for its LocalMesh and for those of the refinements: its hexahedra, the faces
+/// of the surfaces `shared`, all bars, and every hexahedron that touches a node of these. `mesh` may be such
+/// a part already.
 MeshPart part_of(const Mesh& mesh, const Labels& whole, int rank, const std::set<std::string>& shared);
 
 }  // namespace bulbus

@@ -9,7 +9,8 @@
 namespace bulbus {
 namespace {
 
-/// Columns of nodes under the sheet, by the levels of the EyeMap; `back` is the outer surface of the retina where it is detached.
+/// Columns of nodes under the sheet, by the levels of the EyeMap; `back` is the outer surface of the retina
+/// where it is detached.
 class Columns {
  public:
   Columns(Mesh& mesh, const EyeSettings& s, const EyeMap& map)
@@ -23,8 +24,9 @@ class Columns {
     if (id < 0) {
       const EyeSheet::Node& c = sheet.nodes[column];
       const bool lifted = level > map.choroid && detached.lift[column] > 0;
-      id = add_node(mesh_, {double(c.i), double(c.j), double(c.s), double(level == back ? map.choroid : level),
-                            lifted ? EyeMap::lifted : EyeMap::attached});
+      id =
+          add_node(mesh_, {double(c.i), double(c.j), double(c.s), double(level == back ? map.choroid : level),
+                           lifted ? EyeMap::lifted : EyeMap::attached});
     }
     return id;
   }

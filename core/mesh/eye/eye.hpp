@@ -43,7 +43,8 @@ struct EyeSettings {
     v("n", n,
       About{"cells across a pole's core, even: 14 gives 7,350 hexahedra, 28 eight times as many"}.between(
           4, 200));
-    v("layers", layers, About{"times as many cells through the thickness of the wall's coats"}.between(1, 100));
+    v("layers", layers,
+      About{"times as many cells through the thickness of the wall's coats"}.between(1, 100));
     v("band_half_width", band_half_width,
       About{"rings end at this distance from the equator plane, so that they follow the band",
             Quantity::length}
@@ -65,9 +66,9 @@ struct EyeSettings {
 ///
 /// Node sets: "apex" (the cornea's anterior pole), "retina_pole" (the retina's, inside), "nerve_ring" (outer
 /// sclera, the ring next to the nerve's edge), "equator_band" (outer sclera, |z| <= band_half_width),
-/// "equator" (outer sclera, z = 0), "nerve_end". With a detachment: "detached" (nodes of "retina_back" that are free of the choroid) and
-/// "detached_bed" (the choroid's nodes they came off, in the same order; both rise); with a tear: "tear_rim"
-/// (of "detached", those on the tear's edge).
+/// "equator" (outer sclera, z = 0), "nerve_end". With a detachment: "detached" (nodes of "retina_back" that
+/// are free of the choroid) and "detached_bed" (the choroid's nodes they came off, in the same order; both
+/// rise); with a tear: "tear_rim" (of "detached", those on the tear's edge).
 ///
 /// Bars "zonules". Throws InputError if the settings do not fit together.
 Mesh generate(const EyeSettings& settings);

@@ -6,7 +6,8 @@ void add_lens(Mesh& mesh, const EyeMap& map) {
   const Disc disc = o_grid(map.lens_disc, true);
   const int first = static_cast<int>(mesh.points.size()), per_level = static_cast<int>(disc.nodes.size());
   for (int k = 0; k <= map.lens_layers; ++k)
-    for (const Disc::Node& d : disc.nodes) add_node(mesh, {double(d.i), double(d.j), double(d.ring), double(k), EyeMap::lens});
+    for (const Disc::Node& d : disc.nodes)
+      add_node(mesh, {double(d.i), double(d.j), double(d.ring), double(k), EyeMap::lens});
   for (const auto& q : disc.quads)
     for (int k = 0; k < map.lens_layers; ++k) {
       Hex h;

@@ -4,14 +4,16 @@
 
 namespace bulbus {
 
-/// The analytic half eye as the image of a lattice. A node's parameters are (i, j, s, level, part) in the coats and the nerve:
-/// the column under the sheet's (i, j, s) and the level in it; and (i, j, ring, layer, part) in the lens.
+/// The analytic half eye as the image of a lattice. A node's parameters are (i, j, s, level, part) in the
+/// coats and the nerve: the column under the sheet's (i, j, s) and the level in it; and (i, j, ring, layer,
+/// part) in the lens.
 ///
-/// Levels: 0 is the outer surface, `wall` the inner surface of sclera and cornea, `choroid` that of the choroid, `inner` that of
-/// the retina and the ciliary body. Below 0: the nerve, whose end is −`nerve`.
+/// Levels: 0 is the outer surface, `wall` the inner surface of sclera and cornea, `choroid` that of the
+/// choroid, `inner` that of the retina and the ciliary body. Below 0: the nerve, whose end is −`nerve`.
 class EyeMap {
  public:
-  /// What the fifth parameter says. Between an attached and a lifted node it lies between them, and that node is lifted.
+  /// What the fifth parameter says. Between an attached and a lifted node it lies between them, and that node
+  /// is lifted.
   static constexpr double lens = -1, attached = 0, lifted = 1;
 
   explicit EyeMap(const EyeSettings& settings);

@@ -11,7 +11,8 @@ namespace {
 
 /// Adds a disc's nodes (s of the disc's ring) and quads; returns its rim.
 template <class Level>
-std::vector<int> add_disc(EyeSheet& sheet, const SheetMap& map, const Disc& disc, bool flip, int& pole, Level&& s) {
+std::vector<int> add_disc(EyeSheet& sheet, const SheetMap& map, const Disc& disc, bool flip, int& pole,
+                          Level&& s) {
   const int first = static_cast<int>(sheet.nodes.size());
   for (const Disc::Node& d : disc.nodes) {
     if (d.radius == 0) pole = static_cast<int>(sheet.nodes.size());
@@ -104,7 +105,8 @@ EyeSheet eye_sheet(const EyeSettings& settings) {
   EyeSheet sheet;
   const SheetMap map(settings);
 
-  std::vector<int> rim = add_disc(sheet, map, o_grid(map.posterior(), true), true, sheet.posterior_pole, [](int ring) { return ring; });
+  std::vector<int> rim = add_disc(sheet, map, o_grid(map.posterior(), true), true, sheet.posterior_pole,
+                                  [](int ring) { return ring; });
   sheet.nerve_nodes = static_cast<int>(sheet.nodes.size());
   sheet.nerve_quads = static_cast<int>(sheet.quads.size());
   for (int ring = 1; ring < map.globe_rings(); ++ring) {
@@ -118,8 +120,8 @@ EyeSheet eye_sheet(const EyeSettings& settings) {
     rim = next;
     if (sheet.nerve_ring.empty()) sheet.nerve_ring = rim;
   }
-  const std::vector<int> front =
-      add_disc(sheet, map, o_grid(map.anterior(), true), false, sheet.anterior_pole, [&](int ring) { return map.end() - ring; });
+  const std::vector<int> front = add_disc(sheet, map, o_grid(map.anterior(), true), false,
+                                          sheet.anterior_pole, [&](int ring) { return map.end() - ring; });
   add_ring(sheet, rim, front);
   return sheet;
 }

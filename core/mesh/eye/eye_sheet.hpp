@@ -7,8 +7,9 @@
 
 namespace bulbus {
 
-/// The eye's outer surface as the image of a lattice: (i, j) as in the poles' discs, s along the meridian from the posterior
-/// disc's core (0) over its rings, the rings of the globe and those of the anterior disc to its core (end()).
+/// The eye's outer surface as the image of a lattice: (i, j) as in the poles' discs, s along the meridian
+/// from the posterior disc's core (0) over its rings, the rings of the globe and those of the anterior disc
+/// to its core (end()).
 class SheetMap {
  public:
   explicit SheetMap(const EyeSettings& settings);
@@ -45,8 +46,8 @@ class SheetMap {
 /// Degrees from 12 o'clock.
 double azimuth(const SheetMap::Place& place);
 
-/// The grid of whole lattice points, from pole to pole: a half disc with the nerve's section, rings, a half disc with the
-/// cornea. Every node is the head of a column through the layers.
+/// The grid of whole lattice points, from pole to pole: a half disc with the nerve's section, rings, a half
+/// disc with the cornea. Every node is the head of a column through the layers.
 struct EyeSheet {
   struct Node : SheetMap::Place {
     int i, j, s;

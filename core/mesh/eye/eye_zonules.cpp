@@ -3,8 +3,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/eye/eye_parts.hpp"
+#include "core/mesh/generate/embed.hpp"
 
 namespace bulbus {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/mesh/generate/generate.hpp"
-#include "core/mesh/geometry.hpp"
 #include "core/mesh/generate/o_grid.hpp"
+#include "core/mesh/geometry.hpp"
 
 namespace bulbus {
 
@@ -10,7 +10,8 @@ Mesh generate(const CylinderShape& c) {
   const Disc disc = o_grid(map, false);
   mesh.place = [c, map](const Parameters& p) -> Point {
     const DiscMap::Place d = map(p[0], p[1], p[2]);
-    return {c.radius * d.radius * d.x, c.radius * d.radius * d.y, p[3] == c.layers ? c.height : c.height * p[3] / c.layers};
+    return {c.radius * d.radius * d.x, c.radius * d.radius * d.y,
+            p[3] == c.layers ? c.height : c.height * p[3] / c.layers};
   };
   const int per_level = static_cast<int>(disc.nodes.size());
   for (int k = 0; k <= c.layers; ++k)

@@ -4,8 +4,8 @@
 
 namespace bulbus {
 
-/// The unit disc as the image of a lattice: a square core −n..n × −n..n whose outline is rounded half way to a circle, and
-/// `rings` rings between the outline and the circle.
+/// The unit disc as the image of a lattice: a square core −n..n × −n..n whose outline is rounded half way to
+/// a circle, and `rings` rings between the outline and the circle.
 struct DiscMap {
   int n, rings;
   double core;  ///< half edge of the core
@@ -14,8 +14,8 @@ struct DiscMap {
   struct Place {
     double radius, x, y;
   };
-  /// Of a lattice point of the core, or of its outline `ring` rings further out; any of them may lie between the integers.
-  /// Exact where i is 0, and on the circle.
+  /// Of a lattice point of the core, or of its outline `ring` rings further out; any of them may lie between
+  /// the integers. Exact where i is 0, and on the circle.
   Place operator()(double i, double j, double ring) const;
 };
 

@@ -51,7 +51,8 @@ using GmshEntities = std::map<std::pair<int, int>, std::vector<int>>;
 GmshEntities read_entities4(GmshScanner& in, const GmshFile& file);
 /// Physical tags of one entity, behind its own tag (and parent).
 std::vector<int> read_entity4(GmshScanner& in, bool binary, int dimension);
-/// Adds the parts of a partitioned mesh's entities, with the physical tags of their parents where they have none.
+/// Adds the parts of a partitioned mesh's entities, with the physical tags of their parents where they have
+/// none.
 void read_partitioned4(GmshScanner& in, const GmshFile& file, GmshEntities& entities);
 void read_nodes4(GmshScanner& in, GmshFile& file);
 void read_elements4(GmshScanner& in, GmshFile& file, const GmshEntities& entities);

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "core/base/error.hpp"
-#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/faces.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/gmsh/gmsh_file.hpp"
 #include "core/mesh/repeated.hpp"
@@ -67,10 +67,14 @@ void refuse_repeated(const GmshFile& file, const Mesh& mesh) {
   const auto [i, j] = pairs.front();
   const auto& first = hexahedron(file, i);
   const auto& again = hexahedron(file, j);
-  file.refuse(again, fmt::format("of region '{}' has the same eight nodes as element {}{} of region '{}': {} of {} hexahedra stand twice",
-                                 file.group_name(3, again.group), first.number, first.line > 0 ? fmt::format(" (line {})", first.line) : "",
-                                 file.group_name(3, first.group), pairs.size(), mesh.hexes.size()),
-              "let every volume belong to one Physical Volume (MSH 2.2 lists it once for each), and save the mesh again");
+  file.refuse(again,
+              fmt::format("of region '{}' has the same eight nodes as element {}{} of region '{}': {} of {} "
+                          "hexahedra stand twice",
+                          file.group_name(3, again.group), first.number,
+                          first.line > 0 ? fmt::format(" (line {})", first.line) : "",
+                          file.group_name(3, first.group), pairs.size(), mesh.hexes.size()),
+              "let every volume belong to one Physical Volume (MSH 2.2 lists it once for each), and save the "
+              "mesh again");
 }
 
 void add_surfaces(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
@@ -129,10 +133,13 @@ void add_bars(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
     if (boundary.empty()) boundary = boundary_faces(mesh);
     std::string name = file.group_name(1, e.group);
     const double share = take_share(name);
-    const auto [first, fresh] = seen.emplace(std::pair{name, std::pair<int, int>(std::minmax(e.nodes[0], e.nodes[1]))}, e.number);
+    const auto [first, fresh] =
+        seen.emplace(std::pair{name, std::pair<int, int>(std::minmax(e.nodes[0], e.nodes[1]))}, e.number);
     if (!fresh)
-      file.refuse(e, fmt::format("joins the same two nodes as bar {} of '{}': it would pull twice", first->second, name),
-                  "list every bar once; a thicker one has a larger `area`");
+      file.refuse(
+          e,
+          fmt::format("joins the same two nodes as bar {} of '{}': it would pull twice", first->second, name),
+          "list every bar once; a thicker one has a larger `area`");
     mesh.bars[name].push_back({bar_end(file, e, e.nodes[0], id, mesh, boundary),
                                bar_end(file, e, e.nodes[1], id, mesh, boundary), share});
   }

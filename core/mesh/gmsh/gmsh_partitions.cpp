@@ -39,9 +39,10 @@ void read_partitioned4(GmshScanner& in, const GmshFile& file, GmshEntities& enti
       entities[{dimension, tag}] = groups;
     }
   if (static_cast<long long>(with_volumes.size()) != parts)
-    in.fail("the mesh is partitioned, and the file has volumes of " + std::to_string(with_volumes.size()) + " of its " +
-                std::to_string(parts) + " parts",
-            "save all parts in one file (Mesh.PartitionSplitMeshFiles = 0 in Gmsh), or the mesh without partitions");
+    in.fail("the mesh is partitioned, and the file has volumes of " + std::to_string(with_volumes.size()) +
+                " of its " + std::to_string(parts) + " parts",
+            "save all parts in one file (Mesh.PartitionSplitMeshFiles = 0 in Gmsh), or the mesh without "
+            "partitions");
 }
 
 }  // namespace bulbus

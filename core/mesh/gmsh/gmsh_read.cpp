@@ -15,7 +15,8 @@ Header read_header(GmshScanner& in) {
     in.fail("this is no Gmsh mesh: $MeshFormat is missing", "give an MSH file, version 4.1 or 2.2");
   const std::string version(in.word());
   if (version != "4.1" && version != "2.2" && version != "2.1" && version != "2")
-    in.fail("MSH version " + printable(version) + " is not read", "save as MSH 4.1 or 2.2 (gmsh -format msh41)");
+    in.fail("MSH version " + printable(version) + " is not read",
+            "save as MSH 4.1 or 2.2 (gmsh -format msh41)");
   Header header{version == "4.1", in.integer() == 1};
   if (in.integer() != 8) in.fail("numbers are not of 8 bytes", "save the mesh on a 64-bit machine");
   if (header.binary) {
@@ -30,10 +31,14 @@ void read_names(GmshScanner& in, GmshFile& file) {
   for (long long n = in.count(false); n > 0; --n) {
     const int dimension = in.whole(false), tag = in.whole(false);
     if (dimension < 0 || dimension > 3)
-      in.fail(fmt::format("a physical group has dimension {}", dimension), "save the mesh again as MSH 4.1 or 2.2");
+      in.fail(fmt::format("a physical group has dimension {}", dimension),
+              "save the mesh again as MSH 4.1 or 2.2");
     const std::string name = in.quoted();
-    if (const auto [old, fresh] = file.names.emplace(std::pair{dimension, tag}, name); !fresh && old->second != name)
-      in.fail(fmt::format("physical group {} of dimension {} is named '{}' and '{}'", tag, dimension, old->second, name), "give it one name");
+    if (const auto [old, fresh] = file.names.emplace(std::pair{dimension, tag}, name);
+        !fresh && old->second != name)
+      in.fail(fmt::format("physical group {} of dimension {} is named '{}' and '{}'", tag, dimension,
+                          old->second, name),
+              "give it one name");
   }
 }
 

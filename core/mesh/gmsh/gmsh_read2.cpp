@@ -9,7 +9,8 @@ std::vector<int> physical(std::span<const int> tags) {
 
 /// Number, tags and nodes of one element.
 void read_element(GmshScanner& in, GmshFile& file, int type, int tag_count, long long number) {
-  if (tag_count < 0) in.fail("an element has a negative number of tags", "save the mesh again as MSH 4.1 or 2.2");
+  if (tag_count < 0)
+    in.fail("an element has a negative number of tags", "save the mesh again as MSH 4.1 or 2.2");
   std::vector<int> tags;
   for (int i = 0; i < tag_count; ++i) tags.push_back(in.whole(file.binary));
   std::vector<long long> nodes(GmshFile::node_count(in, type, number, file.binary));

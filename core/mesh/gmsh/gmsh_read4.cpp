@@ -56,7 +56,9 @@ void read_elements4(GmshScanner& in, GmshFile& file, const GmshEntities& entitie
       const long long number = in.number<std::size_t>(b);
       nodes.resize(GmshFile::node_count(in, type, number, b));
       if (GmshFile::dimension_of(type) != dimension)
-        in.fail("a block of an entity of dimension " + std::to_string(dimension) + " has elements of Gmsh type " + std::to_string(type), "save the mesh again as MSH 4.1 or 2.2");
+        in.fail("a block of an entity of dimension " + std::to_string(dimension) +
+                    " has elements of Gmsh type " + std::to_string(type),
+                "save the mesh again as MSH 4.1 or 2.2");
       for (long long& k : nodes) k = in.number<std::size_t>(b);
       file.add(in, type, number, nodes, groups == entities.end() ? std::vector<int>{} : groups->second);
     }

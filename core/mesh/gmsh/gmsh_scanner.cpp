@@ -88,7 +88,8 @@ std::string GmshScanner::quoted() {
 
 void GmshScanner::expect(std::string_view expected) {
   const std::string_view w = word();
-  if (w != expected) fail(fmt::format("expected {}, found '{}'", printable(expected), printable(w)), save_again);
+  if (w != expected)
+    fail(fmt::format("expected {}, found '{}'", printable(expected), printable(w)), save_again);
 }
 
 void GmshScanner::skip_line() {

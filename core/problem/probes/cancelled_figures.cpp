@@ -24,14 +24,20 @@ std::string sentence(const Model& model, const ProbeSpec& p) {
   if (p.component == "x" || p.component == "y" || p.component == "z") {
     const std::string plane = cancelling_plane(model, moment, axis_of(p.component));
     if (plane.empty()) return "";
-    return fmt::format("component {} of probe '{}' is {} the plane of symmetry {}: its image cancels it and the figure is always 0; "
-                       "`of: part` gives that of the drawn part", p.component, p.name, moment ? "along" : "across", plane);
+    return fmt::format(
+        "component {} of probe '{}' is {} the plane of symmetry {}: its image cancels it and the figure is "
+        "always 0; "
+        "`of: part` gives that of the drawn part",
+        p.component, p.name, moment ? "along" : "across", plane);
   }
   for (int c = 0; c < 3; ++c)
     if (cancelling_plane(model, moment, c).empty()) return "";
   if (p.component == "radial" && !moment) return "";
-  return fmt::format("every component of probe '{}' is cancelled by its images in the planes of symmetry and the figure is always 0; "
-                     "`of: part` gives that of the drawn part", p.name);
+  return fmt::format(
+      "every component of probe '{}' is cancelled by its images in the planes of symmetry and the figure is "
+      "always 0; "
+      "`of: part` gives that of the drawn part",
+      p.name);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 /// The figures behind ProbeSet, in mm, N, MPa. Making one and asking it are collective.
 namespace bulbus::probes {
 
-/// Of forces on nodes: their sum, their moment about the origin, and the sum of their components away from the
-/// z axis.
+/// Of forces on nodes: their sum, their moment about the origin, and the sum of their components away from
+/// the z axis.
 struct Resultant {
   Vec3<double> force{}, moment{};
   double radial = 0;
@@ -31,8 +31,8 @@ ProbeSet::Figure position(const Problem& problem, const ProbeSpec& spec);
 /// Component of the mean place of `to` minus that of `set`.
 ProbeSet::Figure distance(const Problem& problem, const ProbeSpec& spec);
 
-/// Force with which the supports hold the set. `radial` is the (negative) squeeze of a ring, whose resultant is
-/// nothing.
+/// Force with which the supports hold the set. `radial` is the (negative) squeeze of a ring, whose resultant
+/// is nothing.
 ProbeSet::Figure reaction(const Problem& problem, const ProbeSpec& spec);
 /// Its moment about the origin, arms in the deformed state.
 ProbeSet::Figure moment(const Problem& problem, const ProbeSpec& spec);

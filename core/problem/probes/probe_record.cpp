@@ -33,8 +33,10 @@ ProbeValues ProbeRecord::values(Snapshot& s) const {
   ProbeValues values(probes_.size());
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const auto start = starts_.find(probes_.since(i));
-    if (probes_.since(i) < 0) values[i] = probes_.value(i, s);
-    else if (start != starts_.end()) values[i] = value(i, s, start->second) - start->second.values.at(i);
+    if (probes_.since(i) < 0)
+      values[i] = probes_.value(i, s);
+    else if (start != starts_.end())
+      values[i] = value(i, s, start->second) - start->second.values.at(i);
   }
   return values;
 }

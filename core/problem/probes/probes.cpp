@@ -27,12 +27,14 @@ const ProbeSet::Kinds& own_kinds() {
 const ProbeSet::Kind& kind_of(const ProbeSpec& spec, const ProbeSet::Kinds& more, const std::string& key) {
   if (const auto found = more.find(spec.kind); found != more.end()) return found->second;
   if (const auto found = own_kinds().find(spec.kind); found != own_kinds().end()) return found->second;
-  throw scene_error(key + ".kind", "nothing here can be asked for '" + spec.kind + "'", "Take the probe out.");
+  throw scene_error(key + ".kind", "nothing here can be asked for '" + spec.kind + "'",
+                    "Take the probe out.");
 }
 
 int step_of(const Problem& problem, const std::string& name) {
   const auto& steps = problem.model().steps;
-  return name.empty() ? -1 : static_cast<int>(std::ranges::find(steps, name, &StepSpec::name) - steps.begin());
+  return name.empty() ? -1
+                      : static_cast<int>(std::ranges::find(steps, name, &StepSpec::name) - steps.begin());
 }
 
 // "mN mm" without " mm"

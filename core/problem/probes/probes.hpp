@@ -20,13 +20,14 @@ class ProbeSet {
 
   struct Kind {
     Quantity quantity;
-    std::function<Figure(const Problem&, const ProbeSpec&)> make;  ///< collective; may throw InputError with a key
+    std::function<Figure(const Problem&, const ProbeSpec&)>
+        make;                 ///< collective; may throw InputError with a key
     std::string suffix = "";  ///< of the unit, where a quantity has no name of its own
   };
   using Kinds = std::map<std::string, Kind>;
 
-  /// `more`: kinds from a floor above. Throws InputError (with the key) for a unit that does not fit, a region
-  /// that is rigid, or a kind that nobody knows. Collective.
+  /// `more`: kinds from a floor above. Throws InputError (with the key) for a unit that does not fit, a
+  /// region that is rigid, or a kind that nobody knows. Collective.
   explicit ProbeSet(const Problem& problem, const Kinds& more = {});
 
   /// One value per probe, in its unit and scaled, the same on every rank; `since` is left to ProbeRecord.

@@ -76,7 +76,8 @@ TEST(ContactRun, MeasuresAPlateThatPressesABlock) {
 
 // Drawn where the press above ends, the plate gets there by itself.
 TEST(ContactRun, ResolvesAnOverlapGradually) {
-  Ran r = pressed({"rigid_bodies.plate.plane.point=[0, 0, .8]", "contacts.top.start=resolve", "steps.press.move=[]"});
+  Ran r = pressed(
+      {"rigid_bodies.plate.plane.point=[0, 0, .8]", "contacts.top.start=resolve", "steps.press.move=[]"});
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_NEAR(r.summary()["probes"]["force"], 8 * Pressed().P(), 1e-8);
   EXPECT_EQ(r.summary()["totals"]["increments"], 2);
@@ -127,8 +128,8 @@ TEST(ContactRun, SavesContactAtTheNodes) {
   ASSERT_EQ(r.status, 0) << r.err;
   const std::string file = r.folder / "out" / "result_0002.vtkhdf";
   const auto field = [&](const std::string& name) { return read_dataset(file, "VTKHDF/" + name); };
-  const auto X = field("Points"), gap = field("PointData/gap"), pressure = field("PointData/contact_pressure"),
-             status = field("PointData/contact_status");
+  const auto X = field("Points"), gap = field("PointData/gap"),
+             pressure = field("PointData/contact_pressure"), status = field("PointData/contact_status");
   const Pressed exact;
   ASSERT_EQ(gap.size(), X.size() / 3);
   for (std::size_t n = 0; n < gap.size(); ++n) {
@@ -138,7 +139,8 @@ TEST(ContactRun, SavesContactAtTheNodes) {
     EXPECT_NEAR(pressure[n], top ? exact.P() * exact.l : 0, 1e-6) << n;
   }
   EXPECT_NE(r.text("bodies_0002.vtp").find("Name=\"part\""), std::string::npos);
-  EXPECT_NE(r.text("bodies.pvd").find("timestep=\"0.5\" part=\"0\" file=\"bodies_0001.vtp\""), std::string::npos);
+  EXPECT_NE(r.text("bodies.pvd").find("timestep=\"0.5\" part=\"0\" file=\"bodies_0001.vtp\""),
+            std::string::npos);
 }
 
 TEST(ContactRun, SavesWhatIsWanted) {
@@ -152,9 +154,12 @@ TEST(ContactRun, SavesWhatIsWanted) {
 
 TEST(ContactRun, FindsNamesThatAreNotThere) {
   for (const auto& [from, to, message] :
-       {std::array{"force, contact: top", "force, contact: tap", "scene.yaml:20: probes.2.contact: there is no contact 'tap'\n  Did you mean 'top'?"},
-        std::array{"body: plate, component", "body: plat, component", "scene.yaml:21: probes.3.body: there is no rigid body 'plat'\n  Did you mean 'plate'?"},
-        std::array{"since: press", "since: pres", "scene.yaml:19: probes.1.since: there is no step 'pres'\n  Did you mean 'press'?"}}) {
+       {std::array{"force, contact: top", "force, contact: tap",
+                   "scene.yaml:20: probes.2.contact: there is no contact 'tap'\n  Did you mean 'top'?"},
+        std::array{"body: plate, component", "body: plat, component",
+                   "scene.yaml:21: probes.3.body: there is no rigid body 'plat'\n  Did you mean 'plate'?"},
+        std::array{"since: press", "since: pres",
+                   "scene.yaml:19: probes.1.since: there is no step 'pres'\n  Did you mean 'press'?"}}) {
     const Ran r = run_scene(replaced(scene, from, to), {}, "check");
     EXPECT_EQ(r.status, 2);
     EXPECT_NE(r.err.find(message), std::string::npos) << r.err;

@@ -2,8 +2,8 @@
 
 #include "app/scene/help.hpp"
 #include "app/scene/kinds.hpp"
-#include "app/study/study.hpp"
 #include "app/scene/wording.hpp"
+#include "app/study/study.hpp"
 #include "scenes.hpp"
 
 namespace {

@@ -16,7 +16,9 @@ steps:
 solver: {linear: {method: direct}}
 )yaml";
 
-RegionSpec resolved(const Ran& r) { return parse_scene(r.text("resolved.yaml"), "resolved.yaml").model.regions.at("sclera"); }
+RegionSpec resolved(const Ran& r) {
+  return parse_scene(r.text("resolved.yaml"), "resolved.yaml").model.regions.at("sclera");
+}
 
 TEST(Materials, ComeOutResolved) {
   const Ran r = run_scene(scene);

@@ -47,46 +47,69 @@ TEST(OperationInput, IsAcceptedAsItStands) { EXPECT_EQ(run_scene(scene, {}, "che
 TEST(OperationInput, ContactsNeedTwoSurfacesWithNodesOfTheirOwn) {
   const std::string top = "slave: zmax, master: plate";
   for (const Slip& s : std::vector<Slip>{
-           {top, "slave: zmax, master: zmax", "11: contacts.0.master: contact 'top' names surface 'zmax' twice\n  Give the two sides as two surfaces"},
-           {top, "slave: zmax, master: outside", "11: contacts.0.slave: contact 'top' has no slave nodes: all nodes of 'zmax' are nodes of 'outside' too\n  Give"},
-           {top, "slave: zmx, master: plate", "11: contacts.0.slave: the mesh has no surface 'zmx'\n  Did you mean 'zmax'?"},
-           {top, "slave: zmax, master: plat", "11: contacts.0.master: there is no surface or rigid body 'plat'\n  Did you mean 'plate'?"}})
+           {top, "slave: zmax, master: zmax",
+            "11: contacts.0.master: contact 'top' names surface 'zmax' twice\n  Give the two sides as two "
+            "surfaces"},
+           {top, "slave: zmax, master: outside",
+            "11: contacts.0.slave: contact 'top' has no slave nodes: all nodes of 'zmax' are nodes of "
+            "'outside' too\n  Give"},
+           {top, "slave: zmx, master: plate",
+            "11: contacts.0.slave: the mesh has no surface 'zmx'\n  Did you mean 'zmax'?"},
+           {top, "slave: zmax, master: plat",
+            "11: contacts.0.master: there is no surface or rigid body 'plat'\n  Did you mean 'plate'?"}})
     expect_refused(s);
-  const std::string rigid = replaced(replaced(scene, "symmetry: [x, y]\nfix: [{set: zmin, directions: [z]}]", "symmetry:\n  [x, y, z]"), "block: {c10: 0.5}", "block: {rigid: true}");
-  EXPECT_NE(run_scene(rigid, {}, "check").err.find("scene.yaml:11: contacts.0.penalty: contact 'top' is between rigid sides only"), std::string::npos);
+  const std::string rigid = replaced(
+      replaced(scene, "symmetry: [x, y]\nfix: [{set: zmin, directions: [z]}]", "symmetry:\n  [x, y, z]"),
+      "block: {c10: 0.5}", "block: {rigid: true}");
+  EXPECT_NE(run_scene(rigid, {}, "check")
+                .err.find("scene.yaml:11: contacts.0.penalty: contact 'top' is between rigid sides only"),
+            std::string::npos);
   const std::string renamed = replaced(replaced(scene, "plate:", "xmin:"), "master: plate", "master: xmin");
-  EXPECT_NE(run_scene(renamed, {}, "check").err.find("scene.yaml:11: contacts.0.master: 'xmin' is both a surface"), std::string::npos);
+  EXPECT_NE(
+      run_scene(renamed, {}, "check").err.find("scene.yaml:11: contacts.0.master: 'xmin' is both a surface"),
+      std::string::npos);
 }
 
 TEST(OperationInput, BodiesHaveTheirInsideInside) {
-  expect_refused({"section: [[-.2, -.2], [.2, -.2], [.2, .2], [-.2, .2]]", "section: [[-.2, .2], [.2, .2], [.2, -.2], [-.2, -.2]]",
-                  "9: rigid_bodies.rod.swept.section: the section is inside out\n  List its corners in the opposite order"});
+  expect_refused({"section: [[-.2, -.2], [.2, -.2], [.2, .2], [-.2, .2]]",
+                  "section: [[-.2, .2], [.2, .2], [.2, -.2], [-.2, -.2]]",
+                  "9: rigid_bodies.rod.swept.section: the section is inside out\n  List its corners in the "
+                  "opposite order"});
   const std::string file = fs::temp_directory_path() / "bulbus_inside_out.stl";
   std::ofstream stl(file);
   stl << "solid\n";
-  for (const char* corners : {"vertex 0 0 3 vertex 1 0 3 vertex 0 1 3", "vertex 0 0 3 vertex 0 1 3 vertex 0 0 4",
-                              "vertex 0 0 3 vertex 0 0 4 vertex 1 0 3", "vertex 1 0 3 vertex 0 0 4 vertex 0 1 3"})
+  for (const char* corners :
+       {"vertex 0 0 3 vertex 1 0 3 vertex 0 1 3", "vertex 0 0 3 vertex 0 1 3 vertex 0 0 4",
+        "vertex 0 0 3 vertex 0 0 4 vertex 1 0 3", "vertex 1 0 3 vertex 0 0 4 vertex 0 1 3"})
     stl << "facet normal 0 0 0 outer loop " << corners << " endloop endfacet\n";
   stl << "endsolid\n";
   stl.close();
   expect_refused({"plane: {point: [0, 0, 1.05], normal: [0, 0, -1]}", "file: {path: " + file + "}",
-                  "8: rigid_bodies.plate.file.path: " + file + ": the body is inside out: its triangles turn their normals inwards\n  Turn all"});
+                  "8: rigid_bodies.plate.file.path: " + file +
+                      ": the body is inside out: its triangles turn their normals inwards\n  Turn all"});
   fs::remove(file);
 }
 
 TEST(OperationInput, SuturePointsLieOnTheirSurface) {
   const std::string points = "points: [[2, .5, .5]]";
-  for (const Slip& s : std::vector<Slip>{
-           {points, "points: [[4, .5, .5]]", "13: sutures.knot.points.0: the point lies 2 mm off 'xmax'\n  The nearest place on it is [2, 0.5, 0.5]."},
-           {points, "pair: {azimuth: 0, spacing: .5, axial: .5}, zero: [-1, 0, 0]", "13: sutures.knot.pair: the meridian does not meet 'xmax'"},
-           {points, "pair: {azimuth: 0, spacing: 3, axial: .5}, zero: [1, 0, 0]", "13: sutures.knot.pair.spacing: 'xmax' ends 1.000000 mm before a point"},
-           {points, "sets: [xmx]", "13: sutures.knot.sets: the mesh has no node set, surface or region 'xmx'\n  did you mean 'xmax'?"}})
+  for (const Slip& s :
+       std::vector<Slip>{{points, "points: [[4, .5, .5]]",
+                          "13: sutures.knot.points.0: the point lies 2 mm off 'xmax'\n  The nearest place on "
+                          "it is [2, 0.5, 0.5]."},
+                         {points, "pair: {azimuth: 0, spacing: .5, axial: .5}, zero: [-1, 0, 0]",
+                          "13: sutures.knot.pair: the meridian does not meet 'xmax'"},
+                         {points, "pair: {azimuth: 0, spacing: 3, axial: .5}, zero: [1, 0, 0]",
+                          "13: sutures.knot.pair.spacing: 'xmax' ends 1.000000 mm before a point"},
+                         {points, "sets: [xmx]",
+                          "13: sutures.knot.sets: the mesh has no node set, surface or region 'xmx'\n  did "
+                          "you mean 'xmax'?"}})
     expect_refused(s);
 }
 
 TEST(OperationInput, OverlapsAtTheStartAreRefused) {
   expect_refused({"point: [0, 0, 1.05]", "point: [0, 0, .95]",
-                  "11: contacts.0: contact 'top' starts with 9 of its points inside 'plate', the deepest by 0.05 mm at (0, 0, 1)\n"
+                  "11: contacts.0: contact 'top' starts with 9 of its points inside 'plate', the deepest by "
+                  "0.05 mm at (0, 0, 1)\n"
                   "  Draw the two apart, or say `start: resolve`."});
 }
 

@@ -16,7 +16,8 @@ TEST(Override, EntersMapsByKeyAndListsByIndexOrName) {
   EXPECT_EQ(with({"steps.indent.increments=7"}).model.steps[1].increments, 7);
   EXPECT_EQ(with({"probes.p.unit=kPa"}).model.probes[0].unit, "kPa");
   const std::string bodies = "mesh: {block: {}}\nregions: {}\nsteps: [{move: [{body: plate}]}]\n";
-  EXPECT_EQ(parse_scene(bodies, "scene.yaml", {"steps.0.move.plate.close=2"}).model.steps[0].move[0].close, 2);
+  EXPECT_EQ(parse_scene(bodies, "scene.yaml", {"steps.0.move.plate.close=2"}).model.steps[0].move[0].close,
+            2);
   EXPECT_EQ(*with({"steps.indent.displace.side.radial=1 um"}).model.steps[1].displace[1].radial, "0.001 mm");
 }
 

@@ -23,7 +23,9 @@ const Ran& whole() {
   return ran;
 }
 
-void write_scene(const fs::path& folder, const std::string& yaml) { std::ofstream(folder / "scene.yaml") << yaml; }
+void write_scene(const fs::path& folder, const std::string& yaml) {
+  std::ofstream(folder / "scene.yaml") << yaml;
+}
 
 /// Folders 1, 2, ... as a run leaves them that is killed after that increment.
 fs::path left_folders(const std::string& name, const std::string& yaml) {
@@ -61,9 +63,12 @@ void expect_same_end(const Ran& r, double tolerance) {
   EXPECT_EQ(found["totals"], wanted["totals"]);
   EXPECT_EQ(found["converged"], true);
   for (const auto& [name, value] : wanted["probes"].items())
-    EXPECT_LE(std::abs(found["probes"][name].get<double>() - value.get<double>()), tolerance * size_of(name, value)) << name;
+    EXPECT_LE(std::abs(found["probes"][name].get<double>() - value.get<double>()),
+              tolerance * size_of(name, value))
+        << name;
   for (const char* name : {"now/x", "now/lambda", "now/P", "start/x", "rigid body tire/now"}) {
-    const auto a = read_dataset(r.folder / "out/checkpoint.h5", name), b = read_dataset(whole().folder / "out/checkpoint.h5", name);
+    const auto a = read_dataset(r.folder / "out/checkpoint.h5", name),
+               b = read_dataset(whole().folder / "out/checkpoint.h5", name);
     EXPECT_LE(relative_difference(a, b), tolerance) << name;
   }
 }
@@ -84,8 +89,11 @@ void expect_same_history(const Ran& r) {
     const auto a = cells(found[i]), b = cells(wanted[i]);
     ASSERT_EQ(a.size(), b.size()) << found[i];
     for (std::size_t k = 0; k < b.size(); ++k) {
-      if (k == 1 || b[k].empty()) EXPECT_EQ(a[k], b[k]) << found[i];
-      else EXPECT_NEAR(std::stod(a[k]), std::stod(b[k]), 1e-11 * std::max(std::abs(std::stod(b[k])), .01)) << found[i];
+      if (k == 1 || b[k].empty())
+        EXPECT_EQ(a[k], b[k]) << found[i];
+      else
+        EXPECT_NEAR(std::stod(a[k]), std::stod(b[k]), 1e-11 * std::max(std::abs(std::stod(b[k])), .01))
+            << found[i];
     }
   }
 }
@@ -155,20 +163,24 @@ TEST(Restart, FindsTheFolderOfItsFile) {
 TEST(Restart, TakesTheSceneBehindIt) {
   const auto folder = left_after(7);
   std::ostringstream out, err;
-  EXPECT_EQ(command_line({"run", "--restart", folder / "scene.yaml", "-o", folder / "out"}, alone(), out, err), 0) << err.str();
+  EXPECT_EQ(
+      command_line({"run", "--restart", folder / "scene.yaml", "-o", folder / "out"}, alone(), out, err), 0)
+      << err.str();
 }
 
 TEST(Restart, GoesOnThroughAStepThatIsDividedOtherwise) {
   const auto folder = left_after(9);
   const auto drain = full_of_memory.find("  - name: drain");
-  write_scene(folder, full_of_memory.substr(0, drain) + replaced(full_of_memory.substr(drain), "increments: 2", "increments: 4"));
+  write_scene(folder, full_of_memory.substr(0, drain) +
+                          replaced(full_of_memory.substr(drain), "increments: 2", "increments: 4"));
   const Ran r = go_on(folder);
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_EQ(r.summary()["totals"]["increments"], increments_of_memory + 1);
 }
 
 /// Refused with status 2 and a message that begins with the file; the folder stays as it was.
-void expect_refused(const fs::path& folder, const std::string& message, const std::vector<std::string>& more = {}) {
+void expect_refused(const fs::path& folder, const std::string& message,
+                    const std::vector<std::string>& more = {}) {
   const auto before = results_in(folder / "out");
   std::vector<std::string> arguments{"-o", folder / "out", "--restart"};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -182,9 +194,12 @@ void expect_refused(const fs::path& folder, const std::string& message, const st
 TEST(Restart, RefusesAnotherProblemAndSaysWhatDiffers) {
   const auto folder = left_after(4);
   for (const auto& [from, to, message] :
-       {std::array{"c10: 80 kPa", "c10: 81 kPa", "is of another problem: the scene says something else under 'regions'"},
-        std::array{"close: 0.3", "close: 0.4", "is of another problem: the scene says something else under 'steps', no later than"},
-        std::array{"tolerance: 0.002", "tolerance: 0.003", "is of another problem: the scene says something else under 'contacts'"},
+       {std::array{"c10: 80 kPa", "c10: 81 kPa",
+                   "is of another problem: the scene says something else under 'regions'"},
+        std::array{"close: 0.3", "close: 0.4",
+                   "is of another problem: the scene says something else under 'steps', no later than"},
+        std::array{"tolerance: 0.002", "tolerance: 0.003",
+                   "is of another problem: the scene says something else under 'contacts'"},
         std::array{"outer: 12,", "outer: 12.01,", "is of another mesh of the same size"},
         std::array{"n: 4, layers: 2", "n: 4, layers: 3", "is of another mesh: 96 hexahedra"}}) {
     write_scene(folder, replaced(full_of_memory, from, to));
@@ -192,7 +207,8 @@ TEST(Restart, RefusesAnotherProblemAndSaysWhatDiffers) {
   }
   write_scene(folder, full_of_memory);
   expect_refused(folder, "is of another problem", {"--set", "liquids.inside.K=2000"});
-  write_scene(folder, replaced(replaced(full_of_memory, "title: everything", "title: all"), "angle: 2 deg", "angle: 3 deg"));
+  write_scene(folder, replaced(replaced(full_of_memory, "title: everything", "title: all"), "angle: 2 deg",
+                               "angle: 3 deg"));
   EXPECT_EQ(go_on(folder).status, 0);  // what came later may change
 }
 
@@ -209,7 +225,9 @@ TEST(Restart, RefusesWhatIsNoCheckpoint) {
 }
 
 TEST(Restart, NeedsNoCheckpointsToBeWrittenByDefault) {
-  const Ran r = run_scene("mesh: {block: {}}\nregions: {block: {c10: 1}}\nfix: [{set: zmin}]\nsteps: [{displace: [{set: zmax, z: .1}]}]\n");
+  const Ran r = run_scene(
+      "mesh: {block: {}}\nregions: {block: {c10: 1}}\nfix: [{set: zmin}]\nsteps: [{displace: [{set: zmax, z: "
+      ".1}]}]\n");
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_FALSE(r.wrote("checkpoint.h5"));
 }
@@ -217,8 +235,9 @@ TEST(Restart, NeedsNoCheckpointsToBeWrittenByDefault) {
 /// The increment that fails, the first of a step, is tried again with what the scene says now of the solver.
 TEST(Restart, GoesOnWhereARunDidNotConverge) {
   const std::string rare = replaced(full_of_memory, "checkpoint: 1", "checkpoint: 100");
-  const Ran failed = call("run", fresh_folder("bulbus_stuck"), "scene.yaml",
-                          replaced(rare, "newton: {", "stepping: {smallest: .9}\n  newton: {max_iterations: 3, "), {});
+  const Ran failed =
+      call("run", fresh_folder("bulbus_stuck"), "scene.yaml",
+           replaced(rare, "newton: {", "stepping: {smallest: .9}\n  newton: {max_iterations: 3, "), {});
   ASSERT_EQ(failed.status, 1) << failed.err;
   ASSERT_EQ(failed.summary()["totals"]["increments"], 3);
   write_scene(failed.folder, full_of_memory);
@@ -226,13 +245,16 @@ TEST(Restart, GoesOnWhereARunDidNotConverge) {
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_NE(r.text("run.log").find("0 of step 2 of 4 is done"), std::string::npos);
   for (const auto& [name, value] : whole().summary()["probes"].items())
-    EXPECT_LE(std::abs(r.summary()["probes"][name].get<double>() - value.get<double>()), 1e-12 * size_of(name, value)) << name;
+    EXPECT_LE(std::abs(r.summary()["probes"][name].get<double>() - value.get<double>()),
+              1e-12 * size_of(name, value))
+        << name;
 }
 
 /// The last increment has its checkpoint whatever the interval, before its step is closed.
 TEST(Restart, TakesMoreStepsBehindAFinishedRun) {
   const auto drain = full_of_memory.find("  - name: drain"), probes = full_of_memory.find("probes:");
-  const std::string shorter = replaced(std::string(full_of_memory).erase(drain, probes - drain), "checkpoint: 1", "checkpoint: 100");
+  const std::string shorter =
+      replaced(std::string(full_of_memory).erase(drain, probes - drain), "checkpoint: 1", "checkpoint: 100");
   const Ran first = call("run", fresh_folder("bulbus_longer"), "scene.yaml", shorter, {});
   ASSERT_EQ(first.status, 0) << first.err;
   write_scene(first.folder, full_of_memory);
@@ -245,7 +267,8 @@ TEST(Forecast, CountsIncrementsAtThePriceOfTheLast) {
   const std::vector<StepSpec> steps{{.increments = 4}, {.increments = 10}};
   Forecast forecast;
   EXPECT_NEAR(forecast.after({.step = 0, .progress = .25, .next = .25}, steps, 2), 13 * 2, 1e-12);
-  EXPECT_NEAR(forecast.after({.step = 0, .progress = .5, .next = .125}, steps, 2), 14 * 2, 1e-12);  // cut: twice as many
+  EXPECT_NEAR(forecast.after({.step = 0, .progress = .5, .next = .125}, steps, 2), 14 * 2,
+              1e-12);  // cut: twice as many
   const double dearer = forecast.after({.step = 1, .progress = .5, .next = .1}, steps, 4);
   EXPECT_GT(dearer, 5 * 2);
   EXPECT_LT(dearer, 5 * 4);

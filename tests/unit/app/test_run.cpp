@@ -188,9 +188,11 @@ TEST(Check, AcceptsAScene) {
 
 TEST(Run, IsRefusedBeforeItStartsWhereMemoryDoesNotSuffice) {
   for (const char* command : {"check", "run"}) {
-    const Ran r = run_scene(scene, {"solver.linear.method=iterative", "solver.linear.memory_limit=1"}, command);
+    const Ran r =
+        run_scene(scene, {"solver.linear.method=iterative", "solver.linear.memory_limit=1"}, command);
     EXPECT_EQ(r.status, 2) << command;
-    EXPECT_NE(r.err.find("more than the 1 MB that solver.linear.memory_limit allows"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("more than the 1 MB that solver.linear.memory_limit allows"), std::string::npos)
+        << r.err;
     EXPECT_NE(r.err.find("Refine once less"), std::string::npos) << r.err;
     EXPECT_FALSE(r.wrote("summary.json"));
   }

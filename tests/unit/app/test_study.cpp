@@ -105,8 +105,10 @@ TEST(StudyErrors, NameLineRunAndRemedyBeforeAnythingIsWritten) {
 }
 
 TEST(StudyErrors, TellAStudyFromAScene) {
-  EXPECT_NE(run_a_study(bar_scene).err.find("study.yaml: is no study: it has neither 'scene' nor 'vary'"), std::string::npos);
-  EXPECT_NE(run_a_study(bar_study, {}, "run").err.find("study.yaml: is a study, not a scene"), std::string::npos);
+  EXPECT_NE(run_a_study(bar_scene).err.find("study.yaml: is no study: it has neither 'scene' nor 'vary'"),
+            std::string::npos);
+  EXPECT_NE(run_a_study(bar_study, {}, "run").err.find("study.yaml: is a study, not a scene"),
+            std::string::npos);
 }
 
 TEST(StudyErrors, PlaceAFaultOfTheScene) {

@@ -24,7 +24,8 @@ TEST(Extrapolation, FindsValueAndOrder) {
 }
 
 TEST(Extrapolation, AssumesSecondOrderWhereNoneShows) {
-  for (const std::vector<double>& v : std::vector<std::vector<double>>{{1, 3, 2}, {2, 2, 2.4}, {2, 2.4}, {1, 1, 1}}) {
+  for (const std::vector<double>& v :
+       std::vector<std::vector<double>>{{1, 3, 2}, {2, 2, 2.4}, {2, 2.4}, {1, 1, 1}}) {
     const std::vector<double> h{2, 1.5, 1};
     const Extrapolated e = extrapolate(std::span(h).last(v.size()), v);
     const double fine = v.back(), coarse = v[v.size() - 2];
@@ -73,7 +74,8 @@ Trade bar_trade(const std::vector<std::string>& overrides = {}) {
 TEST(TradePlan, RunsEverySceneOnce) {
   const Trade trade = bar_trade({"mesh.block.nx=4"});
   std::set<std::string> scenes;
-  for (const TradeRun& run : trade.runs) EXPECT_TRUE(scenes.insert(resolved_yaml(run.scene)).second) << run.knob << " " << run.value;
+  for (const TradeRun& run : trade.runs)
+    EXPECT_TRUE(scenes.insert(resolved_yaml(run.scene)).second) << run.knob << " " << run.value;
   EXPECT_EQ(trade.runs[0].knob, "reference");
   EXPECT_EQ(trade.runs[1].knob, "scene");
   EXPECT_EQ(resolved_yaml(trade.runs[1].scene), resolved_yaml(read_scene(trade.scene, trade.runs[1].set)));
@@ -97,7 +99,9 @@ TEST(TradePlan, CountsErrorsOfAMeshFromItsOwnTightSolution) {
   }
 }
 
-StudyRow row(double seconds, double value) { return {.converged = true, .values = {value}, .seconds = seconds}; }
+StudyRow row(double seconds, double value) {
+  return {.converged = true, .values = {value}, .seconds = seconds};
+}
 
 TEST(TradePlan, LayersAWallWithoutExtrapolatingFromIt) {
   const std::string path = std::string(BULBUS_DATA) + "/scenes/encircling.yaml";
@@ -146,12 +150,15 @@ TEST(TradeRecords, TellFrontAndDominated) {
   std::string text;
   for (const std::string& line : lines_of(trade, results)) text += line + "\n";
   EXPECT_NE(text.find("1.0 s         1 %  accuracy fast"), std::string::npos) << text;
-  EXPECT_NE(text.find("accuracy balanced (5.0 s, 0.1 %): scene accuracy tight takes 4.0 s, 0.001 %"), std::string::npos) << text;
+  EXPECT_NE(text.find("accuracy balanced (5.0 s, 0.1 %): scene accuracy tight takes 4.0 s, 0.001 %"),
+            std::string::npos)
+      << text;
   EXPECT_NE(svg_of(chart_of(trade, results)).find("processor time"), std::string::npos);
 }
 
 TEST(Accuracy, IsOverriddenBySingleSettings) {
-  const Scene scene = parse_scene(replaced(bar_scene, "solver:\n", "solver:\n  accuracy: fast\n"), "bar.yaml", {"solver.newton.force=1e-7"});
+  const Scene scene = parse_scene(replaced(bar_scene, "solver:\n", "solver:\n  accuracy: fast\n"), "bar.yaml",
+                                  {"solver.newton.force=1e-7"});
   EXPECT_EQ(scene.solver.newton.force, 1e-7);
   EXPECT_GT(scene.solver.newton.volume, NewtonSettings().volume);
   EXPECT_EQ(scene.solver.newton.max_iterations, 6);
@@ -160,7 +167,9 @@ TEST(Accuracy, IsOverriddenBySingleSettings) {
 }
 
 TEST(Accuracy, IsTightWhereNothingIsSaid) {
-  const Scene said = parse_scene(replaced(bar_scene, "solver:\n", "solver:\n  accuracy: tight\n"), "bar.yaml"), silent = parse_scene(bar_scene, "bar.yaml");
+  const Scene said =
+                  parse_scene(replaced(bar_scene, "solver:\n", "solver:\n  accuracy: tight\n"), "bar.yaml"),
+              silent = parse_scene(bar_scene, "bar.yaml");
   EXPECT_EQ(resolved_yaml(said), resolved_yaml(silent));
 }
 

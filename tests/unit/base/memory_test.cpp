@@ -48,7 +48,8 @@ class ControlGroups : public testing::Test {
 
 TEST_F(ControlGroups, OfVersion2CountTheLeastOnTheWayUp) {
   write("proc/cgroup", "0::/user.slice/job/step\n");
-  write("proc/mountinfo", "30 23 0:26 / " + (root / "fs").string() + " rw,nosuid shared:4 - cgroup2 cgroup2 rw,nsdelegate\n");
+  write("proc/mountinfo",
+        "30 23 0:26 / " + (root / "fs").string() + " rw,nosuid shared:4 - cgroup2 cgroup2 rw,nsdelegate\n");
   write("fs/user.slice/job/step/memory.max", "max\n");
   EXPECT_EQ(bytes(), no_limit);
   write("fs/user.slice/job/memory.max", "2000000000\n");
@@ -60,7 +61,8 @@ TEST_F(ControlGroups, OfVersion2CountTheLeastOnTheWayUp) {
 
 TEST_F(ControlGroups, OfVersion1AreThoseOfTheMemoryController) {
   write("proc/cgroup", "5:cpu,cpuacct:/other\n4:memory:/job\n0::/\n");
-  write("proc/mountinfo", "40 30 0:35 / " + (root / "fs/memory").string() + " rw - cgroup cgroup rw,memory\n41 30 0:36 / " + (root / "fs/cpu").string() +
+  write("proc/mountinfo", "40 30 0:35 / " + (root / "fs/memory").string() +
+                              " rw - cgroup cgroup rw,memory\n41 30 0:36 / " + (root / "fs/cpu").string() +
                               " rw - cgroup cgroup rw,cpu,cpuacct\n");
   write("fs/memory/memory.limit_in_bytes", "9223372036854771712\n");
   write("fs/memory/job/memory.limit_in_bytes", "500000000\n");
@@ -70,7 +72,8 @@ TEST_F(ControlGroups, OfVersion1AreThoseOfTheMemoryController) {
 
 TEST_F(ControlGroups, OfAContainerAreWhatIsMounted) {
   write("proc/cgroup", "4:memory:/docker/abc\n");
-  write("proc/mountinfo", "40 30 0:35 /docker/abc " + (root / "fs").string() + " ro - cgroup cgroup rw,memory\n");
+  write("proc/mountinfo",
+        "40 30 0:35 /docker/abc " + (root / "fs").string() + " ro - cgroup cgroup rw,memory\n");
   write("fs/memory.limit_in_bytes", "400000000\n");
   EXPECT_EQ(bytes(), 400000000u);
   write("proc/cgroup", "4:memory:/elsewhere\n");

@@ -72,7 +72,8 @@ TEST_F(ActiveSet, TheMasterCountsInThePrediction) {
 }
 
 TEST_F(ActiveSet, NothingIsPredictedAcrossIncrements) {
-  for (const auto& next : {std::function([&] { term.roll_back(); }), std::function([&] { term.set_progress(.5); })}) {
+  for (const auto& next :
+       {std::function([&] { term.roll_back(); }), std::function([&] { term.set_progress(.5); })}) {
     term.linearize(closed);
     term.predict(dx);
     ASSERT_GT(force(term, open)[z], 0);

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <numbers>
 
-#include "contact/surfaces/meridians.hpp"
 #include "contact/rigid/rigid_shapes.hpp"
 #include "contact/rigid/skin.hpp"
+#include "contact/surfaces/meridians.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/unit/contact/bodies.hpp"

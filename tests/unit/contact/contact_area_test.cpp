@@ -13,7 +13,9 @@ constexpr std::array<double, 4> unit_edges{1, 1, 1, 1};
 TEST(PartInContact, OfAnEdgeIsThatOfTheFieldsAtTheEndOfAContact) {
   const double K = 3, modulus = 7, length = .4;
   for (double theta = .02; theta < 1; theta += .03) {
-    const double d = theta * length, mean = 2. / 3 * K / length * (std::pow(d + length / 2, 1.5) - std::pow(std::max(0., d - length / 2), 1.5));
+    const double d = theta * length,
+                 mean = 2. / 3 * K / length *
+                        (std::pow(d + length / 2, 1.5) - std::pow(std::max(0., d - length / 2), 1.5));
     const double gap = 4. / 3 * K / modulus * std::pow(length - d, 1.5);
     EXPECT_NEAR(part_in_contact({mean, -1e-6}, {0, gap}, length, modulus), theta, 1e-8);
   }
@@ -33,7 +35,8 @@ TEST(PartInContact, OfAFaceIsThatOfAPolygon) {
   EXPECT_NEAR(part_in_contact({closed, closed, half, half}, unit_edges, modulus), .5, 1e-8);
   EXPECT_NEAR(part_in_contact({half, closed, closed, half}, unit_edges, modulus), .5, 1e-8);
   for (int i = 0; i < 4; ++i) {
-    std::array<NodeInContact, 4> one{half, half, half, half}, three{closed, closed, closed, closed}, two = one;
+    std::array<NodeInContact, 4> one{half, half, half, half}, three{closed, closed, closed, closed},
+        two = one;
     one[i] = closed, three[i] = half, two[i] = two[(i + 2) % 4] = closed;
     EXPECT_NEAR(part_in_contact(one, unit_edges, modulus), .125, 1e-8);
     EXPECT_NEAR(part_in_contact(three, unit_edges, modulus), .875, 1e-8);

@@ -36,7 +36,8 @@ TEST(Contact, KeepsNodesThatAnIncrementDrivesDeeperThanAllowed) {
   EXPECT_EQ(term.figures(deep).pairs, two.slaves()) << "seen in front before";
 }
 
-// What was far a moment ago is not looked at; that must never show. A term that has seen nothing but the last converged state judges.
+// What was far a moment ago is not looked at; that must never show. A term that has seen nothing but the last
+// converged state judges.
 TEST(Contact, SparesPointsThatCannotTouchOnly) {
   const TwoSheets two(-.2);
   auto spec = contact_spec(50, .1);

@@ -12,10 +12,17 @@ namespace {
 /// A small sheet, looking down, sunk into a bent master of 6 × 5 faces.
 struct OnABentSheet : testing::Test {
   Sheets sheets;
-  std::vector<Quad> slave = sheets.add(2, 2, [](double u, double v) { return Vec3<double>{.22 + .1 * v, .31 + .1 * u, height(.22 + .1 * v, .31 + .1 * u) - .01}; });
+  std::vector<Quad> slave = sheets.add(2, 2, [](double u, double v) {
+    return Vec3<double>{.22 + .1 * v, .31 + .1 * u, height(.22 + .1 * v, .31 + .1 * u) - .01};
+  });
   int slaves = sheets.nodes();
-  std::vector<Quad> master = sheets.add(6, 5, [](double u, double v) { return Vec3<double>{1.2 * u, v, height(1.2 * u, v)}; });
-  ContactTerm term{contact_spec(40, .1), {.penalty = 0, .depth = 0, .reach = .3}, {sheets.X, sheets.nodes(), slave, Master(split(master)), {}}, Comm()};
+  std::vector<Quad> master = sheets.add(6, 5, [](double u, double v) {
+    return Vec3<double>{1.2 * u, v, height(1.2 * u, v)};
+  });
+  ContactTerm term{contact_spec(40, .1),
+                   {.penalty = 0, .depth = 0, .reach = .3},
+                   {sheets.X, sheets.nodes(), slave, Master(split(master)), {}},
+                   Comm()};
   State state = sheets.state();
 
   static double height(double x, double y) { return .05 * (std::sin(3 * x) + x * y); }
@@ -36,7 +43,8 @@ struct OnABentSheet : testing::Test {
   }
   double error_of_tangent() {
     const auto d = noise_vector(state.x.size(), 4);
-    return relative_difference(action(d), derivative([&](std::span<const double> x) { return force(x); }, state.x, d, 1e-7));
+    return relative_difference(
+        action(d), derivative([&](std::span<const double> x) { return force(x); }, state.x, d, 1e-7));
   }
 };
 

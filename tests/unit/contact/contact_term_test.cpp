@@ -33,7 +33,9 @@ TEST(Contact, ForceIsTheGradientOfThePotentialOnAFlatMaster) {
   State state = two.sheets.state();
   for (int i = 0; i < 3 * two.slaves(); ++i) state.x[i] += .004 * noise(9, i);
   const auto d = noise_vector(state.x.size(), 4);
-  const auto potential = [&](std::span<const double> x) { return std::vector{term.potential({{x.begin(), x.end()}, {}, {}, {}})}; };
+  const auto potential = [&](std::span<const double> x) {
+    return std::vector{term.potential({{x.begin(), x.end()}, {}, {}, {}})};
+  };
   EXPECT_LT(std::abs(inner(force(term, state), d) / derivative(potential, state.x, d, 1e-5)[0] - 1), 1e-7);
 }
 
@@ -42,9 +44,14 @@ TEST_F(ContactTermTest, ActionIsTheDerivativeOfTheForceOnceSettled) {
   const auto first = action(term, d);
   settle(term, state);
   const auto second = action(term, d);
-  const auto exact = derivative([&](std::span<const double> x) { return force(term, {{x.begin(), x.end()}, {}, {}, {}}); }, state.x, d, 1e-5);
+  const auto exact = derivative(
+      [&](std::span<const double> x) {
+        return force(term, {{x.begin(), x.end()}, {}, {}, {}});
+      },
+      state.x, d, 1e-5);
   EXPECT_LT(relative_difference(second, exact), 1e-7);
-  EXPECT_GT(relative_difference(first, exact), 1e-3) << "the turning of the normal waits for settled pressures";
+  EXPECT_GT(relative_difference(first, exact), 1e-3)
+      << "the turning of the normal waits for settled pressures";
   EXPECT_GT(inner(first, d), 0);
 }
 
@@ -53,7 +60,11 @@ TEST_F(ContactTermTest, ActionIsTheDerivativeOfTheForceWithMultipliersToo) {
   ASSERT_TRUE(augmented.revise(state));
   EXPECT_GT(relative_difference(force(augmented, state), force(term, state)), .5);
   settle(augmented, state);
-  const auto exact = derivative([&](std::span<const double> x) { return force(augmented, {{x.begin(), x.end()}, {}, {}, {}}); }, state.x, d, 1e-5);
+  const auto exact = derivative(
+      [&](std::span<const double> x) {
+        return force(augmented, {{x.begin(), x.end()}, {}, {}, {}});
+      },
+      state.x, d, 1e-5);
   EXPECT_LT(relative_difference(action(augmented, d), exact), 1e-7);
 }
 
@@ -113,7 +124,8 @@ TEST_F(ContactTermTest, PushesTheSlaveUpAndTheMasterDownInBalance) {
   Vec3<double> slave{0, 0, 0}, all{0, 0, 0}, moment{0, 0, 0};
   for (int n = 0; n < two.sheets.nodes(); ++n) {
     const Vec3<double> at_node{f[3 * n], f[3 * n + 1], f[3 * n + 2]}, m = cross(at(state.x, n), at_node);
-    for (int c = 0; c < 3; ++c) all[c] += at_node[c], moment[c] += m[c], slave[c] += n < two.slaves() ? at_node[c] : 0;
+    for (int c = 0; c < 3; ++c)
+      all[c] += at_node[c], moment[c] += m[c], slave[c] += n < two.slaves() ? at_node[c] : 0;
   }
   EXPECT_LT(slave[2], -.1) << "the residual is internal minus external";
   EXPECT_LT(norm(all), 1e-14 * norm(slave) * f.size());
@@ -207,11 +219,14 @@ TEST(Contact, SlidesAcrossFlatFacesWithoutAJump) {
   }
 }
 
-// The master rises from the plane; without the mirrored faces its normals there would have a component across the plane.
+// The master rises from the plane; without the mirrored faces its normals there would have a component across
+// the plane.
 TEST(Contact, PushesNodesInASymmetryPlaneAlongIt) {
   Sheets s;
   const auto height = [](double x) { return x + x * x; };
-  const auto slave = s.add(5, 4, [&](double u, double v) { return Vec3<double>{.8 * v, .1 + .8 * u, height(.8 * v) - .02}; });
+  const auto slave = s.add(5, 4, [&](double u, double v) {
+    return Vec3<double>{.8 * v, .1 + .8 * u, height(.8 * v) - .02};
+  });
   const auto master = s.add(7, 6, [&](double u, double v) { return Vec3<double>{u, v, height(u)}; });
   const auto across = [&](const std::vector<std::string>& planes) {
     const ContactTerm term(contact_spec(50, .1), {.penalty = 0, .depth = 0, .reach = .3},
@@ -236,8 +251,11 @@ TEST(Contact, MakesNoPairsOfNodesThatBothSurfacesShare) {
 TEST(Contact, ForceGoesOnAcrossARidge) {
   Sheets s;
   const auto slave = s.add(1, 1, [](double u, double v) { return Vec3<double>{.04 * v - .02, u - .5, .92}; });
-  const auto master = s.add(1, 2, [](double u, double v) { return Vec3<double>{-(2 * v - 1), 2 * u - 1, 1 - .3 * std::abs(2 * v - 1)}; });
-  const ContactTerm term(contact_spec(50, .1), {.penalty = 0, .depth = 0, .reach = .3}, {s.X, s.nodes(), slave, Master(split(master)), {}}, Comm());
+  const auto master = s.add(1, 2, [](double u, double v) {
+    return Vec3<double>{-(2 * v - 1), 2 * u - 1, 1 - .3 * std::abs(2 * v - 1)};
+  });
+  const ContactTerm term(contact_spec(50, .1), {.penalty = 0, .depth = 0, .reach = .3},
+                         {s.X, s.nodes(), slave, Master(split(master)), {}}, Comm());
   State state = s.state();
   for (int n = 0; n < 4; ++n) state.x[3 * n] -= .15;
   double before = force(term, state)[0];

@@ -53,7 +53,8 @@ TEST(CurvedGap, OfABallIsTheDistanceToIt) {
   EXPECT_NEAR(mean, 2 / 2., 0.02);
 }
 
-// The normal is the gap's gradient to second order in the angle between the corners' normals, here .26 at most.
+// The normal is the gap's gradient to second order in the angle between the corners' normals, here .26 at
+// most.
 TEST(CurvedGap, HasItsGradientAndBend) {
   const RigidSurface b = ball(2);
   for (int t : {0, 7, 100}) {

@@ -18,7 +18,8 @@ TEST(Distances, AreThoseOfTheNearestTriangleHoweverFar) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     double nearest = 5;
     for (int t = 0; t < static_cast<int>(body->facets.triangles.size()); ++t)
-      nearest = std::min(nearest, nearest_point(at(points, static_cast<int>(i)), surface.corners(t)).distance);
+      nearest =
+          std::min(nearest, nearest_point(at(points, static_cast<int>(i)), surface.corners(t)).distance);
     EXPECT_EQ(found[i], nearest) << i;
     capped += nearest == 5;
   }

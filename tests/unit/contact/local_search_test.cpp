@@ -22,7 +22,8 @@ struct Surface {
     std::iota(all.begin(), all.end(), 0);
   }
   MasterSurface master() const { return {facets, places}; }
-  Selection select(const Vec3<double>& x, const Vec3<double>& N, int start = -1, const SearchLimits& l = limits) const {
+  Selection select(const Vec3<double>& x, const Vec3<double>& N, int start = -1,
+                   const SearchLimits& l = limits) const {
     return bulbus::select(master(), x, N, start, all, l);
   }
   /// Is the node pushed?
@@ -113,7 +114,9 @@ TEST(Select, TakesTheNearerOfTwoLayers) {
 
 TEST(Select, TiesGoToTheLowestNumberWhateverTheCandidates) {
   Sheets sheets;
-  const auto faces = sheets.add(4, 4, [](double u, double v) { return Vec3<double>{u, v, .31 * u + .17 * v}; });
+  const auto faces = sheets.add(4, 4, [](double u, double v) {
+    return Vec3<double>{u, v, .31 * u + .17 * v};
+  });
   const Surface s(sheets.X, split(faces));
   const Vec3<double> x{.5, .5, .19};  // a corner of six triangles
   const int lowest = s.select(x, down).triangle;
@@ -131,7 +134,8 @@ TEST(Select, TiesGoToTheLowestNumberWhateverTheCandidates) {
   EXPECT_EQ(select(s.master(), x, down, -1, some, limits).triangle, lowest);
 }
 
-/// Signed distance from a box about the origin with half widths 1, 2, .5 in x, y, z and the direction away from it.
+/// Signed distance from a box about the origin with half widths 1, 2, .5 in x, y, z and the direction away
+/// from it.
 struct BoxPlace {
   double distance;
   Vec3<double> out;
@@ -161,7 +165,8 @@ TEST(Select, LosesNoNodeInAConvexBody) {
     const BoxPlace place = from_box(x);
     if (std::abs(place.distance) > .1) continue;
     // the slave looks at the nearest face, more or less: at edges, at two
-    const Vec3<double> N = unit({-place.out[0] + .5 * noise(4, k), -place.out[1] + .5 * noise(5, k), -place.out[2] + .5 * noise(6, k)});
+    const Vec3<double> N = unit({-place.out[0] + .5 * noise(4, k), -place.out[1] + .5 * noise(5, k),
+                                 -place.out[2] + .5 * noise(6, k)});
     if (place.distance < 0) {
       ++inside;
       ASSERT_TRUE(s.active(x, N)) << x[0] << " " << x[1] << " " << x[2];
@@ -188,11 +193,13 @@ TEST(Select, PushesOutOfAConcaveCorner) {
   ASSERT_LT(project({-.1, .3, .3}, s.master().corners(8)).normal[0], -.99);
   const Vec3<double> N = unit({.6, 0, -.8});
   // in front of the floor, behind the wall; behind both; behind both where the line misses both
-  for (const Vec3<double>& x : {Vec3<double>{.05, .3, .1}, {.05, .3, -.04}, {.02, .3, -.1}, {.1, .3, -.02}, {.05, .5, -.05}})
+  for (const Vec3<double>& x :
+       {Vec3<double>{.05, .3, .1}, {.05, .3, -.04}, {.02, .3, -.1}, {.1, .3, -.02}, {.05, .5, -.05}})
     EXPECT_TRUE(s.active(x, N)) << x[0] << " " << x[2];
   for (const Vec3<double>& x : {Vec3<double>{-.05, .3, .1}, {-.01, .3, .01}, {-.1, .5, .02}})
     EXPECT_FALSE(s.active(x, N)) << x[0] << " " << x[2];
-  // the line meets the wall beyond reach; nearest is the corner's edge or vertex, and the floor looks at the node more
+  // the line meets the wall beyond reach; nearest is the corner's edge or vertex, and the floor looks at the
+  // node more
   for (double y : {.3, .5}) {
     const int t = s.select({.02, y, -.01}, unit({.05, 0, -1}), -1, {.depth = .2, .reach = .3}).triangle;
     ASSERT_GE(t, 0);
@@ -215,7 +222,8 @@ TEST(Select, StopsNothingBeyondARim) {
   EXPECT_EQ(s.select({1.01, .5, -.05}, down).triangle, -1);
   EXPECT_GE(s.select({1.001, .5, -.05}, down).triangle, 0) << "less than a hundredth of a triangle";
   EXPECT_TRUE(s.active({.999, .5, -.05}, down));
-  EXPECT_TRUE(s.active({.999, .5, -.05}, unit({-.3, 0, -1}))) << "the line slips past the rim, the foot does not";
+  EXPECT_TRUE(s.active({.999, .5, -.05}, unit({-.3, 0, -1})))
+      << "the line slips past the rim, the foot does not";
 }
 
 TEST(Select, TellsHowFarAFreeNodeIs) {

@@ -53,7 +53,8 @@ std::vector<double> figures(Scene scene, const std::vector<ProbeSpec>& probes, c
   return ProbeSet(problem, interaction_probes(interactions)).values(problem, state);
 }
 
-/// Pressed in by .01 everywhere: the pressure is .2 MPa on 4 mm². Of the slave nodes' areas a half lies at y = 0.
+/// Pressed in by .01 everywhere: the pressure is .2 MPa on 4 mm². Of the slave nodes' areas a half lies at y
+/// = 0.
 TEST(OperationProbes, MeasureAPlateThatPresses) {
   std::vector<ProbeSpec> probes;
   for (const char* kind : {"contact_area", "contact_pressure", "penetration"}) probes.push_back(probe(kind));
@@ -64,7 +65,8 @@ TEST(OperationProbes, MeasureAPlateThatPresses) {
   const double expected[] = {4, .2, .01, -.01, F, 0, F, radial, F, 0, F, radial};
   for (bool quarter : {false, true}) {
     const auto v = figures(block(1.99, quarter), probes);
-    for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(v[i], expected[i], 1e-12) << quarter << ' ' << probes[i].name;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      EXPECT_NEAR(v[i], expected[i], 1e-12) << quarter << ' ' << probes[i].name;
   }
 }
 
@@ -72,7 +74,10 @@ TEST(OperationProbes, MeasureAPlateThatPresses) {
 TEST(OperationProbes, MeasureAMoment) {
   const Map tilt = [](const Vec3<double>& X) { return Vec3<double>{X[0] + .01 * X[1] * X[0], X[1], X[2]}; };
   const double F = penalty * .02 * 1;
-  const auto v = figures(block(2), {probe("body_force", "x"), probe("body_moment", "z"), probe("penetration"), probe("contact_area")}, tilt);
+  const auto v = figures(
+      block(2),
+      {probe("body_force", "x"), probe("body_moment", "z"), probe("penetration"), probe("contact_area")},
+      tilt);
   EXPECT_NEAR(v[0], F, 1e-12);
   EXPECT_NEAR(v[1], -F, 1e-12);  // −y F_x
   EXPECT_NEAR(v[2], .02, 1e-12);
@@ -81,11 +86,14 @@ TEST(OperationProbes, MeasureAMoment) {
 
 /// Columns of nodes at y = −1, 0, 1 are .1, .2, .3 before the plate.
 TEST(OperationProbes, MeasureGaps) {
-  const Map tilt = [](const Vec3<double>& X) { return Vec3<double>{X[0] - (X[0] == 2 ? .1 * X[1] : 0), X[1], X[2]}; };
+  const Map tilt = [](const Vec3<double>& X) {
+    return Vec3<double>{X[0] - (X[0] == 2 ? .1 * X[1] : 0), X[1], X[2]};
+  };
   ProbeSpec closed = probe("closed_fraction"), edge = closed;
   closed.tolerance = edge.tolerance = .25;
   edge.set = "ymax";
-  const auto v = figures(block(2.2), {gap("min"), gap("mean"), gap("max"), gap("mean", "ymax"), closed, edge}, tilt);
+  const auto v =
+      figures(block(2.2), {gap("min"), gap("mean"), gap("max"), gap("mean", "ymax"), closed, edge}, tilt);
   const double expected[] = {.1, .2, .3, .3, 2. / 3, 0};
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(v[i], expected[i], 1e-12) << i;
 }
@@ -98,8 +106,10 @@ TEST(OperationProbes, GapsAreRightFarAway) {
 
 TEST(OperationProbes, MeasureSutures) {
   Scene scene = block(5);
-  scene.mesh.node_sets["corner"] = nodes_where(scene.mesh, [](const Point& p) { return p[0] == 2 && p[1] == 1 && p[2] == 1; });
-  scene.model.rigid_bodies["rod"].cylinder = RodShape{.center = {3, 0, 0}, .axis = {0, 0, 1}, .radius = .4, .length = 10};
+  scene.mesh.node_sets["corner"] =
+      nodes_where(scene.mesh, [](const Point& p) { return p[0] == 2 && p[1] == 1 && p[2] == 1; });
+  scene.model.rigid_bodies["rod"].cylinder =
+      RodShape{.center = {3, 0, 0}, .axis = {0, 0, 1}, .radius = .4, .length = 10};
   scene.model.sutures["string"] = {.body = "rod", .sets = {"corner"}, .generator = {0, 0, 1}};
   scene.model.steps[0].sew["string"] = .2;
   ProbeSpec least = probe("suture_mises");
@@ -110,7 +120,8 @@ TEST(OperationProbes, MeasureSutures) {
   State state = problem.initial_state();
   problem.begin_step(0, state);
   problem.set_progress(.5, state);
-  for (std::size_t n = 0; n < state.x.size(); n += 3) state.x[n] += .05 * state.x[n] * state.x[n] * (3 + state.x[n + 1]);
+  for (std::size_t n = 0; n < state.x.size(); n += 3)
+    state.x[n] += .05 * state.x[n] * state.x[n] * (3 + state.x[n + 1]);
   const auto v = ProbeSet(problem, interaction_probes(interactions)).values(problem, state);
   double most = 0;
   for (const CellStress& c : problem.solid().stresses(state.x, state.lambda)) most = std::max(most, c.mises);
@@ -125,8 +136,8 @@ struct Fault {
 };
 
 TEST(OperationProbes, RefuseNamesThatAreNotThere) {
-  ProbeSpec contact = probe("gap"), body = probe("body_force"), suture = probe("suture_force"), set = gap("mean", "xmin"),
-            idle = probe("body_force");
+  ProbeSpec contact = probe("gap"), body = probe("body_force"), suture = probe("suture_force"),
+            set = gap("mean", "xmin"), idle = probe("body_force");
   contact.contact = "pres", body.body = "plat", suture.suture = "strin", idle.body = "rod";
   Scene scene = block(3);
   scene.model.rigid_bodies["rod"].cylinder = RodShape{};

@@ -31,7 +31,8 @@ std::vector<double> rotated(const Mat3<double>& R, std::span<const double> u) {
 
 Mat3<double> rotation(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
-  return Mat3<double>{{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}}} * Mat3<double>{{{{1, 0, 0}, {0, c, -s}, {0, s, c}}}};
+  return Mat3<double>{{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}}} *
+         Mat3<double>{{{{1, 0, 0}, {0, c, -s}, {0, s, c}}}};
 }
 
 TEST(Pair, KnowsAGapByHand) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "contact/surfaces/meridians.hpp"
 #include "contact/rigid/rigid_shapes.hpp"
+#include "contact/surfaces/meridians.hpp"
 #include "tests/support/sheets.hpp"
 
 namespace bulbus {
@@ -9,7 +9,8 @@ namespace {
 
 constexpr double penalty = 20;
 
-ContactTerm term_of(const Sheets& s, const std::vector<Quad>& slave, std::shared_ptr<const RigidSurface> rigid) {
+ContactTerm term_of(const Sheets& s, const std::vector<Quad>& slave,
+                    std::shared_ptr<const RigidSurface> rigid) {
   return ContactTerm(contact_spec(penalty, .2), {.penalty = 0, .depth = 0, .reach = .6},
                      {s.X, s.nodes(), slave, Master(std::move(rigid)), {}}, Comm());
 }
@@ -27,7 +28,8 @@ struct Strip {
   }
 };
 
-// The contour of a box of half widths 1 and .5, `inside` it, from the middle of the top to the middle of the right side.
+// The contour of a box of half widths 1 and .5, `inside` it, from the middle of the top to the middle of the
+// right side.
 std::array<double, 2> around_the_edge(double s, double inside) {
   const double top = 1 - inside, side = .5 - inside, at = s * (top + side);
   return at < top ? std::array{at, side} : std::array{top, side - (at - top)};
@@ -45,13 +47,20 @@ TEST(RigidContact, LosesNoNodeThatSlidesOverABoxEdge) {
   }
 }
 
-// A gap is a distance: it changes by no more than the point moves, whichever triangle the point is measured from.
+// A gap is a distance: it changes by no more than the point moves, whichever triangle the point is measured
+// from.
 TEST(RigidContact, GapsGoOnOverTheRimOfACurvedBodysEnd) {
   RigidBodySpec spec;
-  spec.band = BandShape{.width = 2, .thickness = .75, .edge_radius = .2, .radius = 12, .arc = {.from = 0, .to = 30, .facets = 12}};
-  const auto band = std::make_shared<const RigidSurface>(make_rigid_surface("band", spec, "rigid_bodies.band"));
+  spec.band = BandShape{.width = 2,
+                        .thickness = .75,
+                        .edge_radius = .2,
+                        .radius = 12,
+                        .arc = {.from = 0, .to = 30, .facets = 12}};
+  const auto band =
+      std::make_shared<const RigidSurface>(make_rigid_surface("band", spec, "rigid_bodies.band"));
   const double end = 1e-5, step = 2e-4;
-  // a small face that looks towards the edge of the inner face and the end, its place by depths in both and by z
+  // a small face that looks towards the edge of the inner face and the end, its place by depths in both and
+  // by z
   const auto face_at = [&](double radial, double azimuthal, double z) {
     Sheets s;
     const double a = azimuthal / 12;
@@ -103,7 +112,9 @@ TEST(RigidContact, SlidesRoundACylinder) {
 struct OnABox : testing::Test {
   std::shared_ptr<RigidSurface> rigid = box(1, .5, 3);
   Sheets sheets;
-  std::vector<Quad> faces = sheets.add(3, 3, [](double u, double v) { return Vec3<double>{.6 * v - .4, .6 * u - .3, .49 + .005 * u}; });
+  std::vector<Quad> faces = sheets.add(3, 3, [](double u, double v) {
+    return Vec3<double>{.6 * v - .4, .6 * u - .3, .49 + .005 * u};
+  });
   ContactTerm term = term_of(sheets, faces, rigid);
   State state = sheets.state();
 };
@@ -148,7 +159,8 @@ TEST_F(OnABox, FollowsTheBodysMotion) {
 TEST_F(OnABox, TouchesEveryPartForItself) {
   // the same box twice as two parts, the second lower by .004
   auto two = std::make_shared<RigidSurface>(*rigid);
-  const int points = static_cast<int>(two->places.size() / 3), triangles = static_cast<int>(two->facets.triangles.size());
+  const int points = static_cast<int>(two->places.size() / 3),
+            triangles = static_cast<int>(two->facets.triangles.size());
   for (int i = 0; i < 3 * points; ++i) two->places.push_back(two->places[i] - (i % 3 == 2 ? .004 : 0));
   auto all = two->facets.triangles;
   for (int t = 0; t < triangles; ++t) {
@@ -157,7 +169,8 @@ TEST_F(OnABox, TouchesEveryPartForItself) {
     all.push_back(copy);
   }
   two->facets = make_facets(all);
-  two->parts.push_back({.first_point = points, .points = points, .first_triangle = triangles, .triangles = triangles});
+  two->parts.push_back(
+      {.first_point = points, .points = points, .first_triangle = triangles, .triangles = triangles});
   const auto both = term_of(sheets, faces, two);
   const ContactFigures one = term.figures(state), sum = both.figures(state);
   EXPECT_EQ(sum.pairs, 32);
@@ -174,8 +187,9 @@ struct PlateOnSpring : OnABox {
     for (std::size_t i = 2; i < sheets.X.size(); i += 3) sheets.X[i] = .5;
   }
   ContactTerm augmented(double tolerance) {
-    return ContactTerm(contact_spec(penalty, .2, tolerance), {.penalty = 0, .depth = 0, .reach = .6},
-                       {sheets.X, sheets.nodes(), faces, Master(std::shared_ptr<const RigidSurface>(rigid)), {}}, Comm());
+    return ContactTerm(
+        contact_spec(penalty, .2, tolerance), {.penalty = 0, .depth = 0, .reach = .6},
+        {sheets.X, sheets.nodes(), faces, Master(std::shared_ptr<const RigidSurface>(rigid)), {}}, Comm());
   }
   State at(double height) const {
     State s = sheets.state();
@@ -241,7 +255,8 @@ TEST_F(PlateOnSpring, AugmentationGivesUpInTheEnd) {
 
 TEST_F(PlateOnSpring, AugmentationLeavesNoGapWhereTheLoadWanes) {
   auto term = augmented(1e-6);
-  for (equilibrate(term); term.revise(at(z)); equilibrate(term)) {}
+  for (equilibrate(term); term.revise(at(z)); equilibrate(term)) {
+  }
   term.commit(at(z));
   w = -.02;
   term.set_progress(.5);
@@ -259,7 +274,8 @@ TEST_F(PlateOnSpring, AugmentedPlateIsReleasedWhenItLifts) {
   term.commit(at(z));
   w = .1;
   term.set_progress(.5);
-  for (equilibrate(term); term.revise(at(z)); equilibrate(term)) {}
+  for (equilibrate(term); term.revise(at(z)); equilibrate(term)) {
+  }
   EXPECT_NEAR(z, w, 1e-10);
 }
 

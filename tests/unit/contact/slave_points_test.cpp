@@ -50,7 +50,9 @@ TEST(SlavePoints, BulgeToTheSphere) {
 
 TEST(SlavePoints, DoNotBulgeAcrossSharpEdges) {
   Sheets s;
-  const auto faces = s.add(2, 2, [](double u, double v) { return Vec3<double>{u, std::min(v, .5), std::min(0., .5 - v)}; });
+  const auto faces = s.add(2, 2, [](double u, double v) {
+    return Vec3<double>{u, std::min(v, .5), std::min(0., .5 - v)};
+  });
   const SlaveSurface surface(s.X, s.nodes(), faces, {}, {});
   SlavePoints points(surface, s.nodes(), {}, 3);
   points.chordal_offset(s.X, faces, {});
@@ -109,7 +111,8 @@ TEST_F(OnABall, ActionIsTheDerivativeOfTheForce) {
   t.linearize(state);
   std::vector<double> f(d.size());
   t.add_action(d, f);
-  EXPECT_LT(relative_difference(f, derivative(force, state.x, d, 1e-6)), 2e-3);  // second derivatives of the chordal offset are left out: pressure times chordal offset
+  EXPECT_LT(relative_difference(f, derivative(force, state.x, d, 1e-6)),
+            2e-3);  // second derivatives of the chordal offset are left out: pressure times chordal offset
 }
 
 // The normal of interpolated normals is the gradient of the gap to second order in the angle of a facet.

@@ -9,11 +9,14 @@ namespace {
 
 TEST(SlaveSurface, AreasAddUpToThoseOfTheFaces) {
   Sheets s;
-  const auto faces = s.add(5, 4, [](double u, double v) { return Vec3<double>{2 * u + .3 * u * u, v + .1 * u * v, 0}; });
+  const auto faces = s.add(5, 4, [](double u, double v) {
+    return Vec3<double>{2 * u + .3 * u * u, v + .1 * u * v, 0};
+  });
   const SlaveSurface surface(s.X, s.nodes(), faces, {}, {});
   double sum = 0, exact = 0;
   for (double a : surface.shape(s.X).areas) sum += a;
-  for (const Quad& q : faces) exact += norm(cross(minus(at(s.X, q[2]), at(s.X, q[0])), minus(at(s.X, q[3]), at(s.X, q[1])))) / 2;
+  for (const Quad& q : faces)
+    exact += norm(cross(minus(at(s.X, q[2]), at(s.X, q[0])), minus(at(s.X, q[3]), at(s.X, q[1])))) / 2;
   EXPECT_NEAR(sum, exact, 1e-14);
 }
 
@@ -32,7 +35,8 @@ TEST(SlaveSurface, KeepsNormalsInSymmetryPlanes) {
   Sheets s;
   const auto faces = s.add(4, 3, [](double u, double v) { return Vec3<double>{u, v, -u * u - .3 * u}; });
   const std::vector<std::string> planes{"x"};
-  const auto plain = SlaveSurface(s.X, s.nodes(), faces, {}, {}).shape(s.X), cut = SlaveSurface(s.X, s.nodes(), faces, {}, planes).shape(s.X);
+  const auto plain = SlaveSurface(s.X, s.nodes(), faces, {}, {}).shape(s.X),
+             cut = SlaveSurface(s.X, s.nodes(), faces, {}, planes).shape(s.X);
   for (int i = 0; i < s.nodes(); ++i) {
     if (s.X[3 * i] == 0) {
       EXPECT_GT(plain.normals[i][0], .1);

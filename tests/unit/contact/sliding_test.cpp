@@ -7,15 +7,21 @@
 namespace bulbus {
 namespace {
 
-/// Two wavy sheets whose nodes hang on springs k, with edges of stiffness 20 k between them; the slave's anchors are pressed into
-/// the master's and slide along.
+/// Two wavy sheets whose nodes hang on springs k, with edges of stiffness 20 k between them; the slave's
+/// anchors are pressed into the master's and slide along.
 struct Sliding : testing::Test {
   Sheets sheets;
-  std::vector<Quad> slave = sheets.add(9, 9, [](double u, double v) { return Vec3<double>{.2 + .5 * v, .2 + .5 * u, height(.2 + .5 * v) + .005}; });
+  std::vector<Quad> slave = sheets.add(9, 9, [](double u, double v) {
+    return Vec3<double>{.2 + .5 * v, .2 + .5 * u, height(.2 + .5 * v) + .005};
+  });
   int slaves = sheets.nodes();
-  std::vector<Quad> master = sheets.add(13, 11, [](double u, double v) { return Vec3<double>{1.3 * u, v, height(1.3 * u)}; });
-  ContactTerm term{contact_spec(3e4, .1), {.penalty = 0, .depth = 0, .reach = .4},
-                   {sheets.X, sheets.nodes(), slave, Master(split(master)), {}}, Comm()};
+  std::vector<Quad> master = sheets.add(13, 11, [](double u, double v) {
+    return Vec3<double>{1.3 * u, v, height(1.3 * u)};
+  });
+  ContactTerm term{contact_spec(3e4, .1),
+                   {.penalty = 0, .depth = 0, .reach = .4},
+                   {sheets.X, sheets.nodes(), slave, Master(split(master)), {}},
+                   Comm()};
   std::vector<double> anchors = sheets.X;
   State state = sheets.state();
   double k = 1;
@@ -53,9 +59,11 @@ struct Sliding : testing::Test {
       term.visit([&](std::span<const int> nodes, std::span<const double> M) {
         const std::size_t n = 3 * nodes.size();
         for (std::size_t a = 0; a < n; ++a)
-          for (std::size_t b = 0; b < n; ++b) K(3 * nodes[a / 3] + a % 3, 3 * nodes[b / 3] + b % 3) += M[n * a + b];
+          for (std::size_t b = 0; b < n; ++b)
+            K(3 * nodes[a / 3] + a % 3, 3 * nodes[b / 3] + b % 3) += M[n * a + b];
       });
-      const Eigen::VectorXd dx = -K.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(r.data(), r.size()));
+      const Eigen::VectorXd dx =
+          -K.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(r.data(), r.size()));
       for (std::size_t j = 0; j < state.x.size(); ++j) state.x[j] += dx[j];
       term.predict({dx.data(), static_cast<std::size_t>(dx.size())});
     }

@@ -15,7 +15,9 @@ struct BarsTest : testing::Test {
   std::vector<double> X = places(mesh), x = deformed(X, 5, .3), d = noise_vector(X.size(), 2);
   std::vector<Bar> list{{at_node(0), at_node(26)},
                         {{mesh.surfaces.at("zmin")[0], {.1, .2, .3, .4}}, at_node(25)},
-                        {{mesh.surfaces.at("xmin")[1], {.25, 0, .5, .25}}, {mesh.surfaces.at("xmax")[2], {.7, .1, .1, .1}}, .5}};
+                        {{mesh.surfaces.at("xmin")[1], {.25, 0, .5, .25}},
+                         {mesh.surfaces.at("xmax")[2], {.7, .1, .1, .1}},
+                         .5}};
   Bars bars{X, list, 100, .02, false};
 
   std::vector<double> force(const Bars& b, std::span<const double> at) const {
@@ -29,7 +31,8 @@ TEST_F(BarsTest, ForceIsDerivativeOfStrainEnergy) {
   const auto energy = [&](std::span<const double> at) {
     double sum = 0;
     for (const Bar& b : list) {
-      const double L = norm(minus(place(b.b, X), place(b.a, X))), l = norm(minus(place(b.b, at), place(b.a, at)));
+      const double L = norm(minus(place(b.b, X), place(b.a, X))),
+                   l = norm(minus(place(b.b, at), place(b.a, at)));
       const double e = (l * l - L * L) / (2 * L * L);
       sum += .5 * 100 * e * e * .02 * b.share * L;
     }
@@ -41,7 +44,9 @@ TEST_F(BarsTest, ForceIsDerivativeOfStrainEnergy) {
 TEST_F(BarsTest, StiffnessIsDerivativeOfForce) {
   std::vector<double> f(X.size());
   bars.add_stiffness(x, d, f);
-  EXPECT_LT(relative_difference(f, derivative([&](std::span<const double> at) { return force(bars, at); }, x, d)), 1e-9);
+  EXPECT_LT(
+      relative_difference(f, derivative([&](std::span<const double> at) { return force(bars, at); }, x, d)),
+      1e-9);
 }
 
 TEST_F(BarsTest, VisitedMatricesActAsStiffness) {
@@ -66,7 +71,8 @@ TEST_F(BarsTest, ForcesAreThoseOfTheWholeBarWhateverItsShare) {
   const Bars both(X, std::vector{half, whole}, 100, .02, false);
   const auto f = both.forces(x);
   EXPECT_DOUBLE_EQ(f[0], f[1]);
-  const double L = norm(minus(place(half.b, X), place(half.a, X))), l = norm(minus(place(half.b, x), place(half.a, x)));
+  const double L = norm(minus(place(half.b, X), place(half.a, X))),
+               l = norm(minus(place(half.b, x), place(half.a, x)));
   EXPECT_NEAR(f[0], .02 * 100 * (l * l - L * L) / (2 * L * L) * l / L, 1e-12);
 }
 
@@ -74,7 +80,8 @@ TEST_F(BarsTest, EmbeddedEndSharesItsForceByItsWeights) {
   const Bars one(X, std::vector{list[1]}, 100, .02, false);
   const auto f = force(one, x);
   for (int i = 0; i < 4; ++i)
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(f[3 * list[1].a.nodes[i] + c], -list[1].a.weights[i] * f[3 * 25 + c], 1e-13);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(f[3 * list[1].a.nodes[i] + c], -list[1].a.weights[i] * f[3 * 25 + c], 1e-13);
   EXPECT_GT(largest(f), 1e-3);
 }
 

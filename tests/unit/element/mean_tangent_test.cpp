@@ -24,7 +24,8 @@ std::vector<double> single_action(const Solid& solid, std::span<const double> d)
 }
 
 std::vector<double> mean_action(const Solid& solid, std::span<const double> d, double augmentation = 1) {
-  const BlockCsr A(static_cast<int>(d.size() / 3), [&](const ContributionVisitor& v) { solid.visit_mean(v, augmentation); });
+  const BlockCsr A(static_cast<int>(d.size() / 3),
+                   [&](const ContributionVisitor& v) { solid.visit_mean(v, augmentation); });
   std::vector<double> f(d.size());
   A.apply(d, f);
   return f;
@@ -45,7 +46,8 @@ TEST_F(MeanTangentTest, IsAppliedInSinglePrecision) {
     solid.linearize(x, lambda, gamma, StrainSource::recompute);
     const auto expected = mean_action(solid, d);
     EXPECT_LT(relative_difference(single_action(solid, d), expected), 2e-6);
-    EXPECT_GT(relative_difference(expected, exact_action(solid, d)), 1e-4) << "these hexahedra are no parallelepipeds";
+    EXPECT_GT(relative_difference(expected, exact_action(solid, d)), 1e-4)
+        << "these hexahedra are no parallelepipeds";
     EXPECT_LT(relative_difference(expected, exact_action(solid, d)), .2);
   }
 }
@@ -55,7 +57,8 @@ TEST_F(MeanTangentTest, AddsToForces) {
   std::vector<NodeSingle> force(X.size() / 3, NodeSingle{1, 1, 1, 0});
   solid.apply_single(rounded(d), force);
   const auto alone = single_action(solid, d);
-  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_NEAR(force[i / 3][i % 3], 1 + alone[i], 1e-5 * (1 + std::abs(alone[i])));
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    EXPECT_NEAR(force[i / 3][i % 3], 1 + alone[i], 1e-5 * (1 + std::abs(alone[i])));
 }
 
 TEST_F(MeanTangentTest, FollowsTheLinearisedState) {

@@ -51,7 +51,8 @@ TEST(PressureSurface, VolumeOfACavityIsPositive) {
 }
 
 TEST(PressureSurface, OctantClosedBySymmetryPlanesHasAnEighth) {
-  const Mesh octant = generate(ShellShape{.n = 4, .layers = 1}), whole = generate(ShellShape{.n = 4, .layers = 1, .part = "whole"});
+  const Mesh octant = generate(ShellShape{.n = 4, .layers = 1}),
+             whole = generate(ShellShape{.n = 4, .layers = 1, .part = "whole"});
   EXPECT_NEAR(8 * PressureSurface(octant.surfaces.at("inner")).volume(places(octant), origin),
               PressureSurface(whole.surfaces.at("inner")).volume(places(whole), origin), 1e-12);
 }
@@ -77,7 +78,8 @@ TEST_F(PressureSurfaceTest, StiffnessIsDerivativeOfGradient) {
 }
 
 TEST_F(PressureSurfaceTest, VisitedMatricesActAsStiffness) {
-  const BlockCsr A(static_cast<int>(mesh.points.size()), [&](const ContributionVisitor& v) { surface.visit(x, 1.7, v); });
+  const BlockCsr A(static_cast<int>(mesh.points.size()),
+                   [&](const ContributionVisitor& v) { surface.visit(x, 1.7, v); });
   std::vector<double> f(X.size());
   A.apply(d, f);
   EXPECT_LT(relative_difference(f, action(surface, 1.7, d)), 1e-13);
@@ -118,7 +120,8 @@ TEST_F(PressureSurfaceTest, FluxThroughAHexahedronsFacesIsItsVolume) {
   });
 }
 
-// Mean stress −P everywhere balances the pressure P of the fluid around, on any shape, as far as shear is free.
+// Mean stress −P everywhere balances the pressure P of the fluid around, on any shape, as far as shear is
+// free.
 TEST_F(PressureSurfaceTest, SubmergedSolidIsInEquilibriumAtAnyPressure) {
   for (double P : {1e-3, 1.0, 1e4}) {
     for (double c10 : {0.0, .5}) {

@@ -68,7 +68,8 @@ TEST_F(SolidTest, ResidualAddsToForces) {
 TEST_F(SolidTest, MagnitudeBoundsTheNodalForce) {
   std::vector<double> f(X.size()), v(27), magnitude(size() / 3);
   solid.residual(x, lambda, f, v, magnitude);
-  for (int n = 0; n < size() / 3; ++n) EXPECT_GE(magnitude[n] * (1 + 1e-14), std::hypot(f[3 * n], f[3 * n + 1], f[3 * n + 2]));
+  for (int n = 0; n < size() / 3; ++n)
+    EXPECT_GE(magnitude[n] * (1 + 1e-14), std::hypot(f[3 * n], f[3 * n + 1], f[3 * n + 2]));
   // node 0 has one element: equal
   EXPECT_NEAR(magnitude[0], std::hypot(f[0], f[1], f[2]), 1e-14);
 }
@@ -161,7 +162,8 @@ TEST_F(SolidTest, UnaugmentedMatricesIgnoreGamma) {
 TEST_F(SolidTest, ShearModuliStartFromTheInitialOnes) {
   solid.linearize(X, lambda, 1, StrainSource::recompute);
   for (const SolidRegion& r : solid.regions())
-    for (int e = r.first; e < r.first + r.count; ++e) EXPECT_NEAR(solid.shear_moduli()[e], initial_shear_modulus(r.material), 1e-13);
+    for (int e = r.first; e < r.first + r.count; ++e)
+      EXPECT_NEAR(solid.shear_moduli()[e], initial_shear_modulus(r.material), 1e-13);
 }
 
 TEST_F(SolidTest, ShearModuliAreFlooredAtATenth) {
@@ -175,7 +177,8 @@ TEST_F(SolidTest, RigidMotionsGiveNoDeviatoricForce) {
   Mat3<double> R{{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}};
   std::vector<double> turned(X.size());
   for (int n = 0; n < size() / 3; ++n)
-    for (int c = 0; c < 3; ++c) turned[3 * n + c] = 5 + R(c, 0) * X[3 * n] + R(c, 1) * X[3 * n + 1] + R(c, 2) * X[3 * n + 2];
+    for (int c = 0; c < 3; ++c)
+      turned[3 * n + c] = 5 + R(c, 0) * X[3 * n] + R(c, 1) * X[3 * n + 1] + R(c, 2) * X[3 * n + 2];
   EXPECT_LT(largest(force(turned, std::vector<double>(27))), 1e-13);
   EXPECT_NEAR(solid.energy(turned), 0, 1e-13);
   EXPECT_NEAR(solid.least_jacobian(turned), 1, 1e-13);
@@ -211,14 +214,16 @@ TEST_F(SolidTest, HomogeneousDeformationHasItsExactStress) {
   const Mat3<double> F{{{{1.3, .2, 0}, {-.1, .9, .15}, {.05, 0, .85}}}};
   std::vector<double> y(X.size());
   for (int n = 0; n < size() / 3; ++n)
-    for (int c = 0; c < 3; ++c) y[3 * n + c] = F(c, 0) * X[3 * n] + F(c, 1) * X[3 * n + 1] + F(c, 2) * X[3 * n + 2];
+    for (int c = 0; c < 3; ++c)
+      y[3 * n + c] = F(c, 0) * X[3 * n] + F(c, 1) * X[3 * n + 1] + F(c, 2) * X[3 * n + 2];
   const double J = determinant(F);
   const Sym3<double> b = gram(F, std::pow(J, -2.0 / 3));
   const auto cells = solid.stresses(y, lambda);
   for (const SolidRegion& r : solid.regions()) {
     const Sym3<double> tau = std::visit([&](const auto& m) { return m.deviatoric(b); }, r.material);
     for (int e = r.first; e < r.first + r.count; ++e) {
-      for (int c = 0; c < 6; ++c) EXPECT_NEAR(cells[e].cauchy.v[c], tau.v[c] / J + (c < 3 ? lambda[e] : 0), 1e-13);
+      for (int c = 0; c < 6; ++c)
+        EXPECT_NEAR(cells[e].cauchy.v[c], tau.v[c] / J + (c < 3 ? lambda[e] : 0), 1e-13);
       EXPECT_NEAR(cells[e].mises, std::sqrt(1.5 * contract(tau, tau)) / J, 1e-13);
     }
   }
@@ -227,12 +232,14 @@ TEST_F(SolidTest, HomogeneousDeformationHasItsExactStress) {
 TEST_F(SolidTest, EnergyOfHomogeneousDeformationIsDensityTimesVolume) {
   const double s = 1.4;
   std::vector<double> y(X);
-  for (int n = 0; n < size() / 3; ++n) y[3 * n] *= s, y[3 * n + 1] /= std::sqrt(s), y[3 * n + 2] /= std::sqrt(s);
+  for (int n = 0; n < size() / 3; ++n)
+    y[3 * n] *= s, y[3 * n + 1] /= std::sqrt(s), y[3 * n + 2] /= std::sqrt(s);
   const Sym3<double> b{{s * s, 1 / s, 1 / s, 0, 0, 0}};
   double expected = 0;
   for (const SolidRegion& r : solid.regions())
     for (int e = r.first; e < r.first + r.count; ++e)
-      expected += solid.reference_volumes()[e] * std::visit([&](const auto& m) { return m.energy(b); }, r.material);
+      expected +=
+          solid.reference_volumes()[e] * std::visit([&](const auto& m) { return m.energy(b); }, r.material);
   EXPECT_NEAR(solid.energy(y), expected, 1e-12 * expected);
 }
 

@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "core/base/error.hpp"
-#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/distributed/partition.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {
@@ -41,11 +41,15 @@ struct Everything {
   double half = .5;
   int count = 3;
   bool flag = true;
-  std::vector<double> odd{-0., 5e-324, 1 / 3., std::numeric_limits<double>::infinity()}, none, x, lambda, rows;
+  std::vector<double> odd{-0., 5e-324, 1 / 3., std::numeric_limits<double>::infinity()}, none, x, lambda,
+      rows;
   std::string words = "süß: [1]\n", silence;
   Archive::Keys keys;
 
-  explicit Everything(const LocalMesh& mesh) : x(noise_vector(mesh.X.size(), 1)), lambda(noise_vector(mesh.hexes.size(), 2)), rows(noise_vector(6, 3)) {
+  explicit Everything(const LocalMesh& mesh)
+      : x(noise_vector(mesh.X.size(), 1)),
+        lambda(noise_vector(mesh.hexes.size(), 2)),
+        rows(noise_vector(6, 3)) {
     for (long long k : {7LL, 1LL << 40, 2LL}) keys.add(k, k != 2);
   }
   void serialize(Archive& archive) {
@@ -90,7 +94,8 @@ TEST(Checkpoint, GivesBackEveryBit) {
   EXPECT_TRUE(same_bits(read.odd, kept.odd));
   EXPECT_TRUE(same_bits(read.x, kept.x));
   EXPECT_TRUE(same_bits(read.lambda, kept.lambda));
-  EXPECT_TRUE(same_bits({read.rows.begin(), read.rows.begin() + 4}, {kept.rows.begin(), kept.rows.begin() + 4}));
+  EXPECT_TRUE(
+      same_bits({read.rows.begin(), read.rows.begin() + 4}, {kept.rows.begin(), kept.rows.begin() + 4}));
   EXPECT_EQ(read.rows[4], 9);  // not mine: not kept
   EXPECT_TRUE(reader->knows("a|b/x") || reader->knows("a|b"));
   EXPECT_FALSE(reader->knows("c"));
@@ -108,11 +113,12 @@ TEST(Checkpoint, KeepsTheOldOneWhenTheNewOneFails) {
   const LocalMesh mesh = block(2);
   const std::string path = fresh_file("kept");
   write(path, mesh);
-  EXPECT_THROW(write_checkpoint(path, mesh, [](Archive& archive) {
-                 double half = .25;
-                 archive.scalars("plain", half);
-                 throw std::runtime_error("the disk is full");
-               }),
+  EXPECT_THROW(write_checkpoint(path, mesh,
+                                [](Archive& archive) {
+                                  double half = .25;
+                                  archive.scalars("plain", half);
+                                  throw std::runtime_error("the disk is full");
+                                }),
                std::runtime_error);
   double half = 0;
   int count = 0;
@@ -151,7 +157,8 @@ TEST(Checkpoint, FindsEveryChangeOfItsNumbers) {
   const Everything e(mesh);
   for (const auto* v : {&e.odd, &e.x, &e.lambda})
     for (std::size_t i : {std::size_t{0}, v->size() - 1}) {
-      const auto at = whole.find(std::string(reinterpret_cast<const char*>(v->data()), v->size() * sizeof(double)));
+      const auto at =
+          whole.find(std::string(reinterpret_cast<const char*>(v->data()), v->size() * sizeof(double)));
       ASSERT_NE(at, std::string::npos);
       std::string damaged = whole;
       damaged[at + i * sizeof(double)] ^= 1;
@@ -204,10 +211,13 @@ TEST(Checkpoint, IsWholeWhenItsWriterIsKilled) {
   for (int round = 0; round < 8; ++round) {
     const double before = fs::exists(path) ? fs::last_write_time(path).time_since_epoch().count() : 0;
     const pid_t writer = start_writer(path);
-    const auto changed = [&] { return fs::exists(path) && fs::last_write_time(path).time_since_epoch().count() != before; };
+    const auto changed = [&] {
+      return fs::exists(path) && fs::last_write_time(path).time_since_epoch().count() != before;
+    };
     for (int i = 0; i < 20000 && !changed(); ++i) std::this_thread::sleep_for(1ms);
     ASSERT_TRUE(changed());
-    std::this_thread::sleep_for(1ms + std::chrono::microseconds(static_cast<int>(9000 * std::abs(noise(5, round)))));
+    std::this_thread::sleep_for(
+        1ms + std::chrono::microseconds(static_cast<int>(9000 * std::abs(noise(5, round)))));
     kill(writer, SIGKILL);
     waitpid(writer, nullptr, 0);
     amid += fs::exists(path + ".tmp");

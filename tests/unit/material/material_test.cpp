@@ -68,8 +68,11 @@ void expect_consistent(const M& material) {
   for (const Mat3<double>& F : states()) {
     const Mat3<double> l = random_matrix(++seed);
     const Sym3<double> b = isochoric(F);
-    EXPECT_LT(relative_difference(flat(material.tangent(b, l, 1., 0.)), difference_tangent(material, F, l)), 1e-8);
-    const auto energy = [&](std::span<const double> f) { return std::vector{material.energy(isochoric(matrix(f)))}; };
+    EXPECT_LT(relative_difference(flat(material.tangent(b, l, 1., 0.)), difference_tangent(material, F, l)),
+              1e-8);
+    const auto energy = [&](std::span<const double> f) {
+      return std::vector{material.energy(isochoric(matrix(f)))};
+    };
     const double change = derivative(energy, flat(F), flat(l * F))[0];
     EXPECT_NEAR(contract(material.deviatoric(b), l), change, 1e-9 * (1 + std::abs(change)));
     EXPECT_NEAR(trace(material.deviatoric(b)), 0, 1e-13 * (1 + largest(flat(material.deviatoric(b)))));
@@ -77,7 +80,9 @@ void expect_consistent(const M& material) {
 }
 
 TEST(Material, NeoHookeStressAndTangentAreDerivatives) { expect_consistent(NeoHooke{.8}); }
-TEST(Material, MooneyRivlinStressAndTangentAreDerivatives) { expect_consistent(Isotropic<MooneyRivlin>{{.8, .35}}); }
+TEST(Material, MooneyRivlinStressAndTangentAreDerivatives) {
+  expect_consistent(Isotropic<MooneyRivlin>{{.8, .35}});
+}
 TEST(Material, PolynomialStressAndTangentAreDerivatives) { expect_consistent(Isotropic<Polynomial>{{full}}); }
 
 TEST(Material, NeoHookeClosedFormIsThePolynomialsTangent) {
@@ -85,7 +90,9 @@ TEST(Material, NeoHookeClosedFormIsThePolynomialsTangent) {
   for (const Mat3<double>& F : states()) {
     const Sym3<double> b = isochoric(F);
     const Mat3<double> l = random_matrix(11);
-    EXPECT_LT(relative_difference(flat(NeoHooke{.8}.tangent(b, l, 1., 0.)), flat(general.tangent(b, l, 1., 0.))), 1e-14);
+    EXPECT_LT(
+        relative_difference(flat(NeoHooke{.8}.tangent(b, l, 1., 0.)), flat(general.tangent(b, l, 1., 0.))),
+        1e-14);
     EXPECT_LT(largest(plus(flat(NeoHooke{.8}.deviatoric(b)), -1, flat(general.deviatoric(b)))), 1e-14);
   }
 }
@@ -96,7 +103,8 @@ TEST(Material, MooneyRivlinIsThePolynomials) {
   for (const Mat3<double>& F : states()) {
     const Sym3<double> b = isochoric(F);
     const Mat3<double> l = random_matrix(12);
-    EXPECT_LT(relative_difference(flat(special.tangent(b, l, 1., 0.)), flat(general.tangent(b, l, 1., 0.))), 1e-14);
+    EXPECT_LT(relative_difference(flat(special.tangent(b, l, 1., 0.)), flat(general.tangent(b, l, 1., 0.))),
+              1e-14);
     EXPECT_NEAR(special.energy(b), general.energy(b), 1e-14);
     EXPECT_NEAR(special.shear_modulus(b), general.shear_modulus(b), 1e-14);
   }
@@ -129,7 +137,8 @@ TEST(Material, TangentIsSymmetricInItsDirections) {
   const Isotropic<Polynomial> material{{full}};
   const Sym3<double> b = isochoric(random_gradient(3, .4));
   const Mat3<double> l = random_matrix(21), m = random_matrix(22);
-  EXPECT_NEAR(inner(flat(material.tangent(b, l, 1., 0.)), flat(m)), inner(flat(material.tangent(b, m, 1., 0.)), flat(l)), 1e-12);
+  EXPECT_NEAR(inner(flat(material.tangent(b, l, 1., 0.)), flat(m)),
+              inner(flat(material.tangent(b, m, 1., 0.)), flat(l)), 1e-12);
 }
 
 TEST(Material, PacksComputeWhatDoublesDo) {

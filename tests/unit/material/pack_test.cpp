@@ -25,7 +25,8 @@ TEST(Pack, InverseCubeRootOfEveryLane) {
     double x[lanes];
     for (int l = 0; l < lanes; ++l) x[l] = std::pow(10, -8 + 16 * (i * lanes + l) / 4008.0);
     const Pack y = inverse_cube_root(load(x));
-    for (int l = 0; l < lanes; ++l) ASSERT_LE(ulps(y[l], 1 / std::cbrt(static_cast<long double>(x[l]))), 4) << x[l];
+    for (int l = 0; l < lanes; ++l)
+      ASSERT_LE(ulps(y[l], 1 / std::cbrt(static_cast<long double>(x[l]))), 4) << x[l];
   }
 }
 

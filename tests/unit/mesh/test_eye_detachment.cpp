@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/base/error.hpp"
-#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"

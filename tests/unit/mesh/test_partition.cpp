@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/mesh/distributed/partition.hpp"
 #include "core/mesh/eye/eye.hpp"
 #include "core/mesh/generate/generate.hpp"
-#include "core/mesh/distributed/partition.hpp"
 
 namespace bulbus {
 namespace {

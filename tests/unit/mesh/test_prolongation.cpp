@@ -11,7 +11,9 @@
 namespace bulbus {
 namespace {
 
-LocalMesh alone(const Mesh& mesh) { return distribute(mesh, std::vector<int>(mesh.hexes.size(), 0), Comm(MPI_COMM_SELF)); }
+LocalMesh alone(const Mesh& mesh) {
+  return distribute(mesh, std::vector<int>(mesh.hexes.size(), 0), Comm(MPI_COMM_SELF));
+}
 
 // A field on the nodes that tells them apart.
 std::vector<double> field(const LocalMesh& mesh, int seed) {
@@ -27,8 +29,14 @@ struct Two {
   LocalMesh coarse, fine;
   Prolongation prolongation;
   explicit Two(Mesh mesh)
-      : base(std::move(mesh)), refinement(refine(base)), coarse(alone(base)), fine(alone(refinement.mesh)), prolongation(refinement, coarse, fine) {}
-  Interpolation at() const { return prolongation.at(coarse.X, fine.X, std::vector<double>(coarse.hexes.size(), 1)); }
+      : base(std::move(mesh)),
+        refinement(refine(base)),
+        coarse(alone(base)),
+        fine(alone(refinement.mesh)),
+        prolongation(refinement, coarse, fine) {}
+  Interpolation at() const {
+    return prolongation.at(coarse.X, fine.X, std::vector<double>(coarse.hexes.size(), 1));
+  }
 };
 
 Mesh small_eye() {
@@ -38,7 +46,8 @@ Mesh small_eye() {
 }
 
 TEST(Prolongation, ReproducesLinearFieldsOnCurvedMeshes) {
-  for (const Mesh& mesh : {generate(BlockShape{.upper = {1, 2, 3}, .nx = 2, .ny = 3, .nz = 2}), generate(BallShape{}), small_eye()}) {
+  for (const Mesh& mesh : {generate(BlockShape{.upper = {1, 2, 3}, .nx = 2, .ny = 3, .nz = 2}),
+                           generate(BallShape{}), small_eye()}) {
     const Two two(mesh);
     const auto linear = [](const LocalMesh& m) {
       std::vector<double> v;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
@@ -35,7 +35,8 @@ double distance(const Mesh& a, const Mesh& b, int region) {
   for (int n : nodes_of_region(a, region)) {
     const Point& p = a.points[n];
     double nearest = 1e300;
-    for (auto at = std::lower_bound(sorted.begin(), sorted.end(), Point{p[0] - 1e-6, -1e300, -1e300}); at != sorted.end() && (*at)[0] < p[0] + 1e-6; ++at)
+    for (auto at = std::lower_bound(sorted.begin(), sorted.end(), Point{p[0] - 1e-6, -1e300, -1e300});
+         at != sorted.end() && (*at)[0] < p[0] + 1e-6; ++at)
       nearest = std::min(nearest, norm(p - *at));
     largest = std::max(largest, nearest);
   }
@@ -64,7 +65,8 @@ TEST(Refine, OfABlockIsTheFinerBlock) {
   EXPECT_EQ(r.mesh.points.size(), finer.points.size());
   EXPECT_LT(distance(r.mesh, finer, 0), 1e-15);
   EXPECT_NEAR(volume(r.mesh), 6, 1e-13);
-  for (const auto& [name, faces] : finer.surfaces) EXPECT_EQ(r.mesh.surfaces.at(name).size(), faces.size()) << name;
+  for (const auto& [name, faces] : finer.surfaces)
+    EXPECT_EQ(r.mesh.surfaces.at(name).size(), faces.size()) << name;
   expect_boundary(r.mesh);
   for (int n : nodes_of(r.mesh, "xmax")) EXPECT_EQ(r.mesh.points[n][0], 1);
 }
@@ -74,7 +76,8 @@ TEST(Refine, ChildrenHaveTheirParentsCorners) {
   const RefinedMesh r = refine(coarse);
   for (std::size_t h = 0; h < coarse.hexes.size(); ++h)
     for (int c = 0; c < 8; ++c) EXPECT_EQ(r.mesh.hexes[8 * h + c][c], coarse.hexes[h][c]);
-  for (int n = 0; n < static_cast<int>(coarse.points.size()); ++n) EXPECT_EQ(r.mesh.points[n], coarse.points[n]);
+  for (int n = 0; n < static_cast<int>(coarse.points.size()); ++n)
+    EXPECT_EQ(r.mesh.points[n], coarse.points[n]);
   for (std::size_t h = 0; h < r.mesh.hexes.size(); ++h) EXPECT_GT(hex_volume(r.mesh, static_cast<int>(h)), 0);
 }
 
@@ -82,13 +85,17 @@ TEST(Refine, OfCurvedShapesIsTheFinerShape) {
   const auto check = [](const Mesh& refined, const Mesh& finer) {
     ASSERT_EQ(refined.points.size(), finer.points.size());
     EXPECT_LT(distance(refined, finer, 0), 1e-14);
-    for (const auto& [name, faces] : finer.surfaces) EXPECT_EQ(refined.surfaces.at(name).size(), faces.size()) << name;
-    for (const auto& [name, set] : finer.node_sets) EXPECT_EQ(refined.node_sets.at(name).size(), set.size()) << name;
+    for (const auto& [name, faces] : finer.surfaces)
+      EXPECT_EQ(refined.surfaces.at(name).size(), faces.size()) << name;
+    for (const auto& [name, set] : finer.node_sets)
+      EXPECT_EQ(refined.node_sets.at(name).size(), set.size()) << name;
     expect_boundary(refined);
   };
-  check(refine(generate(ShellShape{.n = 3, .layers = 1, .part = "half"})).mesh, generate(ShellShape{.n = 6, .layers = 2, .part = "half"}));
+  check(refine(generate(ShellShape{.n = 3, .layers = 1, .part = "half"})).mesh,
+        generate(ShellShape{.n = 6, .layers = 2, .part = "half"}));
   check(refine(generate(BallShape{.n = 2, .layers = 3})).mesh, generate(BallShape{.n = 4, .layers = 6}));
-  check(refine(generate(CylinderShape{.n = 2, .rings = 1, .layers = 2})).mesh, generate(CylinderShape{.n = 4, .rings = 2, .layers = 4}));
+  check(refine(generate(CylinderShape{.n = 2, .rings = 1, .layers = 2})).mesh,
+        generate(CylinderShape{.n = 4, .rings = 2, .layers = 4}));
 }
 
 TEST(Refine, OfTheEyeIsTheFinerEye) {
@@ -97,7 +104,8 @@ TEST(Refine, OfTheEyeIsTheFinerEye) {
   ASSERT_EQ(refined.points.size(), finer.points.size());
   for (std::size_t r = 0; r < finer.region_names.size(); ++r)
     EXPECT_LT(distance(refined, finer, static_cast<int>(r)), 1e-12) << finer.region_names[r];
-  for (const auto& [name, faces] : finer.surfaces) EXPECT_EQ(refined.surfaces.at(name).size(), faces.size()) << name;
+  for (const auto& [name, faces] : finer.surfaces)
+    EXPECT_EQ(refined.surfaces.at(name).size(), faces.size()) << name;
   for (const char* name : {"apex", "retina_pole", "equator_band", "nerve_end"})
     EXPECT_EQ(refined.node_sets.at(name).size(), finer.node_sets.at(name).size()) << name;
   expect_boundary(refined);
@@ -111,7 +119,8 @@ TEST(Refine, BarsKeepTheirEnds) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(before[i].share, after[i].share);
     for (auto [a, b] : {std::pair{&before[i].a, &after[i].a}, {&before[i].b, &after[i].b}}) {
-      EXPECT_LT(norm(position(coarse, *a) - position(fine, *b)), .2);  // the new face is nearer to the curved surface
+      EXPECT_LT(norm(position(coarse, *a) - position(fine, *b)),
+                .2);  // the new face is nearer to the curved surface
       EXPECT_EQ(position(coarse, *a)[0] == 0, position(fine, *b)[0] == 0);
     }
   }
@@ -138,7 +147,8 @@ TEST(Refine, DetachedRetinaStaysDetached) {
   for (std::size_t i = 0; i < bed.size(); ++i) {
     const Point gap = fine.points[bed[i]] - fine.points[detached[i]];
     EXPECT_GT(norm(gap), 0);
-    EXPECT_LT(norm(gap - (norm(gap) / norm(fine.points[bed[i]])) * fine.points[bed[i]]), 1e-12);  // along the globe's radius
+    EXPECT_LT(norm(gap - (norm(gap) / norm(fine.points[bed[i]])) * fine.points[bed[i]]),
+              1e-12);  // along the globe's radius
   }
   for (const RegionQuality& q : quality(fine)) EXPECT_GT(q.least, .3) << q.region;
 }

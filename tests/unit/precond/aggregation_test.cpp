@@ -5,14 +5,13 @@
 #include <set>
 
 #include "core/solve/reduced.hpp"
-#include "precond/operators/displacement.hpp"
 #include "precond/make_preconditioner.hpp"
-#include "tests/support/small_eye.hpp"
+#include "precond/operators/displacement.hpp"
 #include "tests/support/linearised.hpp"
+#include "tests/support/small_eye.hpp"
 
 namespace bulbus {
 namespace {
-
 
 TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
   Linearised l(small_eye(8), 0, 0);
@@ -38,9 +37,13 @@ TEST(CoarseMatrix, IsTheGalerkinProjection) {
     RigidPlan plan(l.system, 20, Precision::full);
     const RigidModes modes = rigid_modes(l.system, plan.groups);
     plan.matrix.clear();
-    for_each_condensed_matrix(l.problem, l.state, Matrices::augmented, [&](std::span<const int> d, std::span<const double> K) { plan.matrix.add(plan.groups, modes.of, d, K); });
+    for_each_condensed_matrix(l.problem, l.state, Matrices::augmented,
+                              [&](std::span<const int> d, std::span<const double> K) {
+                                plan.matrix.add(plan.groups, modes.of, d, K);
+                              });
     const int size = 6 * plan.groups.total, owned = l.problem.mesh().owned;
-    std::vector<double> c = noise_vector(size, 3), got(size), want(size), fine(l.system.layout().primal()), Af(fine);
+    std::vector<double> c = noise_vector(size, 3), got(size), want(size), fine(l.system.layout().primal()),
+                        Af(fine);
     const int bodies = l.system.layout().bodies;
     const auto each = [&](auto visit) {
       for (int i = 0; i < bodies; ++i) visit(3 * owned + i, i, 1);
@@ -106,7 +109,8 @@ TEST(Aggregation, InvertsOnTheCoarseSpace) {
   for (int n = 0; n < l.problem.mesh().owned; ++n)
     if (plan.rigid.groups.of[n] >= 0)
       for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 6; ++k) rigid[3 * n + i] += modes.of[n][i][k] * noise(4, 6 * plan.rigid.groups.of[n] + k);
+        for (int k = 0; k < 6; ++k)
+          rigid[3 * n + i] += modes.of[n][i][k] * noise(4, 6 * plan.rigid.groups.of[n] + k);
   DisplacementBlock(l.system).apply(rigid, A);
   M.apply(A, MA);
   EXPECT_LT(relative_difference(MA, rigid), 1e-5);

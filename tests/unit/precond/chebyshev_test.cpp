@@ -21,9 +21,13 @@ void expect_spectrum(const Diagonal& A, const Diagonal& D, double smallest, doub
   EXPECT_NEAR(s.largest, largest, 1e-9);
 }
 
-TEST(Lanczos, FindsTheSpectrumOfDefiniteMatrices) { expect_spectrum(Diagonal({1, 2, 3, 4, 5}), Diagonal({2, 1, 1, 1, 2}), 2, 10); }
+TEST(Lanczos, FindsTheSpectrumOfDefiniteMatrices) {
+  expect_spectrum(Diagonal({1, 2, 3, 4, 5}), Diagonal({2, 1, 1, 1, 2}), 2, 10);
+}
 
-TEST(Lanczos, FindsTheSpectrumOfAnIndefiniteMatrix) { expect_spectrum(Diagonal({1, 2, 3, 4, -5}), Diagonal({1, 1, 1, 1, 2}), -10, 4); }
+TEST(Lanczos, FindsTheSpectrumOfAnIndefiniteMatrix) {
+  expect_spectrum(Diagonal({1, 2, 3, 4, -5}), Diagonal({1, 1, 1, 1, 2}), -10, 4);
+}
 
 TEST(Lanczos, FindsTheSpectrumUnderAnIndefinitePreconditioner) {
   expect_spectrum(Diagonal({1, 2, 3, 4, 5}), Diagonal({1, 1, 1, 1, -2}), -10, 4);

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/solve/assemble.hpp"
-#include "precond/smoothers/chebyshev.hpp"
 #include "precond/operators/displacement.hpp"
-#include "tests/support/small_eye.hpp"
+#include "precond/smoothers/chebyshev.hpp"
 #include "tests/support/linearised.hpp"
+#include "tests/support/small_eye.hpp"
 
 namespace bulbus {
 namespace {
@@ -137,10 +137,12 @@ TEST(ProjectedTerm, IsTheGalerkinProjection) {
   springs->nodes = problem.nodes_of("zmax");
   problem.add(springs);
   const auto& coarse = *problem.coarser();
-  const Interpolation P = problem.prolongation().at(coarse.mesh().X, problem.mesh().X, coarse.solid().reference_volumes());
+  const Interpolation P =
+      problem.prolongation().at(coarse.mesh().X, problem.mesh().X, coarse.solid().reference_volumes());
   ProjectedTerm projected;
   projected.project(problem, P);
-  std::vector<double> x(problem.coarser()->mesh().X.size()), Px(problem.mesh().X.size()), KPx(Px), want(x), got(x), visited(x);
+  std::vector<double> x(problem.coarser()->mesh().X.size()), Px(problem.mesh().X.size()), KPx(Px), want(x),
+      got(x), visited(x);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = noise(1, static_cast<int>(i));
   P.apply(x, Px);
   springs->add_action(Px, KPx);
@@ -150,7 +152,8 @@ TEST(ProjectedTerm, IsTheGalerkinProjection) {
   projected.visit([&](std::span<const int> nodes, std::span<const double> K) {
     const std::size_t n = 3 * nodes.size();
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) visited[3 * nodes[i / 3] + i % 3] += K[i * n + j] * x[3 * nodes[j / 3] + j % 3];
+      for (std::size_t j = 0; j < n; ++j)
+        visited[3 * nodes[i / 3] + i % 3] += K[i * n + j] * x[3 * nodes[j / 3] + j % 3];
   });
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(got[i], want[i], 1e-13);
@@ -176,7 +179,9 @@ TEST(Displacement, AutoTakesMultigridWhereTheMeshIsRefined) {
   const Scene scene = thin_plate();
   EXPECT_EQ(chosen_displacement({}, Problem(scene.mesh, scene.model, Comm())), "aggregation");
   EXPECT_EQ(chosen_displacement({}, Problem(refined(scene.mesh, 1), scene.model, Comm())), "multigrid");
-  EXPECT_EQ(chosen_displacement({.displacement = "jacobi"}, Problem(refined(scene.mesh, 1), scene.model, Comm())), "jacobi");
+  EXPECT_EQ(
+      chosen_displacement({.displacement = "jacobi"}, Problem(refined(scene.mesh, 1), scene.model, Comm())),
+      "jacobi");
 }
 
 }  // namespace

@@ -36,15 +36,18 @@ TEST(CheckerboardModes, PushNoNodeWithinTheHexahedron) {
     const CheckerboardModes patterns(l.problem, refinements);
     const auto& X = l.problem.mesh().X;
     for (int k = 0; k < patterns.count(); ++k) {
-      std::vector<double> c(patterns.size()), p(l.problem.mesh().hexes.size()), force(l.system.layout().primal());
+      std::vector<double> c(patterns.size()), p(l.problem.mesh().hexes.size()),
+          force(l.system.layout().primal());
       c[k] = 1;
       patterns.add_prolonged(c, 1, p);
       l.system.add_pressure_force(p, 1, force);
       double within = 0, all = 0;
       for (int n = 0; n < l.problem.mesh().owned; ++n) {
-        const bool inner = X[3 * n] > .1 && X[3 * n] < .9 && X[3 * n + 1] > .1 && X[3 * n + 1] < 1.9 && X[3 * n + 2] > .1 && X[3 * n + 2] < 2.9;
+        const bool inner = X[3 * n] > .1 && X[3 * n] < .9 && X[3 * n + 1] > .1 && X[3 * n + 1] < 1.9 &&
+                           X[3 * n + 2] > .1 && X[3 * n + 2] < 2.9;
         for (int i = 0; i < 3; ++i) ASSERT_TRUE(std::isfinite(force[3 * n + i]));
-        for (int i = 0; i < 3; ++i) (inner ? within : all) = std::max(inner ? within : all, std::abs(force[3 * n + i]));
+        for (int i = 0; i < 3; ++i)
+          (inner ? within : all) = std::max(inner ? within : all, std::abs(force[3 * n + i]));
       }
       EXPECT_GT(all, 1e-3);
       EXPECT_LT(within, 1e-12);

@@ -1,11 +1,11 @@
-#include "precond/schur/line_pressure_stiffness.hpp"
 #include "precond/schur/pressure_schur.hpp"
+#include "precond/schur/line_pressure_stiffness.hpp"
 #include "precond/schur/oscillation_filter.hpp"
 
 #include <random>
 
-#include "tests/support/small_eye.hpp"
 #include "tests/support/linearised.hpp"
+#include "tests/support/small_eye.hpp"
 
 namespace bulbus {
 namespace {
@@ -18,7 +18,9 @@ std::vector<double> noise(int size, int seed) {
   return v;
 }
 
-double product(const std::vector<double>& a, const std::vector<double>& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
 
 constexpr double shake = .001;
 
@@ -27,7 +29,8 @@ TEST(LinePressureStiffness, IsTheProductOfItsFactors) {
     WithLines l(scene, 0, shake);
     const LinePressureStiffness K(l.system, l.jacobi);
     const auto p = noise(K.size(), 1);
-    std::vector<double> force(l.system.layout().primal()), motion(force.size()), nodal(l.state.x.size()), expected(p.size()), found(p.size());
+    std::vector<double> force(l.system.layout().primal()), motion(force.size()), nodal(l.state.x.size()),
+        expected(p.size()), found(p.size());
     l.system.add_pressure_force(p, 1, force);
     l.jacobi.apply(force, motion);
     std::fill(motion.begin() + l.system.layout().nodal, motion.end(), 0);
@@ -41,7 +44,8 @@ TEST(LinePressureStiffness, IsTheProductOfItsFactors) {
 }
 
 TEST(PressureSchur, IsSymmetricAndPositive) {
-  for (const auto& [scene, refine] : {std::pair(small_eye(8), 0), {filled_shell("half"), 1}, {filled_shell("octant"), 2}}) {
+  for (const auto& [scene, refine] :
+       {std::pair(small_eye(8), 0), {filled_shell("half"), 1}, {filled_shell("octant"), 2}}) {
     WithLines l(scene, refine, shake);
     PressureSchur::Weak weak;
     PressureSchur schur(l.system, &l.jacobi, {}, weak);
@@ -133,7 +137,8 @@ TEST(PressureSchur, TakesWeakPatternsOutOfNoise) {
   const int with_hierarchy = iterations(0, 1), without_patterns = iterations(1000, 1);
   EXPECT_LE(2 * with_hierarchy, without_patterns);
   EXPECT_LE(with_hierarchy, 30);
-  std::printf("%d iterations with, %d without; refined %d and %d\n", with, without, with_hierarchy, without_patterns);
+  std::printf("%d iterations with, %d without; refined %d and %d\n", with, without, with_hierarchy,
+              without_patterns);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "precond/make_preconditioner.hpp"
-#include "tests/support/small_eye.hpp"
 #include "tests/support/linearised.hpp"
+#include "tests/support/small_eye.hpp"
 
 namespace bulbus {
 namespace {
@@ -16,7 +16,8 @@ LinearReport solve(Linearised& l, LinearSolver& solver) {
   l.system.apply(x, Ax);
   const auto& s = l.system.scaling();
   double left = 0, all = 0;
-  for (std::size_t i = 0; i < b.size(); ++i) left += std::pow(s[i] * (b[i] - Ax[i]), 2), all += std::pow(s[i] * b[i], 2);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    left += std::pow(s[i] * (b[i] - Ax[i]), 2), all += std::pow(s[i] * b[i], 2);
   EXPECT_LT(std::sqrt(left / all), 2e-6);
   return report;
 }
@@ -33,7 +34,8 @@ LinearReport solved_after(Linearised& l, double reuse, double coarse_change) {
   l.settings.reuse = reuse;
   l.settings.coarse_change = coarse_change;
   Profiler profiler;
-  const auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, profiler), profiler);
+  const auto solver =
+      make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, profiler), profiler);
   solve(l, *solver);
   widen(l);
   return solve(l, *solver);
@@ -56,7 +58,8 @@ TEST(Reuse, SolvesThePresentSystemWithEarlierCoarseFactors) {
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 
-// Of a refined mesh with an enclosed liquid: base factors, largest eigenvalues, weak patterns and the liquid's column.
+// Of a refined mesh with an enclosed liquid: base factors, largest eigenvalues, weak patterns and the
+// liquid's column.
 TEST(Reuse, SolvesThePresentCoupledSystemWithEarlierParts) {
   const auto solved = [](double coarse_change) {
     Linearised l(small_eye(4), 1, 0);

@@ -4,21 +4,24 @@
 
 #include "precond/operators/displacement.hpp"
 #include "precond/smoothers/smoother.hpp"
-#include "tests/support/small_eye.hpp"
 #include "tests/support/linearised.hpp"
+#include "tests/support/small_eye.hpp"
 
 namespace bulbus {
 namespace {
 
-// Contribution by contribution, in double precision: bars, liquids, nodes of rigid bodies and held directions as they are.
+// Contribution by contribution, in double precision: bars, liquids, nodes of rigid bodies and held directions
+// as they are.
 std::vector<double> by_matrices(const Linearised& l, const std::vector<double>& x) {
   const Layout& layout = l.system.layout();
   const DofMap& dofs = l.problem.dofs();
   std::vector<double> y(x.size());
-  for_each_condensed_matrix(l.problem, l.state, Matrices::mean, [&](std::span<const int> d, std::span<const double> K) {
-    for (std::size_t i = 0; i < d.size(); ++i)
-      for (std::size_t j = 0; j < d.size(); ++j) y[d[i]] += K[i * d.size() + j] * x[d[j]];
-  });
+  for_each_condensed_matrix(l.problem, l.state, Matrices::mean,
+                            [&](std::span<const int> d, std::span<const double> K) {
+                              for (std::size_t i = 0; i < d.size(); ++i)
+                                for (std::size_t j = 0; j < d.size(); ++j)
+                                  y[d[i]] += K[i * d.size() + j] * x[d[j]];
+                            });
   l.system.add_body_geometry(std::span(x).subspan(layout.nodal), std::span(y).subspan(layout.nodal));
   for (int n = 0; n < l.problem.mesh().owned; ++n) {
     const Mat3<double> P = dofs.projector(n);
@@ -58,12 +61,14 @@ TEST(SingleBlock, DoesNotDrownStrainInTranslations) {
   EXPECT_LT(relative_difference(y, expected), 1e-5);
 }
 
-// Both precisions on parallelepipeds at rest, where means are exact: r and x of the smoother before, x of the one after.
+// Both precisions on parallelepipeds at rest, where means are exact: r and x of the smoother before, x of the
+// one after.
 TEST(Smoother, IsTheSameInBothPrecisions) {
   const WithLines l(thin_plate(), 0, 0);
   const SmootherSettings settings{5, .1};
   auto b = noise_primal(l.problem, 1), e = noise_primal(l.problem, 2);
-  for (auto* v : {&b, &e}) l.problem.dofs().project(*v);  // held directions are solved for at once in one, smoothed in the other
+  for (auto* v : {&b, &e})
+    l.problem.dofs().project(*v);  // held directions are solved for at once in one, smoothed in the other
   std::vector<std::vector<double>> found;
   for (Precision precision : {Precision::full, Precision::single}) {
     const auto S = make_smoother(l.system, l.jacobi, settings, precision);

@@ -14,11 +14,14 @@ void check(const Mesh& mesh, const std::string& surface, const Planes& planes) {
   require_closed(mesh, mesh.surfaces.at(surface), planes, surface, "liquids.l.surface");
 }
 
-TEST(RequireClosed, AcceptsAWholeCavity) { EXPECT_NO_THROW(check(generate(ShellShape{.n = 2, .layers = 1, .part = "whole"}), "inner", {})); }
+TEST(RequireClosed, AcceptsAWholeCavity) {
+  EXPECT_NO_THROW(check(generate(ShellShape{.n = 2, .layers = 1, .part = "whole"}), "inner", {}));
+}
 
 TEST(RequireClosed, AcceptsACavityThatSymmetryPlanesClose) {
   EXPECT_NO_THROW(check(generate(ShellShape{.n = 2, .layers = 1, .part = "half"}), "inner", {"x"}));
-  EXPECT_NO_THROW(check(generate(ShellShape{.n = 2, .layers = 1, .part = "octant"}), "inner", {"x", "y", "z"}));
+  EXPECT_NO_THROW(
+      check(generate(ShellShape{.n = 2, .layers = 1, .part = "octant"}), "inner", {"x", "y", "z"}));
 }
 
 TEST(RequireClosed, NamesTheOpenEdgeWhereAPlaneIsMissing) {

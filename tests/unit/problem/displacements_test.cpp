@@ -44,7 +44,9 @@ struct Displaced : testing::Test {
     p.set_progress(progress, start);
     const State end = obeyed(p, start, progress);
     for (int n : p.nodes_of("zmax")) {
-      const auto at = [n](std::span<const double> v) { return Vec3<double>{v[3 * n], v[3 * n + 1], v[3 * n + 2]}; };
+      const auto at = [n](std::span<const double> v) {
+        return Vec3<double>{v[3 * n], v[3 * n + 1], v[3 * n + 2]};
+      };
       expect_near(at(end.x), place(at(p.mesh().X), at(start.x)), 1e-13);
     }
   }
@@ -52,7 +54,9 @@ struct Displaced : testing::Test {
 
 TEST_F(Displaced, NumbersAreReachedLinearlyFromWhereTheStepStarts) {
   d.z = "0.5";
-  expect_places(.25, [](auto X, auto x) { return Vec3<double>{x[0], x[1], x[2] + .25 * (X[2] + .5 - x[2])}; });
+  expect_places(.25, [](auto X, auto x) {
+    return Vec3<double>{x[0], x[1], x[2] + .25 * (X[2] + .5 - x[2])};
+  });
 }
 
 TEST_F(Displaced, NumbersCountFromTheStartIfAsked) {
@@ -62,7 +66,9 @@ TEST_F(Displaced, NumbersCountFromTheStartIfAsked) {
 
 TEST_F(Displaced, FormulasKnowThePlace) {
   d.x = "X*s + t", d.y = "0.1*Z*Y";
-  expect_places(.5, [](auto X, auto x) { return Vec3<double>{X[0] + X[0] * .5 + .5, X[1] + .3 * X[1], x[2]}; });
+  expect_places(.5, [](auto X, auto x) {
+    return Vec3<double>{X[0] + X[0] * .5 + .5, X[1] + .3 * X[1], x[2]};
+  });
 }
 
 TEST_F(Displaced, AlongADirectionOfItsOwn) {
@@ -75,10 +81,13 @@ TEST_F(Displaced, AlongADirectionOfItsOwn) {
 
 TEST_F(Displaced, RadiallyFromAnAxis) {
   d.radial = "0.5", d.axis = {0, 0, 2}, d.center = {-1, -1, 0};
-  expect_places(1, [](auto X, auto x) {
-    const double r = std::hypot(X[0] + 1, X[1] + 1), k = (r + .5) / r;
-    return Vec3<double>{-1 + k * (X[0] + 1), -1 + k * (X[1] + 1), x[2]};
-  }, true);
+  expect_places(
+      1,
+      [](auto X, auto x) {
+        const double r = std::hypot(X[0] + 1, X[1] + 1), k = (r + .5) / r;
+        return Vec3<double>{-1 + k * (X[0] + 1), -1 + k * (X[1] + 1), x[2]};
+      },
+      true);
 }
 
 TEST_F(Displaced, NodeOnTheRadialAxisIsRefused) {
@@ -90,7 +99,9 @@ TEST_F(Displaced, NodeOnTheRadialAxisIsRefused) {
 
 TEST_F(Displaced, AffineFromTheReference) {
   d.affine = std::vector<double>{1.2, .1, 0, 0, .9, 0, .3, 0, 1};
-  expect_places(1, [](auto X, auto) { return Vec3<double>{1.2 * X[0] + .1 * X[1], .9 * X[1], .3 * X[0] + X[2]}; });
+  expect_places(1, [](auto X, auto) {
+    return Vec3<double>{1.2 * X[0] + .1 * X[1], .9 * X[1], .3 * X[0] + X[2]};
+  });
 }
 
 TEST_F(Displaced, RotationAndTranslationFromTheStart) {

@@ -112,7 +112,8 @@ TEST_F(DofMapTest, DefectLeadsToThePrescribedPlace) {
   EXPECT_GT(size, .1);
   s.x = plus(s.x, 1, du);
   for (int n : here(7)) {
-    const Vec3<double> u{s.x[3 * n] - local.X[3 * n], s.x[3 * n + 1] - local.X[3 * n + 1], s.x[3 * n + 2] - local.X[3 * n + 2]};
+    const Vec3<double> u{s.x[3 * n] - local.X[3 * n], s.x[3 * n + 1] - local.X[3 * n + 1],
+                         s.x[3 * n + 2] - local.X[3 * n + 2]};
     EXPECT_NEAR(dot(u, skew), .3, 1e-15);
     EXPECT_NEAR(dot(u, axis), -.18, 1e-15);
   }
@@ -142,9 +143,11 @@ TEST_F(DofMapTest, ReleasedHoldsAreGone) {
 }
 
 TEST_F(DofMapTest, ReduceIsTheTransposeOfExpand) {
-  for (const std::array<bool, 6> free : {std::array{true, true, true, true, true, true}, {false, true, true, true, false, false}}) {
+  for (const std::array<bool, 6> free :
+       {std::array{true, true, true, true, true, true}, {false, true, true, true, false, false}}) {
     DofMap dofs(local, {body(free)});
-    dofs.hold("a", hold(7, skew)), dofs.hold("b", hold(7, axis)), dofs.hold("c", hold(5, other)), dofs.hold("d", hold(44, axis));
+    dofs.hold("a", hold(7, skew)), dofs.hold("b", hold(7, axis)), dofs.hold("c", hold(5, other)),
+        dofs.hold("d", hold(44, axis));
     dofs.build();
     const State state = start(dofs);
     std::vector<double> q, f(local.X.size());
@@ -157,12 +160,15 @@ TEST_F(DofMapTest, ReduceIsTheTransposeOfExpand) {
     std::vector<double> dx(f.size(), NAN), r(q.size(), NAN);
     dofs.expand(state, q, dx);
     dofs.reduce(state, f, r);
-    EXPECT_NEAR(comm.sum(inner(r, q)), comm.sum(inner(std::span(f).first(3 * local.owned), std::span(dx).first(3 * local.owned))), 1e-11);
+    EXPECT_NEAR(comm.sum(inner(r, q)),
+                comm.sum(inner(std::span(f).first(3 * local.owned), std::span(dx).first(3 * local.owned))),
+                1e-11);
     // held parts and nodes of bodies get nothing
     std::vector<double> again(local.X.size());
     std::copy_n(r.begin(), 3 * local.owned, again.begin());
     dofs.project(again);
-    EXPECT_LT(largest(plus(std::span(again).first(3 * local.owned), -1, std::span(r).first(3 * local.owned))), 1e-14);
+    EXPECT_LT(largest(plus(std::span(again).first(3 * local.owned), -1, std::span(r).first(3 * local.owned))),
+              1e-14);
     // ghosts move as their owners do
     std::vector<double> owners = dx;
     local.halo.update_ghosts(owners);
@@ -179,7 +185,8 @@ TEST_F(DofMapTest, HeldPartAndFreePartAddUpToTheWhole) {
   dofs.expand(state, q, dx);
   dofs.add_held(q, 2, y);
   for (int n = 0; n < local.owned; ++n)
-    for (int i = 3 * n; i < 3 * n + 3; ++i) EXPECT_NEAR(y[i], dofs.body_of(n) >= 0 ? 2 * q[i] : 2 * (q[i] - dx[i]), 1e-15);
+    for (int i = 3 * n; i < 3 * n + 3; ++i)
+      EXPECT_NEAR(y[i], dofs.body_of(n) >= 0 ? 2 * q[i] : 2 * (q[i] - dx[i]), 1e-15);
 }
 
 TEST_F(DofMapTest, MoveKeepsBodiesRigid) {
@@ -193,8 +200,11 @@ TEST_F(DofMapTest, MoveKeepsBodiesRigid) {
   const auto nodes = dofs.bodies()[0].nodes();
   for (int a : nodes)
     for (int b : nodes) {
-      const auto at = [](std::span<const double> v, int n) { return Vec3<double>{v[3 * n], v[3 * n + 1], v[3 * n + 2]}; };
-      ASSERT_NEAR(norm(minus(at(state.x, a), at(state.x, b))), norm(minus(at(local.X, a), at(local.X, b))), 1e-13);
+      const auto at = [](std::span<const double> v, int n) {
+        return Vec3<double>{v[3 * n], v[3 * n + 1], v[3 * n + 2]};
+      };
+      ASSERT_NEAR(norm(minus(at(state.x, a), at(state.x, b))), norm(minus(at(local.X, a), at(local.X, b))),
+                  1e-13);
     }
 }
 

@@ -18,7 +18,8 @@ LoadSpec pressure(const std::string& surface, const std::string& p, bool dead = 
   return l;
 }
 
-/// The state with nodes stretched by s about the origin; no stresses count since λ = 0 and forces of the solid are subtracted.
+/// The state with nodes stretched by s about the origin; no stresses count since λ = 0 and forces of the
+/// solid are subtracted.
 Vec3<double> load_only(const Problem& p, const State& s) {
   Vec3<double> all = total(p, s);
   std::vector<double> f(s.x.size()), v(s.lambda.size()), own(3);
@@ -115,7 +116,10 @@ TEST(Loads, NodalForcesRampFromStepToStepAndStay) {
   scene.model.steps[3].release = {"zmax"};
   Problem p(scene.mesh, scene.model, world());
   State s = p.initial_state();
-  const Vec3<double> expected[4][3] = {{{0, 0, 0}, {0, 0, .5}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 2}, {2, 0, 3}}, {{2, 0, 3}, {2, 0, 3}, {2, 0, 3}}, {}};
+  const Vec3<double> expected[4][3] = {{{0, 0, 0}, {0, 0, .5}, {0, 0, 1}},
+                                       {{0, 0, 1}, {1, 0, 2}, {2, 0, 3}},
+                                       {{2, 0, 3}, {2, 0, 3}, {2, 0, 3}},
+                                       {}};
   for (int k = 0; k < 4; ++k) {
     p.begin_step(k, s);
     for (int i : {0, 1, 2}) {
@@ -130,7 +134,8 @@ TEST(Loads, NodalForcesRampFromStepToStepAndStay) {
 
 TEST(Loads, LoadsOfBothKindsAdd) {
   Scene scene = standing_block();
-  scene.model.steps[0].loads = {pressure("zmax", "0.2", true), force("zmax", {1, 0, 0}), pressure("xmax", "0.1")};
+  scene.model.steps[0].loads = {pressure("zmax", "0.2", true), force("zmax", {1, 0, 0}),
+                                pressure("xmax", "0.1")};
   Problem p(scene.mesh, scene.model, world());
   State s = at_end_of_step(p);
   expect_near(load_only(p, s), {-9 + .1 * 3, 0, .4});

@@ -29,8 +29,7 @@ struct Pushed {
   Problem problem;
   ProbeSet probes;
   ProbeRecord record{probes};
-  explicit Pushed(const std::vector<ProbeSpec>& specs)
-      : Pushed(block(specs)) {}
+  explicit Pushed(const std::vector<ProbeSpec>& specs) : Pushed(block(specs)) {}
   explicit Pushed(const Scene& scene) : problem(scene.mesh, scene.model, Comm()), probes(problem) {}
 
   template <class Push>
@@ -51,7 +50,8 @@ struct Pushed {
 
 TEST(ProbeRecord, CountsFromTheEndOfAStep) {
   Pushed p({probe("distance", ""), probe("distance", "second")});
-  const State one = p.state([](double x, double) { return -x; }), two = p.state([](double x, double) { return -3 * x; });
+  const State one = p.state([](double x, double) { return -x; }),
+              two = p.state([](double x, double) { return -3 * x; });
   p.end(0, one);
   auto v = p.values(one);
   EXPECT_NEAR(*v[0], 1, 1e-14);  // xmax is at x = 1

@@ -155,10 +155,11 @@ TEST(Probes, PercentilesCountVolume) {
 TEST(Probes, StressAroundASet) {
   ProbeSpec around = of_region("mises", "mean", 0);
   around.set = "xmax";
-  const auto v = figures(block({0, 0, 0}, {4, 1, 1}, 4, 1, 1), {around, of_region("mises", "mean", 100), of_region("mises", "mean", 0)},
-                         [&](Problem& p, State& s) {
-                           s = mapped(p, [](Vec3<double> X) { return Vec3<double>{X[0] + .05 * X[0] * X[0], X[1], X[2]}; });
-                         });
+  const auto v = figures(
+      block({0, 0, 0}, {4, 1, 1}, 4, 1, 1),
+      {around, of_region("mises", "mean", 100), of_region("mises", "mean", 0)}, [&](Problem& p, State& s) {
+        s = mapped(p, [](Vec3<double> X) { return Vec3<double>{X[0] + .05 * X[0] * X[0], X[1], X[2]}; });
+      });
   EXPECT_EQ(v[0], v[1]);
   EXPECT_GT(v[0], 2 * v[2]);
 }
@@ -173,7 +174,8 @@ TEST(Probes, RefuseKindsThatNobodyOffers) {
   } catch (const InputError& fault) {
     EXPECT_EQ(fault.key, "probes.0.kind");
   }
-  const ProbeSet::Kind seven{Quantity::length, [](const Problem&, const ProbeSpec&) { return [](Snapshot&) { return 7.; }; }};
+  const ProbeSet::Kind seven{Quantity::length,
+                             [](const Problem&, const ProbeSpec&) { return [](Snapshot&) { return 7.; }; }};
   EXPECT_EQ(ProbeSet(problem, {{"gap", seven}}).values(problem, problem.initial_state())[0], 7);
 }
 

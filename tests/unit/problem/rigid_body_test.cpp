@@ -36,7 +36,8 @@ TEST(Rotation, IsOrthogonalAndTurnsByItsAngle) {
 }
 
 TEST_F(RigidBodyTest, ReduceIsTheTransposeOfExpand) {
-  for (const std::array<bool, 6> free : {std::array{true, true, true, true, true, true}, {true, false, true, false, true, false}}) {
+  for (const std::array<bool, 6> free :
+       {std::array{true, true, true, true, true, true}, {true, false, true, false, true, false}}) {
     const RigidBody b = body(free);
     const RigidBody::Six q{.1, -.2, .3, .4, -.5, .6};
     std::vector<double> dx(24);
@@ -72,7 +73,8 @@ TEST_F(RigidBodyTest, GeometricIsTheSecondDerivativeOfTheWorkOfForces) {
   const double h = 1e-3;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      const double mixed = (work(h, h, i, j) - work(h, -h, i, j) - work(-h, h, i, j) + work(-h, -h, i, j)) / (4 * h * h);
+      const double mixed =
+          (work(h, h, i, j) - work(h, -h, i, j) - work(-h, h, i, j) + work(-h, -h, i, j)) / (4 * h * h);
       EXPECT_NEAR(G(i, j), mixed, 2e-6);
       EXPECT_EQ(G(i, j), G(j, i));
     }

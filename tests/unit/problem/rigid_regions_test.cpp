@@ -12,7 +12,8 @@ TEST_F(FilledShell, RigidHexahedraKeepTheirVolumeInTheBalance) {
   s = shaken(p, s, .02, 3);
   const Residual r = p.residual(s);
   double worst = 0;
-  for (std::size_t e = 0; e < r.volume.size(); ++e) worst = std::max(worst, std::abs(r.volume[e]) / p.solid().reference_volumes()[e]);
+  for (std::size_t e = 0; e < r.volume.size(); ++e)
+    worst = std::max(worst, std::abs(r.volume[e]) / p.solid().reference_volumes()[e]);
   EXPECT_DOUBLE_EQ(p.balance(r).volume, world().max(worst));
   EXPECT_GT(worst, 1e-4);
 }
@@ -50,8 +51,10 @@ TEST(RigidRegions, BalanceCountsTheMomentOnABody) {
   Scene scene = standing_block();
   split_region(scene.mesh, "lid", [](const Point& p) { return p[2] > 2; });
   scene.model.regions["lid"] = rigid();
-  scene.mesh.node_sets["left"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 0; });
-  scene.mesh.node_sets["right"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 2; });
+  scene.mesh.node_sets["left"] =
+      nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 0; });
+  scene.mesh.node_sets["right"] =
+      nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 2; });
   scene.model.steps[0].loads = {force("left", {0, 0, 1}), force("right", {0, 0, -1})};
   Problem p(scene.mesh, scene.model, world());
   State s = at_end_of_step(p);

@@ -35,7 +35,8 @@ int nearest_node(const Mesh& mesh, int from, const Point& p) {
   return best;
 }
 
-/// A ball that hangs in a held shell by bars along the six half axes, turned out of the radial direction by `twist`.
+/// A ball that hangs in a held shell by bars along the six half axes, turned out of the radial direction by
+/// `twist`.
 Scene hanging_ball(bool bars, double twist) {
   Scene s{generate(ShellShape{.inner = 2, .outer = 2.5, .n = 4, .layers = 1, .part = "whole"}), {}};
   const int first = static_cast<int>(s.mesh.points.size());
@@ -52,7 +53,8 @@ Scene hanging_ball(bool bars, double twist) {
           e[(axis + 1) % 3] += turn;
           const double length = norm(e);
           for (double& c : e) c *= 2 / length;
-          s.mesh.bars["ties"].push_back({at_node(nearest_node(s.mesh, first, d)), at_node(nearest_node(s.mesh, 0, e))});
+          s.mesh.bars["ties"].push_back(
+              {at_node(nearest_node(s.mesh, first, d)), at_node(nearest_node(s.mesh, 0, e))});
         }
   s.model.regions = {{"shell", neo_hooke(1)}, {"ball", neo_hooke(1)}};
   s.model.fix.push_back({"outer", {"x", "y", "z"}});
@@ -60,7 +62,9 @@ Scene hanging_ball(bool bars, double twist) {
   return s;
 }
 
-TEST(Support, FreeBlockIsNamed) { expect_complaint(block(), "nothing prevents a rigid motion of the model (block)"); }
+TEST(Support, FreeBlockIsNamed) {
+  expect_complaint(block(), "nothing prevents a rigid motion of the model (block)");
+}
 
 TEST(Support, FixedFaceHolds) {
   Scene s = block();
@@ -121,7 +125,9 @@ TEST(Support, OneOfTwoSeparateBlocksIsFree) {
   expect_complaint(s, "a part of the model (loose)");
 }
 
-TEST(Support, BallWithoutBarsIsFree) { expect_complaint(hanging_ball(false, 0), "a part of the model (ball)"); }
+TEST(Support, BallWithoutBarsIsFree) {
+  expect_complaint(hanging_ball(false, 0), "a part of the model (ball)");
+}
 
 TEST(Support, RadialBarsAloneLeaveTheBallFreeToTurn) {
   expect_complaint(hanging_ball(true, 0), "(ball), rotation about");

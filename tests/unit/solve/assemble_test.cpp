@@ -112,7 +112,8 @@ struct Counted {
     for (int node : nodes)
       for (double x : scene.mesh.points[node]) bounds += std::abs(x) < 1e-9;
     EXPECT_EQ(liquid_entries(system), formulation == "bordered" ? 2 * wet + 1 : wet * wet + 1);
-    EXPECT_EQ(liquid_entries(system, Triangle::upper), formulation == "bordered" ? wet + 1 : wet * (wet + 1) / 2 + 1);
+    EXPECT_EQ(liquid_entries(system, Triangle::upper),
+              formulation == "bordered" ? wet + 1 : wet * (wet + 1) / 2 + 1);
     EXPECT_EQ(assemble(system, true, Triangle::upper).row.size(), (t.row.size() + system.size()) / 2);
   }
 };
@@ -122,9 +123,12 @@ TEST(Formulations, LiquidAddsLinearlyBorderedAndQuadraticallyEliminated) {
   for (int n : {2, 4, 8}) {
     const Counted bordered(n, "bordered"), eliminated(n, "eliminated");
     EXPECT_EQ(bordered.wet, 3 * bordered.wet_nodes - bordered.bounds) << n;
-    EXPECT_EQ(bordered.entries - bordered.dry_entries, 2 * bordered.wet) << n;  // and P's diagonal, which is always there
+    EXPECT_EQ(bordered.entries - bordered.dry_entries, 2 * bordered.wet)
+        << n;  // and P's diagonal, which is always there
     EXPECT_EQ(eliminated.among_wet, eliminated.wet * eliminated.wet) << n;
-    EXPECT_EQ(eliminated.entries - eliminated.dry_entries, eliminated.wet * eliminated.wet - bordered.among_wet) << n;
+    EXPECT_EQ(eliminated.entries - eliminated.dry_entries,
+              eliminated.wet * eliminated.wet - bordered.among_wet)
+        << n;
   }
 }
 

@@ -21,7 +21,9 @@ struct System {
 
   System(const std::string& part, double gamma, double omega, const std::string& op = "recompute",
          const std::string& formulation = "bordered")
-      : scene(filled_shell(part)), problem(scene.mesh, scene.model, comm), state(problem.initial_state()),
+      : scene(filled_shell(part)),
+        problem(scene.mesh, scene.model, comm),
+        state(problem.initial_state()),
         system(problem, {.formulation = formulation, .op = op, .gamma = gamma}) {
     problem.begin_step(0, state);
     problem.set_progress(1, state);
@@ -47,9 +49,12 @@ struct System {
     system.apply(x, y);
     return y;
   }
-  Eigen::MatrixXd matrix(bool augmented) const { return gathered(assemble(system, augmented), global_size(system), comm); }
+  Eigen::MatrixXd matrix(bool augmented) const {
+    return gathered(assemble(system, augmented), global_size(system), comm);
+  }
   double difference(std::span<const double> a, std::span<const double> b) const {
-    return (gathered(a, comm) - gathered(b, comm)).lpNorm<Eigen::Infinity>() / gathered(b, comm).lpNorm<Eigen::Infinity>();
+    return (gathered(a, comm) - gathered(b, comm)).lpNorm<Eigen::Infinity>() /
+           gathered(b, comm).lpNorm<Eigen::Infinity>();
   }
 };
 
@@ -60,12 +65,14 @@ TEST_P(CoupledSystemTest, AppliesWhatItAssembles) {
     const System s(GetParam(), gamma, omega);
     const auto x = s.noise_unknowns(20);
     const Eigen::VectorXd y = gathered(s.apply(x), s.comm), expected = s.matrix(true) * gathered(x, s.comm);
-    EXPECT_LT((y - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>()) << gamma << ' ' << omega;
+    EXPECT_LT((y - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>())
+        << gamma << ' ' << omega;
   }
 }
 
 TEST_P(CoupledSystemTest, EveryKindOfTangentAppliesAlike) {
-  const System exact(GetParam(), 10, .04), cached(GetParam(), 10, .04, "cache"), assembled(GetParam(), 10, .04, "assembled");
+  const System exact(GetParam(), 10, .04), cached(GetParam(), 10, .04, "cache"),
+      assembled(GetParam(), 10, .04, "assembled");
   const auto x = exact.noise_unknowns(20), y = exact.apply(x);
   EXPECT_LT(exact.difference(cached.apply(x), y), 1e-6);
   EXPECT_LT(exact.difference(assembled.apply(x), y), 1e-12);
@@ -151,13 +158,16 @@ TEST_P(CoupledSystemTest, AugmentationDoesNotChangeTheSolution) {
     const Eigen::VectorXd b = gathered(s.system.right_hand_side(s.residual, held), s.comm);
     return Eigen::VectorXd(s.matrix(augmented).fullPivLu().solve(b));
   };
-  const Eigen::VectorXd plain = solution(0, 0, false), augmented = solution(10, .04, true), by_elements = solution(10, 0, true);
+  const Eigen::VectorXd plain = solution(0, 0, false), augmented = solution(10, .04, true),
+                        by_elements = solution(10, 0, true);
   EXPECT_LT(largest(std::span(plain.data(), plain.size())), 1e3);
   EXPECT_LT((augmented - plain).lpNorm<Eigen::Infinity>(), 1e-9 * plain.lpNorm<Eigen::Infinity>());
   EXPECT_LT((by_elements - plain).lpNorm<Eigen::Infinity>(), 1e-9 * plain.lpNorm<Eigen::Infinity>());
 }
 
-System eliminated(const char* part, double gamma) { return System(part, gamma, 0, "recompute", "eliminated"); }
+System eliminated(const char* part, double gamma) {
+  return System(part, gamma, 0, "recompute", "eliminated");
+}
 
 TEST_P(CoupledSystemTest, EliminatedSystemAppliesWhatItAssemblesAndIsSymmetric) {
   const System s = eliminated(GetParam(), 10);
@@ -173,7 +183,8 @@ TEST_P(CoupledSystemTest, EliminationDoesNotChangeTheSolution) {
   const auto increments = [](const System& s) {
     std::vector<double> held(s.state.x.size());
     s.problem.dofs().defect(s.state, .7, held);
-    const Eigen::VectorXd all = s.matrix(true).fullPivLu().solve(gathered(s.system.right_hand_side(s.residual, held), s.comm));
+    const Eigen::VectorXd all =
+        s.matrix(true).fullPivLu().solve(gathered(s.system.right_hand_side(s.residual, held), s.comm));
     const long first = s.comm.offset(static_cast<long long>(s.system.size()));
     std::vector<double> mine(all.data() + first, all.data() + first + s.system.size());
     const double dP = s.system.pressure_increments(mine)[0];
@@ -182,7 +193,8 @@ TEST_P(CoupledSystemTest, EliminationDoesNotChangeTheSolution) {
   };
   const System bordered(GetParam(), 0, 0);
   const auto expected = increments(bordered);
-  for (double gamma : {0., 10.}) EXPECT_LT(bordered.difference(increments(eliminated(GetParam(), gamma)), expected), 1e-9) << gamma;
+  for (double gamma : {0., 10.})
+    EXPECT_LT(bordered.difference(increments(eliminated(GetParam(), gamma)), expected), 1e-9) << gamma;
 }
 
 // γ is part of system and right-hand side alike.
@@ -200,13 +212,15 @@ TEST_P(CoupledSystemTest, DirectSolverSolvesTheSystem) {
   EXPECT_LT(s.difference(s.apply(x), b), 1e-10);
 }
 
-// x + held solves the linearised equations: residual + derivative along the whole increment vanishes on free directions.
+// x + held solves the linearised equations: residual + derivative along the whole increment vanishes on free
+// directions.
 TEST_P(CoupledSystemTest, SolutionWithHeldIncrementsSolvesTheLinearisedEquations) {
   System s(GetParam(), 10, .04);
   const Layout layout = s.system.layout();
   std::vector<double> held(s.state.x.size());
   s.problem.dofs().defect(s.state, .7, held);
-  const Eigen::VectorXd x = s.matrix(true).fullPivLu().solve(gathered(s.system.right_hand_side(s.residual, held), s.comm));
+  const Eigen::VectorXd x =
+      s.matrix(true).fullPivLu().solve(gathered(s.system.right_hand_side(s.residual, held), s.comm));
   const long first = s.comm.offset(static_cast<long long>(layout.size()));
   const std::vector<double> mine(x.data() + first, x.data() + first + layout.size());
   std::vector<double> dx(s.state.x.size()), dP(1);

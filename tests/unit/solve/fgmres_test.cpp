@@ -184,7 +184,9 @@ TEST_F(Fgmres, BreakdownIsAValue) {
       EXPECT_EQ(std::isfinite(r.final), good > 0);  // else not even the guess has a residual
       for (double v : y) EXPECT_TRUE(std::isfinite(v));
       std::vector<double> zero(A.size(), 0.0);  // its residual is b
-      EXPECT_TRUE(std::isfinite(fgmres(Broken(A.size(), good, bad), nullptr, b, zero, {.tolerance = 1e-12, .max_iterations = 30}, comm).final));
+      EXPECT_TRUE(std::isfinite(fgmres(Broken(A.size(), good, bad), nullptr, b, zero,
+                                       {.tolerance = 1e-12, .max_iterations = 30}, comm)
+                                    .final));
       for (double v : zero) EXPECT_TRUE(std::isfinite(v));
     }
 }

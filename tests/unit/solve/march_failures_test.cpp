@@ -70,7 +70,8 @@ struct Hungry : LinearSolver {
   int left;
   Hungry(std::unique_ptr<LinearSolver> solver, int solves) : inner(std::move(solver)), left(solves) {}
   LinearReport prepare(CoupledSystem& system) override { return inner->prepare(system); }
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) override {
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+                     double tolerance) override {
     if (left-- <= 0) throw std::bad_alloc();
     return inner->solve(system, std::move(b), x, tolerance);
   }
@@ -85,7 +86,8 @@ TEST(March, WithoutMemoryEndsWithTheLastGoodState) {
   ASSERT_GT(whole.increments.size(), 1u);
   const int enough = static_cast<int>(whole.increments[0].newton.iterations.size()) + 1;
   Hungry solver(make_direct_solver(trial.settings.linear, trial.profiler), enough);
-  const MarchReport report = march(trial.problem, system, solver, trial.state, trial.settings, trial.profiler, trial);
+  const MarchReport report =
+      march(trial.problem, system, solver, trial.state, trial.settings, trial.profiler, trial);
   EXPECT_FALSE(report.converged);
   EXPECT_NE(report.reason.find("out of memory"), std::string::npos) << report.reason;
   ASSERT_EQ(trial.increments.size(), 1u);

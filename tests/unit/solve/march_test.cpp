@@ -59,7 +59,8 @@ TEST(March, NegativePivotsAreHexahedraAndLiquids) {
   Trial run(inflated_shell());
   run.go();
   ASSERT_EQ(run.increments.size(), 2u);
-  for (const Increment& i : run.increments) EXPECT_EQ(i.newton.negative_pivots, run.problem.mesh().all_hexes + 1);
+  for (const Increment& i : run.increments)
+    EXPECT_EQ(i.newton.negative_pivots, run.problem.mesh().all_hexes + 1);
   Trial stretch(stretched_block(2, "0.4"));
   EXPECT_EQ(stretch.go().increments.back().newton.negative_pivots, 8);
 }
@@ -185,8 +186,10 @@ TEST(March, RigidLidTurnsUnderACouple) {
   split_region(scene.mesh, "lid", [](const Point& p) { return p[2] > 2; });
   scene.model.regions = {{"block", neo_hooke(.5)}, {"lid", rigid()}};
   scene.model.fix.push_back({"zmin", {"x", "y", "z"}});
-  scene.mesh.node_sets["left"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 0; });
-  scene.mesh.node_sets["right"] = nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 2; });
+  scene.mesh.node_sets["left"] =
+      nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 0; });
+  scene.mesh.node_sets["right"] =
+      nodes_where(scene.mesh, [](const Point& p) { return p[2] == 3 && p[0] == 2; });
   StepSpec s = step("turn");
   LoadSpec up, down;
   up.set = "left", up.force = Point{0, 0, .03};
@@ -210,7 +213,8 @@ TEST(March, ResultsAreTheSameHoweverManyRanks) {
   for (int n = 0; n < alone.problem.mesh().nodes(); ++n) local_of[alone.problem.mesh().input_node[n]] = n;
   for (int n = 0; n < run.problem.mesh().nodes(); ++n)
     for (int c = 0; c < 3; ++c)
-      ASSERT_NEAR(run.state.x[3 * n + c], alone.state.x[3 * local_of[run.problem.mesh().input_node[n]] + c], 1e-8);
+      ASSERT_NEAR(run.state.x[3 * n + c], alone.state.x[3 * local_of[run.problem.mesh().input_node[n]] + c],
+                  1e-8);
 }
 
 }  // namespace

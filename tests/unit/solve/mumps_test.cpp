@@ -49,7 +49,8 @@ double error_of_solve(Mumps& mumps, const Triplets& t, int n, const Comm& comm) 
   std::vector<double> x(to - from, NAN);
   if (!mumps.solve(std::span(b).subspan(from, to - from), x)) return INFINITY;
   double error = 0;
-  for (int i = from; i < to; ++i) error = std::max(error, std::isfinite(x[i - from]) ? std::abs(x[i - from] - std::sin(i + 1)) : INFINITY);
+  for (int i = from; i < to; ++i)
+    error = std::max(error, std::isfinite(x[i - from]) ? std::abs(x[i - from] - std::sin(i + 1)) : INFINITY);
   return comm.max(error);
 }
 
@@ -140,7 +141,9 @@ Triplets band_matrix(int n, double first, double far, const Comm& comm) {
   const auto add = [&](int i, int j, double v) {
     if (v != 0 && j >= 0 && j < n) t.row.push_back(i), t.col.push_back(j), t.value.push_back(v);
   };
-  for (int i = from; i < to; ++i) add(i, i - 2, far), add(i, i - 1, -1), add(i, i, i == 0 ? first : 4), add(i, i + 1, -1), add(i, i + 2, far);
+  for (int i = from; i < to; ++i)
+    add(i, i - 2, far), add(i, i - 1, -1), add(i, i, i == 0 ? first : 4), add(i, i + 1, -1),
+        add(i, i + 2, far);
   return t;
 }
 
@@ -149,7 +152,8 @@ TEST_F(MumpsTest, JoinsPatterns) {
   const Triplets narrow = band_matrix(50, 4, 0, comm), wide = band_matrix(50, 4, -.01, comm);
   for (Mumps* mumps : {&joined, &own}) {
     EXPECT_GT(mumps->factorise(wide, 50, true).seconds_analysis, 0);
-    EXPECT_EQ(mumps->factorise(narrow, 50, true).seconds_analysis == 0, false) << "two thirds more entries than it has";
+    EXPECT_EQ(mumps->factorise(narrow, 50, true).seconds_analysis == 0, false)
+        << "two thirds more entries than it has";
   }
   Triplets holed = wide;
   const auto inside = std::ranges::find(holed.value, -.01) - holed.value.begin();

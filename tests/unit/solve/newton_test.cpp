@@ -15,7 +15,8 @@ struct Stale final : LinearSolver {
   int renewals = 0;
   explicit Stale(std::unique_ptr<LinearSolver> solver) : inner(std::move(solver)) {}
   LinearReport prepare(CoupledSystem& system) override { return inner->prepare(system); }
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x, double tolerance) override {
+  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+                     double tolerance) override {
     if (renewals == 0) return {.reason = "old", .stale = true, .iterations = 7};
     return inner->solve(system, b, x, tolerance);
   }
@@ -44,7 +45,8 @@ TEST(Newton, NothingToDoTakesNoIteration) {
   CoupledSystem system(problem, {});
   const auto solver = make_direct_solver({}, profiler);
   int seen = 0;
-  const NewtonReport r = newton(problem, system, *solver, state, 1, {}, profiler, [&](const NewtonIteration&) { ++seen; });
+  const NewtonReport r =
+      newton(problem, system, *solver, state, 1, {}, profiler, [&](const NewtonIteration&) { ++seen; });
   EXPECT_EQ(r.outcome, Outcome::converged);
   EXPECT_TRUE(r.iterations.empty());
   EXPECT_EQ(seen, 1);
@@ -64,7 +66,8 @@ TEST(Newton, NotANumberIsNoticed) {
 }
 
 TEST(Newton, EveryOutcomeHasWords) {
-  for (Outcome o : {Outcome::converged, Outcome::inverted_element, Outcome::linear_solver_failed, Outcome::too_many_iterations, Outcome::not_finite})
+  for (Outcome o : {Outcome::converged, Outcome::inverted_element, Outcome::linear_solver_failed,
+                    Outcome::too_many_iterations, Outcome::not_finite})
     EXPECT_FALSE(describe(o).empty());
 }
 
