@@ -2,6 +2,6 @@
 
 namespace bulbus {
 
-constexpr const char* version = "0.1.0";  ///< the VERSION of the project in CMakeLists.txt
+constexpr const char* version = "0.2.0";  ///< the VERSION of the project in CMakeLists.txt
 
 }  // namespace bulbus

@@ -7,11 +7,11 @@
 
 namespace bulbus {
 
-/// Writes what `remember` gives to its Archive as an HDF5 file that any number of ranks can read. The file is
-/// complete on the disk before it takes its name: whatever ends the program, the old file is there or the new
-/// one. Collective. Throws std::runtime_error on every rank.
+/// Writes what `serialize` gives to its Archive as an HDF5 file that any number of ranks can read. The file
+/// is complete on the disk before it takes its name: whatever ends the program, the old file is there or the
+/// new one. Collective. Throws std::runtime_error on every rank.
 void write_checkpoint(const std::string& path, const LocalMesh& mesh,
-                      const std::function<void(Archive&)>& remember);
+                      const std::function<void(Archive&)>& serialize);
 
 /// Opens a checkpoint for reading and proves it whole, to the last bit of its numbers. Collective. Throws
 /// InputError on every rank.

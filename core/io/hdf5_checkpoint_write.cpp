@@ -102,7 +102,7 @@ class Measure final : public Archive {
 }  // namespace
 
 void write_checkpoint(const std::string& path, const LocalMesh& mesh,
-                      const std::function<void(Archive&)>& remember) {
+                      const std::function<void(Archive&)>& serialize) {
   Measure measure(mesh);
   serialize(measure);
   hdf5::write_whole(path, mesh.comm, mesh.comm.sum(measure.bytes()), [&](hid_t file) {

@@ -84,7 +84,7 @@ void CheckerboardMatrix::multiply(std::span<double> x) const {
 
 void CheckerboardMatrix::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::copy(x, exchanged_.begin());
-  halo_->update(exchanged_, patterns_.count());
+  halo_->update_ghosts(exchanged_, patterns_.count());
   if (patterns_.count() == 4)
     multiply<4>(exchanged_);
   else
@@ -110,7 +110,7 @@ void CheckerboardMatrix::drop(double part) {
   std::vector<double> norm(in_.size());
   for (int c = 0; c < patterns_.coarser(); ++c)
     norm[c] = Eigen::VectorXd::Map(&own[numbers * c], numbers).norm();
-  halo_->update(norm, 1);
+  halo_->update_ghosts(norm, 1);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const auto [row, column] = pairs_[k];

@@ -44,8 +44,8 @@ void exchange(const Comm& comm, const std::vector<Halo::Neighbour>& neighbours, 
 }
 
 template <class Number>
-void update_ghosts(const Comm& comm, const std::vector<Halo::Neighbour>& neighbours, std::span<Number> v,
-                   int width) {
+void send_to_ghosts(const Comm& comm, const std::vector<Halo::Neighbour>& neighbours, std::span<Number> v,
+                    int width) {
   if (neighbours.empty()) return;
   exchange<Number>(
       comm, neighbours, v, width, [](const auto& n) -> auto& { return n.send; },
@@ -64,12 +64,12 @@ void fold_ghosts(const Comm& comm, const std::vector<Halo::Neighbour>& neighbour
 }  // namespace
 
 void Halo::update_ghosts(std::span<double> v, int width) const {
-  update_ghosts(comm_, neighbours_, v, width);
+  send_to_ghosts(comm_, neighbours_, v, width);
 }
 void Halo::accumulate_ghosts(std::span<double> v, int width) const {
   fold_ghosts(comm_, neighbours_, v, width);
 }
-void Halo::update_ghosts(std::span<NodeSingle> v) const { update_ghosts(comm_, neighbours_, numbers(v), 4); }
+void Halo::update_ghosts(std::span<NodeSingle> v) const { send_to_ghosts(comm_, neighbours_, numbers(v), 4); }
 void Halo::accumulate_ghosts(std::span<NodeSingle> v) const {
   fold_ghosts(comm_, neighbours_, numbers(v), 4);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "core/solve/assemble.hpp"
 #include "precond/operators/displacement.hpp"
 #include "precond/smoothers/chebyshev.hpp"
@@ -118,14 +120,16 @@ TEST(Multigrid, CoarseLevelsAreRediscretised) {
 // K = sum of s_i u uᵀ on some nodes.
 struct Springs final : Term {
   std::vector<int> nodes;
+  double stiffness = 1;
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
   void linearize(const State&) override {}
   void add_action(std::span<const double> dx, std::span<double> force) const override {
     for (int n : nodes)
-      for (int c = 0; c < 3; ++c) force[3 * n + c] += (1 + c) * dx[3 * n + c];
+      for (int c = 0; c < 3; ++c) force[3 * n + c] += stiffness * (1 + c) * dx[3 * n + c];
   }
   void visit(const ContributionVisitor& visitor) const override {
-    const std::array<double, 9> K{1, 0, 0, 0, 2, 0, 0, 0, 3};
+    const double k = stiffness;
+    const std::array<double, 9> K{k, 0, 0, 0, 2 * k, 0, 0, 0, 3 * k};
     for (int n : nodes) visitor(std::span(&n, 1), K);
   }
 };
@@ -167,6 +171,38 @@ TEST(Multigrid, TakesAsFewIterationsOnEveryMesh) {
     EXPECT_LE(iterations(thin_plate(), refine, "multigrid"), 16) << refine;
   }
   EXPECT_LE(iterations(small_eye(8), 1, "multigrid"), 36);  // at rest, where the element pressures decide
+}
+
+TEST(Multigrid, OfTwoSolversOfOneProblemIsThatOfEachAlone) {
+  const Scene scene = stretched_block(2, ".1");
+  Problem problem(refined(scene.mesh, 1), scene.model, Comm());
+  auto springs = std::make_shared<Springs>();
+  springs->nodes.resize(problem.mesh().owned);
+  std::iota(springs->nodes.begin(), springs->nodes.end(), 0);
+  springs->stiffness = 20;
+  problem.add(springs);
+  State state = problem.initial_state();
+  problem.begin_step(0, state);
+  problem.set_progress(.1, state);
+  LinearSettings settings;
+  settings.take_mesh(1);
+  CoupledSystem system(problem, settings);
+  system.linearize(state, problem.residual(state));
+  Profiler profiler;
+  std::vector<double> b(system.size()), x(system.size());
+  for (int i = 0; i < 3 * problem.mesh().owned; ++i) b[i] = noise(3, i);
+  std::vector<int> iterations;
+  std::vector<std::unique_ptr<LinearSolver>> solvers;  // all of them live on
+  for (int k = 0; k < 3; ++k) {
+    solvers.push_back(
+        make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler));
+    ASSERT_TRUE(solvers.back()->prepare(system).ok);
+    const LinearReport report = solvers.back()->solve(system, b, x, 1e-10);
+    ASSERT_TRUE(report.ok) << report.reason;
+    iterations.push_back(report.iterations);
+  }
+  EXPECT_EQ(iterations[1], iterations[0]);
+  EXPECT_EQ(iterations[2], iterations[0]);
 }
 
 TEST(Multigrid, NeedsARefinedMesh) {
