@@ -6,16 +6,29 @@
 
 namespace bulbus {
 
+namespace {
+
+// A problem has one: solvers of the same problem share it, since each projects the tangent that all of them
+// solve with.
+std::shared_ptr<ProjectedTerm> projected_term_of(Problem& coarser) {
+  for (const auto& term : coarser.added())
+    if (auto projected = std::dynamic_pointer_cast<ProjectedTerm>(term)) return projected;
+  auto projected = std::make_shared<ProjectedTerm>();
+  coarser.add(projected);
+  return projected;
+}
+
+}  // namespace
+
 MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
     : problem_(finest),
       base_(std::make_shared<Mumps>(
           finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
     levels_.push_back({find_lines(*p),
-                       std::make_shared<ProjectedTerm>(),
+                       projected_term_of(*p->coarser()),
                        std::make_unique<CoupledSystem>(*p->coarser(), settings),
                        {}});
-    p->coarser()->add(levels_.back().projected);
   }
 }
 

@@ -17,7 +17,7 @@ namespace bulbus {
 /// eigenvalues: what changes these changes the matrix, too.
 class MultigridPlan {
  public:
-  /// Adds a ProjectedTerm to every coarser problem. Collective.
+  /// Adds a ProjectedTerm to every coarser problem that has none. Collective.
   MultigridPlan(const Problem& finest, const LinearSettings& settings);
 
   struct Level {

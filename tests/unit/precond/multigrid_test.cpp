@@ -189,20 +189,20 @@ TEST(Multigrid, OfTwoSolversOfOneProblemIsThatOfEachAlone) {
   CoupledSystem system(problem, settings);
   system.linearize(state, problem.residual(state));
   Profiler profiler;
-  std::vector<double> b(system.size()), x(system.size());
+  std::vector<double> b(system.size());
   for (int i = 0; i < 3 * problem.mesh().owned; ++i) b[i] = noise(3, i);
-  std::vector<int> iterations;
+  std::vector<std::vector<double>> found;
   std::vector<std::unique_ptr<LinearSolver>> solvers;  // all of them live on
   for (int k = 0; k < 3; ++k) {
     solvers.push_back(
         make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler));
     ASSERT_TRUE(solvers.back()->prepare(system).ok);
-    const LinearReport report = solvers.back()->solve(system, b, x, 1e-10);
+    found.emplace_back(system.size());
+    const LinearReport report = solvers.back()->solve(system, b, found.back(), 1e-6);
     ASSERT_TRUE(report.ok) << report.reason;
-    iterations.push_back(report.iterations);
   }
-  EXPECT_EQ(iterations[1], iterations[0]);
-  EXPECT_EQ(iterations[2], iterations[0]);
+  EXPECT_EQ(found[1], found[0]) << "to the last digit: the preconditioner is the same";
+  EXPECT_EQ(found[2], found[0]);
 }
 
 TEST(Multigrid, NeedsARefinedMesh) {
