@@ -38,7 +38,7 @@ Overlap MidfaceCheck::entered(const State& state) const {
                                       [&](const SlavePoints::Point& p, double area) {
                                         const bool any = std::ranges::any_of(
                                             p.nodes, [&](int n) { return active[n] > 0; });
-                                        return depth + (any ? held : free) * std::sqrt(area);
+                                        return depth + (any || progress_ < 1 ? held : free) * std::sqrt(area);
                                       }),
                       comm_);
 }

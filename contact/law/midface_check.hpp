@@ -7,8 +7,9 @@ namespace bulbus {
 /// What a contact of nodes cannot feel: a master with corners, or a body, finer than the slave's faces, which
 /// enters between the nodes. The middles of the faces are followed as points of a contact without forces. A
 /// converged state is refused in which one lies deeper inside than the nodes do by more than a part of its
-/// face's width h: h/4 where a corner of the face is in contact, the chord height of a body as curved as the
-/// face is wide; h/10 where none is, so that nothing keeps the face out.
+/// face's width h: h/4, the chord height of a body as curved as the face is wide; at the end of a step h/10
+/// where no corner of the face is in contact, so that nothing keeps the face out. On the way there a ball may
+/// touch the middle of a face first.
 class MidfaceCheck final : public Term {
  public:
   /// `spec`: of the contact that `nodes` is.
@@ -21,7 +22,7 @@ class MidfaceCheck final : public Term {
   void visit(const ContributionVisitor&) const override {}
   void begin_step(int step, const State& state) override { middles_.begin_step(step, state); }
   void pass_step(int step, const State& start) override { middles_.pass_step(step, start); }
-  void set_progress(double s) override { middles_.set_progress(s); }
+  void set_progress(double s) override { progress_ = s, middles_.set_progress(s); }
   void freeze() override { middles_.freeze(); }
   void commit(const State& state) override { middles_.commit(state); }
   void roll_back() override { middles_.roll_back(); }
@@ -36,6 +37,7 @@ class MidfaceCheck final : public Term {
   Overlap entered(const State& state) const;
 
   ContactSpec spec_;
+  double progress_ = 0;
   Comm comm_;
   Halo halo_;
   bool rigid_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 
 #include "core/base/error.hpp"
 #include "core/io/checkpoint.hpp"
@@ -116,22 +117,35 @@ class Reader final : public Archive {
     return H5Lexists(file_, path_of(name).c_str(), H5P_DEFAULT) > 0;
   }
   void numbers(const std::string& name, std::vector<double>& values) override {
-    values = Table(file_, path_of(name)).all<double>();
+    values = whole([&] { return Table(file_, path_of(name)).all<double>(); });
   }
   void text(const std::string& name, std::string& value) override {
-    const auto letters = Table(file_, path_of(name)).all<unsigned char>();
+    const auto letters = whole([&] { return Table(file_, path_of(name)).all<unsigned char>(); });
     value.assign(letters.begin(), letters.end());
   }
   void rows(const std::string& name, const Keys& keys, int width, std::vector<double>& values) override {
-    if (knows(name)) fill(path_of(name) + "/key", path_of(name) + "/value", keys, width, values);
+    if (knows(name))
+      whole([&] { return fill(path_of(name) + "/key", path_of(name) + "/value", keys, width, values); });
   }
   void mesh_table(const std::string& name, const std::string& of, const Keys& keys, int width,
                   std::vector<double>& values) override {
-    if (fill(of, path_of(name), keys, width, values) != keys.keys.size())
+    if (whole([&] { return fill(of, path_of(name), keys, width, values); }) != keys.keys.size())
       throw input_error(path_ + ": it is of another mesh", "Restart with the scene that wrote it.");
   }
 
  private:
+  // What the sum does not show: a table that is none any more.
+  template <class Read>
+  std::invoke_result_t<Read> whole(Read read) const {
+    const hdf5::Quiet quiet;
+    try {
+      return read();
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::exception&) {
+      throw damaged(path_);
+    }
+  }
   // The number of keys that were found.
   std::size_t fill(const std::string& key, const std::string& value, const Keys& keys, int width,
                    std::vector<double>& values) {
