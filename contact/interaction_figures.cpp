@@ -62,7 +62,7 @@ ContactStanding standing(const Interactions::Contact& contact, Snapshot& s) {
   all.area = s.problem.multiplicity() * comm.sum(own.area);
   all.penetration = comm.max(own.penetration);
   if (contact.exchanged)
-    all.penetration = std::max(all.penetration, comm.max(contact.exchanged->figures(s.state).penetration));
+    all.penetration = std::max(all.penetration, comm.max(contact.exchanged->penetration(s.state)));
   all.pressure = comm.max(pressure);
   std::vector<double> sums;
   for (const Wrench& w : own.on_master) {

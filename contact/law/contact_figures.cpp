@@ -8,6 +8,14 @@
 #include "contact/surfaces/meridians.hpp"
 
 namespace bulbus {
+namespace {
+
+// N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may
+// stand at right angles.
+constexpr double same_side = 0.05, same_side_of_node = 0.5;
+
+}  // namespace
+
 Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
   const std::array<double, 4> deepest{mine.depth, mine.place[0], mine.place[1], mine.place[2]};
   const auto all = comm.gather(std::span<const double>(deepest));
@@ -16,14 +24,6 @@ Overlap of_all_ranks(const Overlap& mine, const Comm& comm) {
     if (all[r] > o.depth) o.depth = all[r], o.place = {all[r + 1], all[r + 2], all[r + 3]};
   return o;
 }
-
-namespace {
-
-// N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may
-// stand at right angles.
-constexpr double same_side = 0.05, same_side_of_node = 0.5;
-
-}  // namespace
 
 ContactFigures ContactTerm::figures(const State& state) const {
   const Found& f = found(state);
@@ -35,34 +35,42 @@ ContactFigures ContactTerm::figures(const State& state) const {
     ++sum.pairs;
     Wrench& w = sum.on_master[t.slot % master_.pieces()];
     const Vec3<double> force = -push * t.pair.normal;
-    const Vec3<double> moment =
-        cross({places[3 * t.point], places[3 * t.point + 1], places[3 * t.point + 2]}, force);
+    const Vec3<double> moment = cross(at(places, t.point), force);
     for (int c = 0; c < 3; ++c) w.force[c] += force[c], w.moment[c] += moment[c];
   }
   sum.area = points_.on_faces() ? area_of_points(f) : area_of_faces(state, f);
   return sum;
 }
 
-Overlap ContactTerm::inside(const State& state,
-                            const std::function<double(const SlavePoints::Point&, double)>& allowed) const {
+Overlap ContactTerm::overlap_of(const Found& f, const State& state,
+                                const std::function<bool(const Touch&)>& counts) const {
   Overlap o;
-  const Found& f = found(state);
   const std::vector<double> places = points_.places(state.x);
   for (const Touch& t : f.touches)
-    if (points_[t.point].mine && -gap(t) > allowed(points_[t.point], f.shape.areas[t.point]))
-      o.add(-gap(t), at(places, t.point));
+    if (points_[t.point].mine && counts(t)) o.add(-gap(t), at(places, t.point));
   return o;
 }
 
-Overlap ContactTerm::behind(const State& state) const {
-  Overlap o;
+Overlap ContactTerm::inside(const State& state,
+                            const std::function<double(const SlavePoints::Point&, double)>& allowed) const {
   const Found& f = found(state);
-  const std::vector<double> places = points_.places(state.x);
+  return overlap_of(
+      f, state, [&](const Touch& t) { return -gap(t) > allowed(points_[t.point], f.shape.areas[t.point]); });
+}
+
+Overlap ContactTerm::behind(const State& state) const {
+  const Found& f = found(state);
   const double most = points_.on_faces() ? same_side : same_side_of_node;
-  for (const Touch& t : f.touches)
-    if (points_[t.point].mine && pressure(t).value > 0 && dot(t.pair.normal, f.shape.normals[t.point]) > most)
-      o.add(-gap(t), at(places, t.point));
-  return o;
+  return overlap_of(f, state, [&](const Touch& t) {
+    return pressure(t).value > 0 && dot(t.pair.normal, f.shape.normals[t.point]) > most;
+  });
+}
+
+std::vector<int> ContactTerm::active_nodes(const State& state) const {
+  std::vector<int> nodes;
+  for (const Touch& t : found(state).touches)
+    if (area(t) * pressure(t).value > 0) nodes.push_back(points_[t.point].nodes[0]);
+  return nodes;
 }
 
 double ContactTerm::area_of_points(const Found& f) const {

@@ -4,6 +4,7 @@
 
 #include "contact/law/contact_term.hpp"
 #include "contact/search/nearest_point.hpp"
+#include "core/base/disjoint_sets.hpp"
 
 namespace bulbus {
 namespace {
@@ -177,18 +178,19 @@ std::vector<FaceGap> ContactTerm::faces_at_edge(const MasterSurface& master, con
     FaceGap gap;
   };
   std::vector<Face> all;
+  const auto across = master_.across_edges(triangle);
+  DisjointSets sides_of(static_cast<int>(across.size()) + 1);
   const auto add = [&](int t) {
     const Triangle corners = master.corners(t);
     const Pair flat = project(x, corners);
-    const int side = static_cast<int>(all.size());
-    all.push_back({side, distance_beside(flat, corners), flat.normal, face_gap(master, x, flat, t)});
-    for (int k = 0; k < side; ++k)
-      if (dot(all[k].normal, flat.normal) > smooth_edge && all[k].side != side)
-        for (const int from = all[k].side; Face & f : all)
-          if (f.side == from) f.side = side;
+    const int number = static_cast<int>(all.size());
+    for (int k = 0; k < number; ++k)
+      if (dot(all[k].normal, flat.normal) > smooth_edge) sides_of.join(k, number);
+    all.push_back({number, distance_beside(flat, corners), flat.normal, face_gap(master, x, flat, t)});
   };
   add(triangle);
-  for (int other : master_.across_edges(triangle)) add(other);
+  std::ranges::for_each(across, add);
+  for (Face& f : all) f.side = sides_of.root(f.side);
   std::ranges::stable_sort(all, {}, [](const Face& f) { return std::pair(f.side, f.beside); });
   std::vector<FaceGap> sides;
   for (std::size_t k = 0; k < all.size(); ++k)
@@ -208,9 +210,9 @@ ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<do
     if (t.along) t.pair = t.along->pair;
     return t;
   }
-  FaceGap g = face_gap(master, x, t.pair, triangle);
-  if (const auto across = master_.across_edges(triangle); !across.empty())
-    g = rounded_gap(faces_at_edge(master, x, triangle), edge_radius_);
+  const FaceGap g = master_.across_edges(triangle).empty()
+                        ? face_gap(master, x, t.pair, triangle)
+                        : rounded_gap(faces_at_edge(master, x, triangle), edge_radius_);
   t.pair.gap = g.gap;
   t.pair.normal = g.normal;
   t.bend = g.bend;

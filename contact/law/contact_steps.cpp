@@ -176,17 +176,8 @@ std::vector<double> ContactTerm::outermost(std::span<const double> x,
 }
 
 Overlap ContactTerm::overlaps(const State& start, double tolerance) const {
-  Overlap o;
-  const Found f = find(start, {limits_.reach, limits_.reach}, Search::whole);
-  const std::vector<double> places = points_.places(start.x);
-  for (const Touch& t : f.touches) {
-    if (-gap(t) <= tolerance || !points_[t.point].mine) continue;
-    ++o.points;
-    if (-gap(t) <= o.depth) continue;
-    o.depth = -gap(t);
-    std::copy_n(&places[3 * t.point], 3, o.place.begin());
-  }
-  return o;
+  return overlap_of(find(start, {limits_.reach, limits_.reach}, Search::whole), start,
+                    [&](const Touch& t) { return -gap(t) > tolerance; });
 }
 
 void ContactTerm::resolve(const State& start) {

@@ -87,6 +87,10 @@ class ContactTerm final : public Term {
   ContactFigures figures(const State& state) const;
   /// In the order of slave().nodes(); gaps no larger than `farthest` (mm; 0: the search's reach).
   std::vector<ContactNode> nodes(const State& state, double farthest = 0) const;
+  /// The owned nodes that a contact of nodes presses on.
+  std::vector<int> active_nodes(const State& state) const;
+  /// Largest, mm, on this rank.
+  double penetration(const State& state) const { return penetration(found(state)); }
   const SlaveSurface& slave() const { return slave_; }
   const SlavePoints& points() const { return points_; }
   const Augmentation& augmentation() const { return augmentation_; }
@@ -163,6 +167,9 @@ class ContactTerm final : public Term {
   double gap(const Touch& touch) const;
   ContactPressure pressure(const Touch& touch) const;
   double penetration(const Found& found) const;
+  /// The points of this rank that count, in a state in which `found` was found.
+  Overlap overlap_of(const Found& found, const State& state,
+                     const std::function<bool(const Touch&)>& counts) const;
   double violation(const Found& found) const;
   double needed_tolerance(double highest) const;
   bool released(const Found& found);

@@ -31,9 +31,9 @@ MidfaceCheck::MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defau
 
 Overlap MidfaceCheck::entered(const State& state) const {
   std::vector<double> active(state.x.size() / 3);
-  for (const ContactNode& n : nodes_->nodes(state)) active[n.node] = n.active;
+  for (int n : nodes_->active_nodes(state)) active[n] = 1;
   halo_.update_ghosts(active, 1);
-  const double depth = comm_.max(nodes_->figures(state).penetration);
+  const double depth = comm_.max(nodes_->penetration(state));
   return of_all_ranks(middles_.inside(state,
                                       [&](const SlavePoints::Point& p, double area) {
                                         const bool any = std::ranges::any_of(
