@@ -99,7 +99,8 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
   const double farthest = out_of_sight * diagonal(problem.mesh());
   problem.comm().together([&] {
     for (const auto& [name, spec] : model.rigid_bodies) {
-      bodies_[name] = std::make_shared<RigidSurface>(make_rigid_surface(name, spec, "rigid_bodies." + name));
+      bodies_[name] = std::make_shared<RigidSurface>(
+          make_rigid_surface(name, spec, "rigid_bodies." + name, model.symmetry));
       refuse_out_of_sight(*bodies_[name], farthest, "rigid_bodies." + name);
       motions_.emplace(name, bodies_[name]);
     }

@@ -1,21 +1,32 @@
 #include "contact/rigid/rigid_shapes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
 #include "contact/rigid/skin.hpp"
 #include "contact/surfaces/meridians.hpp"
+#include "core/problem/closed_surface.hpp"
 
 namespace bulbus {
 namespace {
 
-// The centre is the mean of the corners.
+Vec3<double> mean_of(const std::vector<double>& points) {
+  Vec3<double> mean{0, 0, 0};
+  for (std::size_t i = 0; i < points.size(); ++i) mean[i % 3] += points[i];
+  return (3. / static_cast<double>(points.size())) * mean;
+}
+
 void append(RigidSurface& body, const Skin& skin, std::vector<std::array<int, 3>>& triangles,
-            const Vec3<double>& inwards) {
+            const Vec3<double>& inwards, const Vec3<double>& center) {
   RigidSurface::Part part;
   part.first_point = static_cast<int>(body.reference.size() / 3);
   part.points = skin.size();
   part.first_triangle = static_cast<int>(triangles.size());
   part.triangles = static_cast<int>(skin.triangles.size());
   part.inwards = inwards;
-  for (std::size_t i = 0; i < skin.points.size(); ++i) part.center[i % 3] += skin.points[i] / part.points;
+  part.center = center;
   body.reference.insert(body.reference.end(), skin.points.begin(), skin.points.end());
   for (const auto& [a, b, c] : skin.triangles)
     triangles.push_back({a + part.first_point, b + part.first_point, c + part.first_point});
@@ -23,9 +34,66 @@ void append(RigidSurface& body, const Skin& skin, std::vector<std::array<int, 3>
   for (const std::string& w : skin.warnings) body.warnings.push_back("rigid body '" + body.name + "': " + w);
 }
 
-void append_arcs(RigidSurface& body, const Section& section, const ArcSpec& arc,
-                 const Vec3<double>& direction, std::vector<std::array<int, 3>>& triangles,
-                 const std::string& key) {
+// Ends are rounded up to this angle and flat beyond, where the section has all but lost its rounded edges.
+constexpr double last_tilt = 80 * std::numbers::pi / 180;
+// Per facet of an edge: where both are rounded, neighbouring triangles are to differ by less than an edge.
+constexpr double end_facets = 1.5;
+
+// The section of a shape, made smaller on all sides by an inset (mm), and how its ends are rounded.
+struct ArcSection {
+  std::function<Section(double inset)> at;
+  double edge_radius = 0, radius = 1;  // mm; that of the arc's inner face
+  int end_facets = 0;
+};
+
+template <class Shape>
+ArcSection rounded(const Shape& shape, const std::string& key) {
+  const auto at = [shape, key](double inset) {
+    return section_of(inset == 0 ? shape : made_smaller(shape, inset), key);
+  };
+  return {at, shape.edge_radius, shape.radius, static_cast<int>(std::ceil(end_facets * shape.edge_facets))};
+}
+
+std::vector<Station> stations_of(const Section& section, int facets, double from, double to) {
+  std::vector<Station> stations;
+  for (int k = 0; k <= facets; ++k) stations.push_back({from + (to - from) * k / facets, section});
+  return stations;
+}
+
+struct Ends {
+  bool first = false, last = false;
+};
+
+// One part between two azimuths (degrees), an end rounded as its edges are: a ball of the edges' radius rolls
+// in it.
+std::vector<Station> stations_of(const ArcSection& section, const ArcSpec& arc, double from, double to,
+                                 Ends round) {
+  const double end = section.edge_radius * std::sin(last_tilt) / section.radius * 180 / std::numbers::pi;
+  std::vector<Station> stations =
+      stations_of(section.at(0), arc.facets, from + round.first * end, to - round.last * end);
+  const auto station = [&](double core, double sign, int k) {
+    const double tilt = last_tilt * k / section.end_facets;
+    return Station{core + sign * end * std::sin(tilt) / std::sin(last_tilt),
+                   section.at(section.edge_radius * (1 - std::cos(tilt)))};
+  };
+  for (int k = 1; round.first && k <= section.end_facets; ++k)
+    stations.insert(stations.begin(), station(from + end, -1, k));
+  for (int k = 1; round.last && k <= section.end_facets; ++k) stations.push_back(station(to - end, 1, k));
+  return stations;
+}
+
+// An end in a plane of symmetry is none: the body goes on as its image.
+bool goes_on(const MeridianFrame& frame, double azimuth, std::span<const std::string> symmetry) {
+  const Vec3<double> normal = cross(frame.axis, frame.radius(azimuth));
+  return std::ranges::any_of(symmetry, [&](const std::string& plane) {
+    const int c = axis_of(plane);
+    return std::abs(normal[c]) > 1 - 1e-9 && std::abs(frame.center[c]) < 1e-9 * (1 + norm(frame.center));
+  });
+}
+
+void append_arcs(RigidSurface& body, const ArcSection& section, const ArcSpec& arc,
+                 const Vec3<double>& direction, std::span<const std::string> symmetry,
+                 std::vector<std::array<int, 3>>& triangles, const std::string& key) {
   const double opening = arc.to - arc.from, step = opening / arc.parts;
   if (!(opening > 0) || opening > 360 + 1e-9)
     throw scene_error(key + ".to", "the arc spans " + std::to_string(opening) + " degrees",
@@ -33,36 +101,52 @@ void append_arcs(RigidSurface& body, const Section& section, const ArcSpec& arc,
   if (step / arc.facets >= 90)
     throw scene_error(key + ".facets", "a facet spans " + std::to_string(step / arc.facets) + " degrees",
                       "Let facets span less than 90.");
+  const bool round = section.edge_radius > 0 && arc.caps && opening < 360 - 1e-9;
+  if (round && 2 * section.edge_radius >= step * std::numbers::pi / 180 * section.radius)
+    throw scene_error(
+        key + ".edge_radius", "the rounded ends do not fit into the arc",
+        "Keep edge_radius below half the length of a part, or leave its ends open: `caps: false`.");
   const MeridianFrame frame(arc.meridians, key);
   for (int p = 0; p < arc.parts; ++p) {
-    const double from = arc.from + step * p;
+    const double from = arc.from + step * p, to = from + step;
     const bool radial = norm(direction) == 0 && step < 360 - 1e-9;  // a whole ring has no middle
-    append(body, sweep(section, arc, from, from + step, key), triangles,
-           radial ? -1 * frame.radius(from + step / 2) : direction);
+    const Ends ends{round && p == 0 && !goes_on(frame, from, symmetry),
+                    round && p == arc.parts - 1 && !goes_on(frame, to, symmetry)};
+    const auto sharp = stations_of(section.at(0), arc.facets, from, to);
+    append(body, sweep(stations_of(section, arc, from, to, ends), frame, arc.caps), triangles,
+           radial ? -1 * frame.radius(from + step / 2) : direction,
+           mean_of(sweep(sharp, frame, arc.caps).points));
   }
 }
 
 }  // namespace
 
-RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& spec, const std::string& key) {
+RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& spec, const std::string& key,
+                                std::span<const std::string> symmetry) {
   spec.validate();
   RigidSurface body;
   body.name = name;
   std::vector<std::array<int, 3>> triangles;
   const Vec3<double> given = norm(spec.direction) > 0 ? unit(spec.direction) : spec.direction;
+  const auto add = [&](const Skin& skin, const Vec3<double>& inwards) {
+    append(body, skin, triangles, inwards, mean_of(skin.points));
+  };
   if (spec.plane)
-    append(body, skin_of(*spec.plane, key + ".plane"), triangles,
-           norm(given) > 0 ? given : unit(spec.plane->normal));
-  if (spec.sphere) append(body, skin_of(*spec.sphere), triangles, given);
-  if (spec.cylinder) append(body, skin_of(*spec.cylinder, key + ".cylinder"), triangles, given);
-  if (spec.file) append(body, skin_of(*spec.file, key + ".file"), triangles, given);
-  if (spec.swept)
-    append_arcs(body, section_of(*spec.swept, key + ".swept"), spec.swept->arc, given, triangles,
+    add(skin_of(*spec.plane, key + ".plane"), norm(given) > 0 ? given : unit(spec.plane->normal));
+  if (spec.sphere) add(skin_of(*spec.sphere), given);
+  if (spec.cylinder) add(skin_of(*spec.cylinder, key + ".cylinder"), given);
+  if (spec.file) add(skin_of(*spec.file, key + ".file"), given);
+  if (spec.swept) {
+    const Section section = section_of(*spec.swept, key + ".swept");
+    append_arcs(body, {[&](double) { return section; }}, spec.swept->arc, given, symmetry, triangles,
                 key + ".swept");
+  }
   if (spec.band)
-    append_arcs(body, section_of(*spec.band, key + ".band"), spec.band->arc, given, triangles, key + ".band");
+    append_arcs(body, rounded(*spec.band, key + ".band"), spec.band->arc, given, symmetry, triangles,
+                key + ".band");
   if (spec.tire)
-    append_arcs(body, section_of(*spec.tire, key + ".tire"), spec.tire->arc, given, triangles, key + ".tire");
+    append_arcs(body, rounded(*spec.tire, key + ".tire"), spec.tire->arc, given, symmetry, triangles,
+                key + ".tire");
   body.facets = make_facets(std::move(triangles), body.reference);
   body.places = body.reference;
   body.normals = body.reference_normals = corner_normals(body.facets, body.reference);

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 
 #include "contact/rigid/rigid_surface.hpp"
@@ -9,6 +10,10 @@ namespace bulbus {
 /// The skin of a rigid body as drawn: normals out, closed but for planes, arcs without caps and open surfaces
 /// of Gmsh files. `key` is the path of the spec in the scene ("rigid_bodies.tire"). Throws InputError, among
 /// others if the body is inside out.
-RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& spec, const std::string& key);
+///
+/// The ends of a band and of a tire are rounded as their edges are, but for those in one of the planes of
+/// symmetry ("x", ...).
+RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& spec, const std::string& key,
+                                std::span<const std::string> symmetry = {});
 
 }  // namespace bulbus

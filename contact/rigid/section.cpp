@@ -203,4 +203,21 @@ Section section_of(const TireShape& t, const std::string& key) {
   });
 }
 
+BandShape made_smaller(BandShape b, double inset) {
+  b.edge_radius -= inset;
+  b.width -= 2 * inset;
+  b.thickness -= 2 * inset;
+  b.radius += inset;
+  return b;
+}
+
+TireShape made_smaller(TireShape t, double inset) {
+  t.edge_radius -= inset;
+  t.width -= 2 * inset;
+  t.crown -= 2 * inset;
+  t.radius += inset;
+  t.inner_radius_of_curvature += inset;
+  return t;
+}
+
 }  // namespace bulbus

@@ -35,4 +35,8 @@ Section section_of(const SweptShape& shape, const std::string& key);
 Section section_of(const BandShape& shape, const std::string& key);
 Section section_of(const TireShape& shape, const std::string& key);
 
+/// The shape whose faces all lie deeper by an inset below its edge radius; the centres of its edges stay.
+BandShape made_smaller(BandShape shape, double inset);
+TireShape made_smaller(TireShape shape, double inset);
+
 }  // namespace bulbus

@@ -141,26 +141,24 @@ Skin skin_of(const BodyFile& file, const std::string& key) {
   return skin;
 }
 
-Skin sweep(const Section& section, const ArcSpec& arc, double from, double to, const std::string& key) {
-  const MeridianFrame frame(arc.meridians, key);
-  const int n = static_cast<int>(section.size()), stations = arc.facets + 1;
-  const bool ring = to - from >= 360 - 1e-9;
+Skin sweep(std::span<const Station> stations, const MeridianFrame& frame, bool caps) {
+  const int n = static_cast<int>(stations.front().section.size()),
+            strips = static_cast<int>(stations.size()) - 1;
+  const bool ring = stations.back().azimuth - stations.front().azimuth >= 360 - 1e-9;
   Skin skin;
-  for (int k = 0; k < stations - ring; ++k)
-    for (const auto& [axial, radial] : section)
-      skin.add(frame.place(from + (to - from) * k / arc.facets, axial, radial));
+  for (const Station& s : stations.first(stations.size() - ring))
+    for (const auto& [axial, radial] : s.section) skin.add(frame.place(s.azimuth, axial, radial));
   const int points = skin.size();
   // axis × radius is against the azimuth: a counter-clockwise section looks back from the first end
-  for (int k = 0; k < arc.facets; ++k)
+  for (int k = 0; k < strips; ++k)
     for (int i = 0; i < n; ++i) {
       const int a = n * k + i, b = n * k + (i + 1) % n, c = (a + n) % points, d = (b + n) % points;
       for (const auto& t : {std::array{a, c, d}, {a, d, b}}) skin.triangles.push_back(t);
     }
-  if (arc.caps && !ring)
-    for (const auto& [a, b, c] : triangulate(section)) {
-      const int end = n * arc.facets;
-      for (const auto& t : {std::array{a, b, c}, {end + a, end + c, end + b}}) skin.triangles.push_back(t);
-    }
+  if (!caps || ring) return skin;
+  for (const auto& [a, b, c] : triangulate(stations.front().section)) skin.triangles.push_back({a, b, c});
+  for (const auto& [a, b, c] : triangulate(stations.back().section))
+    skin.triangles.push_back({n * strips + a, n * strips + c, n * strips + b});
   return skin;
 }
 

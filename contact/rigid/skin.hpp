@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/rigid/section.hpp"
+#include "contact/surfaces/meridians.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
 namespace bulbus {
@@ -35,8 +36,14 @@ Skin skin_of(const SphereShape& shape);
 Skin skin_of(const RodShape& shape, const std::string& key);
 Skin skin_of(const BodyFile& file, const std::string& key);
 
-/// One part of an arc, between two azimuths (degrees). Corners lie on the circles that those of the section
-/// run through.
-Skin sweep(const Section& section, const ArcSpec& arc, double from, double to, const std::string& key);
+/// The section of an arc at an azimuth, degrees.
+struct Station {
+  double azimuth;
+  Section section;
+};
+
+/// The skin through sections of equally many corners at ascending azimuths; closed by flat caps if `caps`. If
+/// the last azimuth is a whole turn beyond the first, the skin ends where it begins.
+Skin sweep(std::span<const Station> stations, const MeridianFrame& frame, bool caps);
 
 }  // namespace bulbus

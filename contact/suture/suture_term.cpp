@@ -6,6 +6,8 @@
 namespace bulbus {
 namespace {
 
+constexpr double step_of_difference = 1e-5;  // in lengths of the string
+
 Vec3<double> in_plane(const CuttingPlane& plane, const Point2& v) {
   return v[0] * plane.along + v[1] * plane.away;
 }
@@ -66,22 +68,37 @@ CuttingPlane SutureTerm::plane_through(const Vec3<double>& S) const {
   return {meridian ? frame_.center : frame_.center + dot(r, off) * off, normal, cross(away, normal), away};
 }
 
-std::optional<Tangent> SutureTerm::tangent(const Bite& bite, const Vec3<double>& S) const {
-  return outer_tangent(outline(*body_, bite.plane), bite.plane.flat(S));
+std::optional<SutureTerm::Pull> SutureTerm::pull(const Vec3<double>& S) const {
+  const CuttingPlane plane = plane_through(S);
+  const auto found = outer_tangent(outline(*body_, plane), plane.flat(S));
+  if (!found) return {};
+  const auto& d = found->direction;
+  return Pull{plane.lift(found->touch), in_plane(plane, d), in_plane(plane, {-d[1], d[0]}), plane.normal,
+              found->length};
+}
+
+// ∂d/∂S = −q qᵀ/ℓ + (∂d/∂s) nᵀ. As S moves by s along the plane's normal n, the plane follows and cuts
+// another outline out of the body's triangles: that derivative is a central difference.
+Mat3<double> SutureTerm::turn(const Vec3<double>& S, const Pull& at) const {
+  const double h = step_of_difference * at.length;
+  const auto ahead = pull(S + h * at.normal), back = pull(S + (-h) * at.normal);
+  const Vec3<double> aside =
+      ahead && back ? (.5 / h) * (ahead->direction - back->direction) : Vec3<double>{0, 0, 0};
+  Mat3<double> D;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) D(i, j) = -at.across[i] * at.across[j] / at.length + aside[i] * at.normal[j];
+  return D;
 }
 
 void SutureTerm::update(const State& state) {
   const auto S = places(state);
   for (std::size_t b = 0; b < bites_.size(); ++b) {
     strings_[b].S = S[b];
-    Bite tried = bites_[b];
-    tried.plane = plane_through(S[b]);
-    const auto found = tangent(tried, S[b]);
+    const auto found = pull(S[b]);
     strings_[b].lost = !found;
     if (!found) continue;
-    bites_[b].plane = tried.plane;
-    strings_[b].T = tried.plane.lift(found->touch);
-    strings_[b].direction = in_plane(tried.plane, found->direction);
+    strings_[b].T = found->T;
+    strings_[b].direction = found->direction;
   }
 }
 
@@ -105,8 +122,7 @@ void SutureTerm::serialize(Archive& archive) {
   const auto visit = [&](auto take) {
     for (std::size_t b = 0; b < bites_.size(); ++b) {
       auto& [S, T, direction, force, lost] = strings_[b];
-      auto& [origin, normal, along, away] = bites_[b].plane;
-      for (auto* v : {&S, &T, &direction, &origin, &normal, &along, &away})
+      for (auto* v : {&S, &T, &direction})
         for (double& c : *v) take(c);
       double flag = lost;
       take(flag);
@@ -137,7 +153,7 @@ void SutureTerm::add_residual(const State& state, std::span<double> force,
     const Bite& bite = bites_[b];
     Vec3<double> d = strings_[b].direction;
     if (follow_)
-      if (const auto found = tangent(bite, S[b])) d = in_plane(bite.plane, found->direction);
+      if (const auto found = pull(S[b])) d = found->direction;
     for (std::size_t i = 0; i < bite.owned.nodes.size(); ++i) {
       const int n = bite.owned.nodes[i];
       const double f = bite.share * now_ * bite.owned.weights[i];
@@ -152,12 +168,13 @@ void SutureTerm::linearize(const State& state) {
   if (!follow_ || now_ == 0) return;
   const auto S = places(state);
   for (std::size_t b = 0; b < bites_.size(); ++b) {
-    const auto found = tangent(bites_[b], S[b]);
+    const auto found = pull(S[b]);
     if (!found) continue;
-    // I − d dᵀ in the plane is q qᵀ with q across d
-    const Vec3<double> q = in_plane(bites_[b].plane, {-found->direction[1], found->direction[0]});
+    const Mat3<double> D = turn(S[b], *found);
+    const auto& on_plane = bites_[b].on_plane;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) stiffness_[b](i, j) = bites_[b].share * now_ / found->length * q[i] * q[j];
+      for (int j = 0; j < 3; ++j)
+        if (!on_plane[i] && !on_plane[j]) stiffness_[b](i, j) = -bites_[b].share * now_ * D(i, j);
   }
 }
 

@@ -14,13 +14,11 @@ namespace bulbus {
 
 /// The strings of one suture (formulation, section 6): each of its points S = Σ w x is pulled with the force
 /// F d, d = (T − S)/|T − S|, along the outer tangent to the outline of a rigid body in the plane through S.
-/// Residual of a node: −F d w.
+/// Residual of a node: −F d w. Plane and direction follow S, with the tangent F q qᵀ/ℓ, q across d in the
+/// plane (exact although T moves: along d, to first order), and what the turning of the plane adds, which is
+/// not symmetric. Of a suture that does not follow they are those of the last converged increment.
 ///
-/// Plane and direction are those of the last converged increment. A suture that follows keeps the plane only:
-/// d then depends on S, with the tangent (F/ℓ)(I − d dᵀ) in the plane. This is exact although T moves: along
-/// d, to first order.
-///
-/// Where a point has come to lie inside the outline or on it, its last direction stays.
+/// Where a point has come to lie inside the outline or on it, its last converged direction stays.
 class SutureTerm final : public Term {
  public:
   /// One string as it pulls now, the same on every rank.
@@ -45,6 +43,7 @@ class SutureTerm final : public Term {
   void linearize(const State& state) override;
   void add_action(std::span<const double> dx, std::span<double> force) const override;
   void visit(const ContributionVisitor& visitor) const override;
+  bool symmetric() const override { return !follow_; }
   /// Throws InputError if the suture pulls and a string has no tangent. Collective.
   void begin_step(int step, const State& state) override;
   void set_progress(double s) override;
@@ -64,12 +63,18 @@ class SutureTerm final : public Term {
                   // symmetric still
     std::array<bool, 3> on_plane{};
     double share = 1;
-    CuttingPlane plane{};
+  };
+  // A string from S: where it meets the outline, its direction and the one across it in the plane, the
+  // plane's normal (unit vectors), and its free length, mm.
+  struct Pull {
+    Vec3<double> T, direction, across, normal;
+    double length;
   };
   bool idle() const { return start_ == 0 && end_ == 0; }
   std::vector<Vec3<double>> places(const State& state) const;
   CuttingPlane plane_through(const Vec3<double>& S) const;
-  std::optional<Tangent> tangent(const Bite& bite, const Vec3<double>& S) const;
+  std::optional<Pull> pull(const Vec3<double>& S) const;
+  Mat3<double> turn(const Vec3<double>& S, const Pull& at) const;
   void update(const State& state);
 
   const LocalMesh& mesh_;

@@ -240,7 +240,7 @@ struct SutureSpec {
   Meridians meridians;
   Point generator{0, 0, 0};
   double bite = 1;
-  bool follow = false;
+  bool follow = true;
   template <class V>
   void describe(V&& v) {
     v("body", body, About{"the rigid body whose outline the string runs over"}.needed());
@@ -253,7 +253,9 @@ struct SutureSpec {
       About{"area over which the force of a point is spread; 0: at the point alone", Quantity::area}.at_least(
           0));
     v("follow", follow,
-      About{"the direction follows the tissue within an increment; otherwise it is that of the last one"});
+      About{"the direction follows the tissue within an increment; `false`: that of the last increment "
+            "stays, so that "
+            "results depend on the number of increments"});
     v("generator", generator,
       About{"normal of the outline's plane; zero: the meridian plane through the point"});
     meridians.describe(v);

@@ -7,6 +7,7 @@
 #include "contact/rigid/rigid_shapes.hpp"
 #include "contact/rigid/skin.hpp"
 #include "contact/surfaces/meridians.hpp"
+#include "contact/surfaces/sharp_edges.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/unit/contact/bodies.hpp"
@@ -179,6 +180,48 @@ TEST(Shapes, TireIsHollowTowardsTheEye) {
   EXPECT_NEAR(widest, 3.5, 1e-12);
   EXPECT_NEAR(top, 12.2 + 2.75, 1e-12);
   EXPECT_TRUE(closed(body({.tire = tire})));
+}
+
+// A ball of the edges' radius rolls along the ends as it does along the edges: nothing there is sharp, and
+// the arc is as long as without.
+TEST(Shapes, EndsOfArcsAreRoundedAsTheEdgesAre) {
+  TireShape tire;
+  tire.arc = {.from = 10, .to = 50, .parts = 2, .facets = 12};
+  const RigidSurface b = body({.tire = tire});
+  EXPECT_TRUE(closed(b));
+  double first = 90, last = 0;
+  for (std::size_t p = 0; p < b.reference.size(); p += 3) {
+    const double azimuth = std::atan2(b.reference[p], b.reference[p + 1]) * 180 / pi;
+    first = std::min(first, azimuth), last = std::max(last, azimuth);
+  }
+  EXPECT_NEAR(first, 10, 1e-9);
+  EXPECT_NEAR(last, 50, 1e-9);
+  // sharp are the ends at which the two parts meet, and no others
+  const SharpEdges sharp(b.facets, b.reference, SharpEdges::Kind::convex);
+  for (int t = 0; t < static_cast<int>(b.facets.triangles.size()); ++t)
+    if (!sharp.of(t).empty())
+      for (int corner : b.facets.triangles[t]) {
+        const double* p = &b.reference[3 * corner];
+        EXPECT_LT(std::abs(std::atan2(p[0], p[1]) * 180 / pi - 30), 2);
+      }
+  tire.arc.to = 12;
+  EXPECT_THROW(body({.tire = tire}), InputError);
+}
+
+TEST(Shapes, AnEndInAPlaneOfSymmetryIsNotRounded) {
+  TireShape tire;
+  tire.arc = {.from = 0, .to = 45, .facets = 10};
+  const auto widest_at_zero = [&](std::span<const std::string> symmetry) {
+    const RigidSurface b = make_rigid_surface("b", {.tire = tire}, "", symmetry);
+    double widest = 0;
+    for (std::size_t p = 0; p < b.reference.size(); p += 3)
+      if (std::abs(b.reference[p]) < 1e-9) widest = std::max(widest, b.reference[p + 2]);
+    return widest;
+  };
+  const std::vector<std::string> x{"x"}, y{"y"};
+  EXPECT_NEAR(widest_at_zero(x), 3.5, 1e-12);
+  EXPECT_LT(widest_at_zero(y), 3.1);
+  EXPECT_LT(widest_at_zero({}), 3.1);
 }
 
 // edges almost sharp: the rectangle up to the outer face less the area under the arc

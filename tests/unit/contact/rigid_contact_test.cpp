@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/rigid/rigid_shapes.hpp"
+#include "contact/rigid/section.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "tests/support/sheets.hpp"
 
@@ -50,12 +51,10 @@ TEST(RigidContact, LosesNoNodeThatSlidesOverABoxEdge) {
 // A gap is a distance: it changes by no more than the point moves, whichever triangle the point is measured
 // from.
 TEST(RigidContact, GapsGoOnOverTheRimOfACurvedBodysEnd) {
+  const BandShape shape{.width = 2, .thickness = .75, .edge_radius = .2, .radius = 12};
   RigidBodySpec spec;
-  spec.band = BandShape{.width = 2,
-                        .thickness = .75,
-                        .edge_radius = .2,
-                        .radius = 12,
-                        .arc = {.from = 0, .to = 30, .facets = 12}};
+  spec.swept = SweptShape{.arc = {.from = 0, .to = 30, .facets = 12}};
+  for (const Point2& corner : section_of(shape, "")) spec.swept->section.push_back({corner[0], corner[1]});
   const auto band =
       std::make_shared<const RigidSurface>(make_rigid_surface("band", spec, "rigid_bodies.band"));
   const double end = 1e-5, step = 2e-4;
