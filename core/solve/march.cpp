@@ -27,13 +27,25 @@ class Increments {
     size_ /= 2;
     return size_ >= settings_.smallest;
   }
+  /// Longer ones from where short ones cycle: whole, two whole ones, all the rest. False after the last.
+  bool leap(double from) {
+    if (size_ > shortest_cycle * largest_ || leaps_ == 3) return false;
+    const double rest = 1 - from;
+    ++leaps_;
+    size_ = leaps_ == 3 ? rest : std::min(rest, leaps_ * largest_);
+    return true;
+  }
+  bool leaping() const { return leaps_ > 0; }
+  void landed() { leaps_ = 0, size_ = std::min(size_, largest_); }
   void succeeded(int iterations) {
     if (iterations <= settings_.easy) size_ = std::min(largest_, size_ * settings_.growth);
   }
 
  private:
+  static constexpr double shortest_cycle = 0.125;  // of a whole increment
   SteppingSettings settings_;
   double largest_, size_;
+  int leaps_ = 0;
 };
 
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
@@ -121,7 +133,9 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         // a small system costs nothing
         if (!std::exchange(place.careful, true) && solver.counts_pivots(system)) continue;
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments
-        if (curable && increments.cut()) continue;
+        const bool snaps = increments.leaping() || newton.outcome == Outcome::cycling;
+        if (snaps && increments.leap(done)) continue;
+        if (curable && !increments.leaping() && increments.cut()) continue;
         report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done,
                                     newton.reason, curable ? " (smallest increment reached)" : "");
         problem.set_progress(done, state);
@@ -131,11 +145,21 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       }
       state = std::move(trial);
       for (const auto& term : problem.terms()) term->commit(state);
-      done = to;
+      const double from = std::exchange(done, to);
+      const bool leap = increments.leaping();
+      increments.landed();
       increments.succeeded(static_cast<int>(newton.iterations.size()));
       place.size = increments.size();
-      const Increment increment{k,        ++report.increments,  steps[k].name,     done,
-                                k + done, Clock::now() - start, std::move(newton), place.size};
+      const Increment increment{k,
+                                ++report.increments,
+                                steps[k].name,
+                                done,
+                                k + done,
+                                Clock::now() - start,
+                                std::move(newton),
+                                place.size,
+                                from,
+                                leap};
       observer.increment_done(increment, state);
       observer.rests(place, state, done == 1 && k + 1 == static_cast<int>(steps.size()));
     }

@@ -11,7 +11,9 @@ struct Increment {
   double time = 0;      ///< steps done + progress
   double seconds = 0;
   NewtonReport newton;
-  double next = 0;  ///< part of the step that comes next at a time, if nothing fails
+  double next = 0;    ///< part of the step that comes next at a time, if nothing fails
+  double start = 0;   ///< part of the step done before
+  bool leap = false;  ///< longer than what failed by cycling: states between were not found
 };
 
 /// How a march ended, or what it has come to.
@@ -56,8 +58,10 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings);
 
 /// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. From the
 /// first failure in a step on its linear solves are tight; a small system is tried once more so before the
-/// increment is cut. On return `state` is the last good one: so it is where an interrupt ends it. A `place`
-/// in the middle is one to which problem and state have been brought. Collective.
+/// increment is cut. Where even increments of an eighth cycle, longer ones are tried before the march ends:
+/// surfaces that snap have no equilibrium near by. On return `state` is the last good one: so it is where an
+/// interrupt ends it. A `place` in the middle is one to which problem and state have been brought.
+/// Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
                   const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
                   MarchPlace place = {});

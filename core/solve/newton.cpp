@@ -70,6 +70,27 @@ class ForcingTerm {
   bool tried_ = false;
 };
 
+// Newton's method goes to and fro between two states where a contact pair that is released comes in again,
+// and is in tension again once it is active: what it holds is not stable without it.
+class CycleDetector {
+ public:
+  bool found(const Balance& b) {
+    forces_.push_back(b.force);
+    const std::size_t n = forces_.size();
+    if (n < seen + 2) return false;
+    for (std::size_t k = n - seen; k < n; ++k) {
+      const double now = forces_[k], between = forces_[k - 1], before = forces_[k - 2];
+      if (!(std::abs(now - before) < alike * now) || std::abs(now - between) < apart * now) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t seen = 4;  // returns in a row
+  static constexpr double alike = 1e-2, apart = 0.5;
+  std::vector<double> forces_;
+};
+
 struct Step {
   std::vector<double> dx;  // local nodes
   std::span<const double> primal, dlambda;
@@ -126,6 +147,8 @@ std::string describe(Outcome outcome) {
       return "the linear system does not fit into memory";
     case Outcome::too_many_iterations:
       return "too many Newton iterations";
+    case Outcome::cycling:
+      return "the same two states follow one another";
     case Outcome::not_finite:
       return "the residual is not finite";
     case Outcome::inadmissible:
@@ -181,6 +204,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
         report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
   };
   int last = settings.max_iterations, shortened = 0;
+  CycleDetector cycle;
   NewtonSettings criteria = settings;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
@@ -204,6 +228,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       missing = excess(now.balance, criteria);
     }
     if (number == last) return fail(Outcome::too_many_iterations);
+    if (cycle.found(now.balance)) return fail(Outcome::cycling);
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     {
       const auto scope = profiler.clock.measure("linearisation");

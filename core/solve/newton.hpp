@@ -12,6 +12,7 @@ enum class Outcome {
   linear_solver_failed,
   too_large,
   too_many_iterations,
+  cycling,
   not_finite,
   inadmissible,
   interrupted

@@ -64,6 +64,41 @@ TEST(March, RefusesConstraintsThatLeaveARegionTheWrongVolume) {
   }
 }
 
+/// Between two parts of a step it pulls at one node with a force that changes with every linearisation and
+/// comes back after four: what is out of balance is large and small in turn.
+struct Flickering : Term {
+  double from, to, s = 0;
+  int linearisations = 0;
+  Flickering(double a, double b) : from(a), to(b) {}
+  void add_residual(const State&, std::span<double> force, std::span<double>) const override {
+    constexpr std::array pulls{1., 1.01, .01, 0.};
+    if (s > from && s < to) force[3 * 13 + 2] += 1e-3 * pulls[linearisations % pulls.size()];
+  }
+  void linearize(const State&) override { ++linearisations; }
+  void add_action(std::span<const double>, std::span<double>) const override {}
+  void visit(const ContributionVisitor&) const override {}
+  void set_progress(double now) override { s = now; }
+};
+
+// From .5 on nothing near by converges, and from .7 on all does: it says that it has leapt.
+TEST(March, LeapsOverWhatCyclesAndSaysSo) {
+  for (double end : {.7, 2.}) {
+    Scene scene = stretched_block(2, "0.2");
+    scene.model.steps[0].increments = 4;
+    Trial run(scene, Comm(MPI_COMM_SELF));
+    run.problem.add(std::make_shared<Flickering>(.51, end));
+    run.go();
+    ASSERT_FALSE(run.cuts.empty());
+    EXPECT_EQ(run.cuts.front().outcome, Outcome::cycling);
+    EXPECT_EQ(run.report.converged, end < 1) << run.report.reason;
+    EXPECT_EQ(run.increments.back().leap, end < 1);
+    if (end < 1) {
+      EXPECT_LT(run.increments.back().start, .52);
+      EXPECT_GT(run.increments.back().progress, .7);
+    }
+  }
+}
+
 /// Runs out of memory after some linear solves.
 struct Hungry : LinearSolver {
   std::unique_ptr<LinearSolver> inner;

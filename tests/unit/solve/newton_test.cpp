@@ -67,7 +67,7 @@ TEST(Newton, NotANumberIsNoticed) {
 
 TEST(Newton, EveryOutcomeHasWords) {
   for (Outcome o : {Outcome::converged, Outcome::inverted_element, Outcome::linear_solver_failed,
-                    Outcome::too_many_iterations, Outcome::not_finite})
+                    Outcome::too_many_iterations, Outcome::cycling, Outcome::not_finite})
     EXPECT_FALSE(describe(o).empty());
 }
 
