@@ -29,7 +29,7 @@ class Increments {
   }
   /// Longer ones from where short ones cycle: whole, two whole ones, all the rest. False after the last.
   bool leap(double from) {
-    if (size_ > shortest_cycle * largest_ || leaps_ == 3) return false;
+    if ((leaps_ == 0 && size_ > shortest_cycle * largest_) || leaps_ == 3) return false;
     const double rest = 1 - from;
     ++leaps_;
     size_ = leaps_ == 3 ? rest : std::min(rest, leaps_ * largest_);

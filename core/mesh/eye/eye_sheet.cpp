@@ -47,7 +47,7 @@ std::vector<SheetMap::Band> SheetMap::bands(const EyeSettings& s) const {
   // The ciliary body's rings meet the corners of its default profile.
   return {{nerve_, 48, 6, 1.15},
           {48, lower, 5, .85},
-          {lower, upper, 4},
+          {lower, upper, 4, 1, true},  // the equator is a ring of nodes
           {upper, e.ora, 4, 1.15},
           {e.ora, e.ora + 3 * span / 11, 1},
           {e.ora + 3 * span / 11, e.ora + 8 * span / 11, 2},
@@ -72,7 +72,8 @@ SheetMap::SheetMap(const EyeSettings& s)
       end_(s.shape.meridian_end()),
       limbus_(s.shape.limbus()) {
   bands_ = bands(s);
-  for (Band& b : bands_) globe_rings_ += b.count = scaled(b.rings, s.n);
+  for (Band& b : bands_)
+    globe_rings_ += b.count = b.halved ? 2 * scaled(b.rings / 2, s.n) : scaled(b.rings, s.n);
 }
 
 SheetMap::Place SheetMap::operator()(double i, double j, double s) const {

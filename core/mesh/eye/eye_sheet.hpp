@@ -32,7 +32,8 @@ class SheetMap {
     double from, to;
     int rings;
     double growth = 1;
-    int count = 0;  ///< rings at this n
+    bool halved = false;  ///< an even number of rings at every n: one ends in the middle
+    int count = 0;        ///< rings at this n
     double ring_end(double ring) const;
   };
   std::vector<Band> bands(const EyeSettings& settings) const;

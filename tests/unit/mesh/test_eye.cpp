@@ -128,6 +128,19 @@ TEST(Eye, SetsAreWhereTheyShouldBe) {
   EXPECT_NEAR(high, 1, 1e-12);
 }
 
+// Scenes hold the equator's nodes: there are some at every n, with all widths of the band.
+TEST(Eye, TheEquatorIsARingOfNodes) {
+  for (int n = 4; n <= 30; n += 2)
+    for (double half : {.4, .75, 1., 2.}) {
+      EyeSettings settings;
+      settings.n = n;
+      settings.band_half_width = half;
+      const Mesh mesh = generate(settings);
+      ASSERT_TRUE(mesh.node_sets.contains("equator")) << n << ' ' << half;
+      EXPECT_GE(static_cast<int>(mesh.node_sets.at("equator").size()), n) << half;
+    }
+}
+
 TEST(Eye, LayersHaveTheirThickness) {
   const EyeShape shape;
   const Mesh& mesh = working_eye();
