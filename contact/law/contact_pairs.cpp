@@ -60,8 +60,9 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
   if (!std::ranges::all_of(points, finite) || !std::ranges::all_of(master.places, finite)) return f;
   const bool history = how != Search::whole && look_back(points, master.places);
   SearchLimits limits = near_by;
+  const double master_motion = history ? greatest_motion(master.places, start_.places) : 0;
   if (history) {
-    f.motion = greatest_motion(points, start_.points) + greatest_motion(master.places, start_.places);
+    f.motion = greatest_motion(points, start_.points) + master_motion;
     if (f.motion > limits.reach) limits.reach = std::min(1.5 * f.motion, farthest_search * limits_.reach);
   }
   const Candidates& near = search_.update(points, master.facets.triangles, master.places, limits.reach);
@@ -78,7 +79,9 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
       rest = rest.subspan(candidates.size());
       const int start = how != Search::whole ? committed_.triangle[slot] : -1;
       Selection chosen = select(master, x, f.shape.normals[i], start, candidates, limits);
-      if (history) follow(master, {at(start_.points, i), x}, f.shape.normals[i], start, candidates, chosen);
+      if (history)
+        follow(master, master_motion, {at(start_.points, i), x}, f.shape.normals[i], start, candidates,
+               chosen);
       nearest = std::min(nearest, chosen.distance);
       if (chosen.triangle < 0) continue;
       const std::size_t before = f.touches.size();
@@ -111,14 +114,16 @@ bool ContactTerm::look_back(std::span<const double> points, std::span<const doub
 
 // History decides: a point behind the surface is inside if it was in contact before or has come through the
 // surface since, however deep it is now; on the far side of a thin layer it is not.
-void ContactTerm::follow(const MasterSurface& master, const Way& way, const Vec3<double>& N, int start,
-                         std::span<const int> candidates, Selection& chosen) const {
+void ContactTerm::follow(const MasterSurface& master, double motion, const Way& way, const Vec3<double>& N,
+                         int start, std::span<const int> candidates, Selection& chosen) const {
   const bool inside = chosen.triangle >= 0 && project(way.to, master.corners(chosen.triangle)).gap < 0;
   if (inside && start >= 0) return;
+  if (!inside && start < 0 && chosen.distance > farthest_crossing(master, motion, way)) return;
   const double on_surface = 1e-9 * limits_.reach;
   const bool touched =
       start >= 0 && project(way.from, corners_of(master.facets, start_.places, start)).gap <= on_surface;
-  const int through = touched ? start : entered_through(master, start_.places, way, candidates, on_surface);
+  const int through =
+      touched ? start : entered_through(master, start_.places, motion, way, candidates, on_surface);
   if (inside && through < 0) chosen.triangle = -1;
   if (inside || through < 0) return;
   const int met = track(master, way.to, N, through),

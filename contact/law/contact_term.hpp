@@ -161,7 +161,7 @@ class ContactTerm final : public Term {
   Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const;
   int foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
   bool look_back(std::span<const double> points, std::span<const double> places) const;
-  void follow(const MasterSurface& master, const Way& way, const Vec3<double>& N, int start,
+  void follow(const MasterSurface& master, double motion, const Way& way, const Vec3<double>& N, int start,
               std::span<const int> candidates, Selection& chosen) const;
   bool idle(int point) const;
   double gap(const Touch& touch) const;

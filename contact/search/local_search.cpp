@@ -95,6 +95,7 @@ MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::sp
     Sphere s{{}, 0};
     for (int c = 0; c < 3; ++c) s.center[c] = (v[0][c] + v[1][c] + v[2][c]) / 3;
     for (const auto& corner : v) s.radius = std::max(s.radius, norm(minus(corner, s.center)));
+    largest_radius = std::max(largest_radius, s.radius);
     spheres.push_back(s);
   }
 }

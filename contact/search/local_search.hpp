@@ -28,6 +28,7 @@ struct MasterSurface {
   bool edges = true;  ///< triangles whose planes differ by more than 30 degrees do not share their normals
   double rim = 0.01;  ///< how far a triangle reaches past an edge without a neighbour, in its heights
   std::vector<Sphere> spheres;  ///< around every triangle
+  double largest_radius = 0;    ///< of them
 };
 
 /// Where the line x + d N meets a triangle's plane. With A = x1 − x, B = x2 − x, C = x3 − x the weights of

@@ -10,19 +10,40 @@ namespace {
 constexpr double beside = 0.05;  // weights: what a crossing may miss a triangle by
 constexpr int longest_walk = 64;
 
-bool degenerate(const Triangle& v) { return !(norm(cross(minus(v[1], v[0]), minus(v[2], v[0]))) > 0); }
+// Distance to the plane of a triangle times the length of its normal, which is not a unit vector.
+struct Side {
+  Vec3<double> normal;
+  double distance;
+  Side(const Vec3<double>& x, const Triangle& v)
+      : normal(cross(minus(v[1], v[0]), minus(v[2], v[0]))), distance(dot(minus(x, v[0]), normal)) {}
+  bool degenerate() const { return !(dot(normal, normal) > 0); }
+  bool behind(double tolerance) const {
+    return distance < 0 && distance * distance > tolerance * tolerance * dot(normal, normal);
+  }
+};
 
 }  // namespace
 
-int entered_through(const MasterSurface& now, std::span<const double> before, const Way& way,
+// Both have moved, and the crossing may lie a little beside a triangle, whose radius may have been larger on
+// the way by twice the motion.
+double farthest_crossing(const MasterSurface& now, double motion, const Way& way) {
+  return norm(minus(way.to, way.from)) + motion + 4 * beside * (now.largest_radius + 2 * motion);
+}
+
+int entered_through(const MasterSurface& now, std::span<const double> before, double motion, const Way& way,
                     std::span<const int> candidates, double on_surface) {
   int first = -1;
   double earliest = 2;
+  const double beyond = norm(minus(way.to, way.from)) + 3 * motion;
   for (int t : candidates) {
+    const Vec3<double> r = minus(now.spheres[t].center, way.to);
+    const double reach = beyond + (1 + 4 * beside) * now.spheres[t].radius;
+    if (dot(r, r) > reach * reach) continue;
     const Triangle end = now.corners(t);
-    if (dot(minus(way.to, end[0]), cross(minus(end[1], end[0]), minus(end[2], end[0]))) >= 0) continue;
+    const Side after(way.to, end);
+    if (after.distance >= 0 || after.degenerate()) continue;
     const Triangle start = corners_of(now.facets, before, t);
-    if (degenerate(start) || degenerate(end)) continue;
+    if (const Side was(way.from, start); was.degenerate() || was.behind(on_surface)) continue;
     const Pair p0 = project(way.from, start), p1 = project(way.to, end);
     if (p0.gap < -on_surface || p1.gap >= -on_surface) continue;
     const double part = std::max(0., p0.gap) / (std::max(0., p0.gap) - p1.gap);

@@ -16,10 +16,14 @@ struct Way {
 ///     t = G0 / (G0 − G1),  L = (1 − t) L0 + t L1
 /// exact where the surface moves rigidly. Crossings that miss a triangle by a twentieth of its height count:
 /// whether the point is inside is then decided where it is now. `before`: places of the corners at the start
-/// of the way; `candidates`: all triangles within the length of the way, relative to the surface, of its end.
-/// `on_surface`: gaps that are 0 but for rounding, mm.
-int entered_through(const MasterSurface& now, std::span<const double> before, const Way& way,
+/// of the way, none of which has moved farther than `motion` (mm); `candidates`: all triangles within the
+/// length of the way, relative to the surface, of its end. `on_surface`: gaps that are 0 but for rounding,
+/// mm.
+int entered_through(const MasterSurface& now, std::span<const double> before, double motion, const Way& way,
                     std::span<const int> candidates, double on_surface);
+
+/// A point whose way ends farther from the surface than this has not come through it, mm.
+double farthest_crossing(const MasterSurface& now, double motion, const Way& way);
 
 /// Walks from triangle to triangle as long as the nearest point comes no farther from x: the triangle of the
 /// nearest point of that part of the surface.

@@ -50,8 +50,14 @@ class Increments {
 
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
-// iterations.
+// iterations. First steps that are too long for the mesh are so with exact solves, too.
 constexpr double careful_eta = 1e-8;
+constexpr std::size_t first_steps = 4;
+
+bool by_loose_solves(const NewtonReport& failed) {
+  return failed.outcome != Outcome::linear_solver_failed &&
+         !(failed.outcome == Outcome::inverted_element && failed.iterations.size() <= first_steps);
+}
 
 NewtonSettings tolerances_at(double progress, bool careful, NewtonSettings settings) {
   if (careful) settings.eta_max = std::min(settings.eta_max, careful_eta);
@@ -131,7 +137,9 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         ++report.cuts;
         observer.increment_cut(newton, done, to);
         // a small system costs nothing
-        if (!std::exchange(place.careful, true) && solver.counts_pivots(system)) continue;
+        const bool again = !place.careful && solver.counts_pivots(system);
+        place.careful = place.careful || again || by_loose_solves(newton);
+        if (again) continue;
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments
         const bool snaps = increments.leaping() || newton.outcome == Outcome::cycling;
         if (snaps && increments.leap(done)) continue;

@@ -57,11 +57,11 @@ class MarchObserver {
 int increments_of(const StepSpec& step, const SteppingSettings& settings);
 
 /// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. From the
-/// first failure in a step on its linear solves are tight; a small system is tried once more so before the
-/// increment is cut. Where even increments of an eighth cycle, longer ones are tried before the march ends:
-/// surfaces that snap have no equilibrium near by. On return `state` is the last good one: so it is where an
-/// interrupt ends it. A `place` in the middle is one to which problem and state have been brought.
-/// Collective.
+/// first failure in a step on, but for one by first steps that are too long, its linear solves are tight; a
+/// small system is tried once more so before the increment is cut. Where even increments of an eighth cycle,
+/// longer ones are tried before the march ends: surfaces that snap have no equilibrium near by. On return
+/// `state` is the last good one: so it is where an interrupt ends it. A `place` in the middle is one to which
+/// problem and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
                   const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
                   MarchPlace place = {});

@@ -16,8 +16,9 @@ namespace {
 
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 constexpr double shortest_step = 1.0 / 64;
-constexpr int most_shortened =
-    8;  // steps that would have inverted an element, each cut short: the increment is too long for the mesh
+// Of all Newton steps together, where each would have inverted an element: the increment is too long for the
+// mesh, and two of half the length cost less than what is to come.
+constexpr double least_length = 1.0 / 8;
 constexpr double least_volume =
     0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 
@@ -203,7 +204,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     report.negative_curvature =
         report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
   };
-  int last = settings.max_iterations, shortened = 0;
+  int last = settings.max_iterations;
+  double length = 1;
   CycleDetector cycle;
   NewtonSettings criteria = settings;
   for (int number = 0;; ++number) {
@@ -267,8 +269,8 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     problem.enclosed().settle(state.lambda);
     report.iterations.push_back(now);
     if (observer) observer(now);
-    shortened += now.step < 1;
-    if (now.step == 0 || shortened == most_shortened) return fail(Outcome::inverted_element);
+    length *= now.step;
+    if (length <= least_length) return fail(Outcome::inverted_element);
   }
 }
 
