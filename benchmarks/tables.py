@@ -13,7 +13,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-TRADE = [("knob", "knob"), ("value", "value"), ("s", "seconds"), ("Newton", "newton"), ("Krylov", "krylov"), ("MB", "mb"),
+TRADE = [("parameter", "parameter"), ("value", "value"), ("s", "seconds"), ("Newton", "newton"), ("Krylov", "krylov"), ("MB", "mb"),
          ("error, %", "error"), ("in", "error_in"), ("front", "front"), ("error against extrapolated, %", "whole"), ("front", "whole_front")]
 
 # program -> list of tables; a table: where its rows are, its columns as (heading, key)
@@ -175,7 +175,7 @@ def trade_runs(rows):
     out = []
     for r in rows:
         of_mesh = r["mesh"] == rows[0]["mesh"]
-        out.append({"knob": r["knob"], "value": r["value"] or " ", "seconds": f"{float(r['seconds [s]']):.1f}",
+        out.append({"parameter": r["parameter"], "value": r["value"] or " ", "seconds": f"{float(r['seconds [s]']):.1f}",
                     "newton": r["newton_iterations"], "krylov": r["krylov_iterations"], "mb": f"{float(r['memory [MB]']):.0f}",
                     "error": percent(r["error"]) if r["converged"] == "true" else r["reason"], "error_in": r["error_in"],
                     "front": {"front": "yes"}.get(r["front"], "") if of_mesh else "", "whole": percent(r["extrapolated_error"]),
@@ -186,7 +186,7 @@ def trade_runs(rows):
 # Every figure as the tight reference and the extrapolation have it, and the errors of each accuracy on the scene's mesh.
 def trade_figures(rows):
     reference = rows[0]
-    accuracies = {r["value"].removeprefix("accuracy "): r for r in rows if r["knob"] in ("accuracy", "scene")}
+    accuracies = {r["value"].removeprefix("accuracy "): r for r in rows if r["parameter"] in ("accuracy", "scene")}
     names = [c.removesuffix(" extrapolated error") for c in reference if c.endswith(" extrapolated error")]
     out = []
     for name in names:

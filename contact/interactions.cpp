@@ -65,7 +65,7 @@ void refuse_out_of_sight(const RigidSurface& body, double farthest, const std::s
                       fmt::format("rigid body '{}' reaches {:.3g} mm from the origin, beyond {:g} diagonals "
                                   "of the mesh: contact there has no digits",
                                   body.name, most, out_of_sight),
-                      "Give its sizes and place in mm, or in another unit that is named.");
+                      "Give its sizes and position in mm, or in another unit that is named.");
 }
 
 // A body that a step brings to touch is out of reach until then.

@@ -175,7 +175,7 @@ void require_supported(const Mesh& mesh, const Model& model) {
                     fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
                                 parts.name.size() == 1 ? "the model" : "a part of the model",
                                 parts.name[worst], describe(mode.segment<6>(6 * worst))),
-                    "Hold it with `fix`, `symmetry`, `displace` in the first step, or bars.");
+                    "Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars.");
 }
 
 }  // namespace bulbus

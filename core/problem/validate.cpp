@@ -63,16 +63,16 @@ void check_set(const Mesh& mesh, const std::string& set, const std::string& key)
                     "Put at least one node into it, or leave the entry out.");
 }
 
-// A rigid region's nodes follow its six unknowns: a hold on single ones would be lost.
+// A rigid region's nodes follow its six unknowns: a constraint of single ones would be lost.
 void check_not_rigid(const Mesh& mesh, const Model& model, const std::string& set, const std::string& key) {
   for (const auto& [name, spec] : model.regions) {
     if (!spec.rigid) continue;
     const auto held = nodes_of(mesh, set), rigid = nodes_of_region(mesh, region_index(mesh, name));
     if (std::ranges::any_of(held, [&](int n) { return std::ranges::binary_search(rigid, n); }))
-      throw scene_error(
-          key,
-          "set '" + set + "' has nodes of the rigid region '" + name + "', which cannot be held one by one",
-          "Take them out of the set, or let the region deform.");
+      throw scene_error(key,
+                        "set '" + set + "' has nodes of the rigid region '" + name +
+                            "', which cannot be constrained one by one",
+                        "Take them out of the set, or let the region deform.");
   }
 }
 
