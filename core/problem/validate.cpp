@@ -11,6 +11,7 @@
 #include "core/problem/plausible.hpp"
 #include "core/problem/pressed_surfaces.hpp"
 #include "core/problem/probes/cancelled_figures.hpp"
+#include "core/problem/region_material.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/tissues.hpp"
 
@@ -44,7 +45,7 @@ void check_regions(const Mesh& mesh, const Model& model) {
                             (tissue_stiffness("paper", name) ? ", or say `materials: paper`." : "."));
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
-    const double mu = initial_shear_modulus(make_material(terms_of(spec)));
+    const double mu = initial_shear_modulus(material_of(spec));
     if (!(mu > 0) || !std::isfinite(mu))
       throw scene_error(
           "regions." + name,
@@ -167,19 +168,6 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
 }
 
 }  // namespace
-
-std::vector<Polynomial::Term> terms_of(const RegionSpec& s) {
-  std::vector<Polynomial::Term> terms;
-  for (const Polynomial::Term& t : {Polynomial::Term{1, 0, s.c10},
-                                    {0, 1, s.c01},
-                                    {2, 0, s.c20},
-                                    {1, 1, s.c11},
-                                    {0, 2, s.c02},
-                                    {3, 0, s.c30}})
-    if (t.c != 0) terms.push_back(t);
-  for (const auto& t : s.terms) terms.push_back({t.r, t.s, t.c});
-  return terms;
-}
 
 std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model) {
   std::set<std::string> names;
