@@ -80,10 +80,6 @@ TABLES = {
 SUMMARY = [("n", "n"), ("unknowns", "unknowns"), ("solver", "method"), ("linear solves", "linear_solves"),
            ("one linear solve, s", "linear_s"), ("whole run, s", "total_s"), ("peak memory, MB", "peak_mb")]
 
-# What bordering saves the direct solver.
-FORMULATIONS = [("n", "n"), ("pressure of the liquid", "formulation"), ("numbers of the liquid", "liquid_entries"),
-                ("factors, entries", "factor_entries"), ("MB", "mb"), ("Gflop", "gflop"), ("one linear solve, s", "linear_s"), ("does not fit", "reason")]
-
 OPERATION = [("", "method"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"), ("processor time, min", "cpu_min"),
              ("peak memory, MB", "peak_mb"), ("Newton iterations", "newton_iterations"), ("Krylov iterations", "krylov_iterations"),
              ("ends", "reason")]
@@ -117,11 +113,6 @@ def from_rest(report):
     rows = [row for row in report["rows"] if row["n"] >= 14]
     return [row if not row.get("too_large") else
             {**{k: row[k] for k in ("n", "unknowns", "method")}, "peak_mb": f"{row['estimated_mb']:,.0f} (estimate: refused)"} for row in rows]
-
-
-def by_direct_solver(report):
-    rows = [row for row in report["rows"] if row["method"] == "direct" and row["n"] >= 14]
-    return [{**row, "linear_s": row["setup_s"] + row.get("solve_s", 0)} for row in rows]
 
 
 def rows_of(report, where):
@@ -296,7 +287,6 @@ def scaling_blocks():
 def pages():
     """Path, text as it is and text as it should be of every page with tables."""
     blocks = {"README.md": {"tables": table(from_rest(result("direct_vs_iterative")), SUMMARY),
-                            "formulations": table(by_direct_solver(result("formulations")), FORMULATIONS),
                             "operation": table(beside_paper(result("operation")), OPERATION), "large": large_facts()},
               "docs/benchmarks.md": {"tables": all_tables(recorded())},
               "docs/trade.md": {"trade": trade_tables()},
