@@ -84,7 +84,7 @@ const std::vector<int>& Problem::nodes_of(const std::string& set) const {
   const auto known = sets_in_use(mesh_, model_);
   if (const auto* nodes = mesh_.nodes_of(set); nodes && known.contains(set)) return *nodes;
   const std::string near = nearest(set, known);
-  throw input_error("no constraint, load or probe of the model names the set '" + set + "'",
+  throw input_error("no hold, load or probe of the model names the set '" + set + "'",
                     near.empty() ? "name it in one of them" : "did you mean '" + near + "'?");
 }
 
