@@ -7,6 +7,7 @@
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/error.hpp"
+#include "core/base/tensor.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/validate.hpp"
 
