@@ -13,7 +13,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-TRADE = [("knob", "knob"), ("value", "value"), ("s", "seconds"), ("Newton", "newton"), ("Krylov", "krylov"), ("MB", "mb"),
+TRADE = [("parameter", "parameter"), ("value", "value"), ("s", "seconds"), ("Newton", "newton"), ("Krylov", "krylov"), ("MB", "mb"),
          ("error, %", "error"), ("in", "error_in"), ("front", "front"), ("error against extrapolated, %", "whole"), ("front", "whole_front")]
 
 # program -> list of tables; a table: where its rows are, its columns as (heading, key)
@@ -80,10 +80,6 @@ TABLES = {
 SUMMARY = [("n", "n"), ("unknowns", "unknowns"), ("solver", "method"), ("linear solves", "linear_solves"),
            ("one linear solve, s", "linear_s"), ("whole run, s", "total_s"), ("peak memory, MB", "peak_mb")]
 
-# What bordering saves the direct solver.
-FORMULATIONS = [("n", "n"), ("pressure of the liquid", "formulation"), ("numbers of the liquid", "liquid_entries"),
-                ("factors, entries", "factor_entries"), ("MB", "mb"), ("Gflop", "gflop"), ("one linear solve, s", "linear_s"), ("does not fit", "reason")]
-
 OPERATION = [("", "method"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"), ("processor time, min", "cpu_min"),
              ("peak memory, MB", "peak_mb"), ("Newton iterations", "newton_iterations"), ("Krylov iterations", "krylov_iterations"),
              ("ends", "reason")]
@@ -117,11 +113,6 @@ def from_rest(report):
     rows = [row for row in report["rows"] if row["n"] >= 14]
     return [row if not row.get("too_large") else
             {**{k: row[k] for k in ("n", "unknowns", "method")}, "peak_mb": f"{row['estimated_mb']:,.0f} (estimate: refused)"} for row in rows]
-
-
-def by_direct_solver(report):
-    rows = [row for row in report["rows"] if row["method"] == "direct" and row["n"] >= 14]
-    return [{**row, "linear_s": row["setup_s"] + row.get("solve_s", 0)} for row in rows]
 
 
 def rows_of(report, where):
@@ -175,7 +166,7 @@ def trade_runs(rows):
     out = []
     for r in rows:
         of_mesh = r["mesh"] == rows[0]["mesh"]
-        out.append({"knob": r["knob"], "value": r["value"] or " ", "seconds": f"{float(r['seconds [s]']):.1f}",
+        out.append({"parameter": r["parameter"], "value": r["value"] or " ", "seconds": f"{float(r['seconds [s]']):.1f}",
                     "newton": r["newton_iterations"], "krylov": r["krylov_iterations"], "mb": f"{float(r['memory [MB]']):.0f}",
                     "error": percent(r["error"]) if r["converged"] == "true" else r["reason"], "error_in": r["error_in"],
                     "front": {"front": "yes"}.get(r["front"], "") if of_mesh else "", "whole": percent(r["extrapolated_error"]),
@@ -186,7 +177,7 @@ def trade_runs(rows):
 # Every figure as the tight reference and the extrapolation have it, and the errors of each accuracy on the scene's mesh.
 def trade_figures(rows):
     reference = rows[0]
-    accuracies = {r["value"].removeprefix("accuracy "): r for r in rows if r["knob"] in ("accuracy", "scene")}
+    accuracies = {r["value"].removeprefix("accuracy "): r for r in rows if r["parameter"] in ("accuracy", "scene")}
     names = [c.removesuffix(" extrapolated error") for c in reference if c.endswith(" extrapolated error")]
     out = []
     for name in names:
@@ -296,7 +287,6 @@ def scaling_blocks():
 def pages():
     """Path, text as it is and text as it should be of every page with tables."""
     blocks = {"README.md": {"tables": table(from_rest(result("direct_vs_iterative")), SUMMARY),
-                            "formulations": table(by_direct_solver(result("formulations")), FORMULATIONS),
                             "operation": table(beside_paper(result("operation")), OPERATION), "large": large_facts()},
               "docs/benchmarks.md": {"tables": all_tables(recorded())},
               "docs/trade.md": {"trade": trade_tables()},

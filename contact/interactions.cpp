@@ -11,7 +11,7 @@
 #include "contact/suture/suture_points.hpp"
 #include "contact/suture/sutured_tissue.hpp"
 #include "core/base/error.hpp"
-#include "core/problem/validate.hpp"
+#include "core/problem/region_material.hpp"
 
 namespace bulbus {
 namespace {
@@ -40,7 +40,7 @@ double shear_modulus(const Mesh& mesh, const Model& model, const Layer& layer) {
   double mu = 0;
   for (int r : layer.regions) {
     const RegionSpec& spec = model.regions.at(mesh.region_names[r]);
-    if (!spec.rigid) mu = std::max(mu, initial_shear_modulus(make_material(terms_of(spec))));
+    if (!spec.rigid) mu = std::max(mu, initial_shear_modulus(material_of(spec)));
   }
   return mu;
 }
@@ -65,7 +65,7 @@ void refuse_out_of_sight(const RigidSurface& body, double farthest, const std::s
                       fmt::format("rigid body '{}' reaches {:.3g} mm from the origin, beyond {:g} diagonals "
                                   "of the mesh: contact there has no digits",
                                   body.name, most, out_of_sight),
-                      "Give its sizes and place in mm, or in another unit that is named.");
+                      "Give its sizes and position in mm, or in another unit that is named.");
 }
 
 // A body that a step brings to touch is out of reach until then.

@@ -31,10 +31,10 @@ def dominated(row, rows):
 
 def check(rows, folder):
     reference, scene = rows[0], rows[1]
-    assert reference["knob"] == "reference" and scene["knob"] == "scene", rows[:2]
+    assert reference["parameter"] == "reference" and scene["parameter"] == "scene", rows[:2]
     assert reference["converged"] == scene["converged"] == "true"
     assert float(scene["error"]) < 1e-4, scene["error"]
-    by = {(r["knob"], r["value"]): r for r in rows}
+    by = {(r["parameter"], r["value"]): r for r in rows}
     assert {"eta_max", "newton", "gamma", "reuse", "smoothing", "method", "operator", "pressure patterns after", "underway", "increments",
             "penalty", "augmentation"} <= {k for k, _ in by}
     assert float(by["newton", "1e-2"]["error"]) > float(by["newton", "1e-5"]["error"])

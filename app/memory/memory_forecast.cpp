@@ -57,7 +57,7 @@ std::vector<std::string> lines_of(const MemoryForecast& forecast, const LinearSe
   add("together", forecast.together());
   if (forecast.last_resort == 0) return lines;
   const double all = forecast.together() + forecast.last_resort;
-  add("with MUMPS as last resort", all);
+  add("with MUMPS as fallback", all);
   if (all > memory_of(l))
     lines.push_back(
         fmt::format("  That is more than the {:.0f} MB {}: such a system cuts the increment instead.",

@@ -40,7 +40,8 @@ std::vector<std::string> deep_contacts(const Interactions& interactions,
     const auto& contact = interactions.contacts()[k];
     if (standings[k].penetration > deep * contact.thickness)
       sentences.push_back(fmt::format(
-          "contact '{}' lets its slave in by {:.3g} mm, {:.0f} % of the thinner layer: its force depends on "
+          "the slave of contact '{}' penetrates by {:.3g} mm, {:.0f} % of the thinner layer: its force "
+          "depends on "
           "the penalty. Give a `penalty` larger than {:.3g} MPa/mm{}",
           contact.spec.name, standings[k].penetration, 100 * standings[k].penetration / contact.thickness,
           contact.penalty, contact.spec.two_way ? "" : ", or a `tolerance`"));

@@ -63,7 +63,8 @@ std::string diagnosis(const FailureFacts& f) {
   if (f.pressure_grows && f.progress > 0 && (steeper || unstable)) return limit_point(f);
   if (f.displacement > far_away)
     return fmt::format(
-        "an under-supported part: nodes have moved {:.3g} times the model's size. Hold what may drift with "
+        "an under-supported part: nodes have moved {:.3g} times the model's size. Constrain what may drift "
+        "with "
         "`fix`, `symmetry`, `displace` or bars.",
         f.displacement);
   if (f.least_jacobian < squeezed || f.outcome == Outcome::inverted_element) {
@@ -75,9 +76,10 @@ std::string diagnosis(const FailureFacts& f) {
   if (unstable)
     return "an unstable equilibrium: the last tangent has negative pivots too many, so the body is about to "
            "leave its path. Prescribe the motion instead of the load, or "
-           "hold the motion that is free.";
+           "constrain the motion that is free.";
   if (f.contacts && f.progress == 0)
-    return "nothing touches yet and the step does not begin: a part may be held by contact alone. Hold it "
+    return "nothing touches yet and the step does not begin: a part may be supported by contact alone. "
+           "Support it "
            "with `fix` or `displace` until the contact bears.";
   if (f.outcome == Outcome::linear_solver_failed)
     return "the linear systems could not be solved: try `solver: {linear: {method: direct}}`, more "

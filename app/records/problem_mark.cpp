@@ -63,7 +63,7 @@ void refuse_changed_files(const ProblemMark& kept, const std::vector<InputFile>&
   const auto then = entries_of(kept.files);
   for (const InputFile& file : inputs)
     if (const auto at = then.find(file.key); at != then.end() && at->second != file.hash())
-      throw input_error(fmt::format("{}: is of another problem: {} ({}) does not hold what it held then",
+      throw input_error(fmt::format("{}: is of another problem: {} ({}) has other content than it had then",
                                     path, file.path, file.key),
                         "Restart with the file as it was, or run without --restart.");
 }
@@ -110,7 +110,8 @@ void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std:
         remedy);
   if (!same(kept.mesh, here.mesh))
     throw input_error(
-        path + ": is of another mesh of the same size: its nodes have other places or other numbers", remedy);
+        path + ": is of another mesh of the same size: its nodes have other positions or other numbers",
+        remedy);
   if (const std::string key = kept.scene == here.scene ? "" : differing_key(kept.scene, here.scene);
       !key.empty())
     throw input_error(

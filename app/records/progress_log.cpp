@@ -89,7 +89,7 @@ void ProgressLog::increment_done(const Increment& i, const State&) {
   if (i.leap)
     log_.warn(fmt::format(
         "the surfaces snap in step '{}': from {:.4g} of its way on no equilibrium was found near by, and the "
-        "next one is that of {:.4g}. The tissue passes such a place in motion: judge the figures after it "
+        "next one is that of {:.4g}. The tissue passes such a point dynamically: judge the figures after it "
         "with care.",
         i.step_name, i.start, i.progress));
   const long long surplus = i.newton.negative_pivots - stable_pivots_;

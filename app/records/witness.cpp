@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/problem/formula.hpp"
+#include "core/problem/region_material.hpp"
 #include "core/problem/strained_cells.hpp"
-#include "core/problem/validate.hpp"
 
 namespace bulbus {
 
@@ -69,7 +69,7 @@ FailureFacts Witness::facts(const State& last, bool touching) const {
   f.surplus_pivots = pivots_ < 0 ? 0 : pivots_ - stable_pivots_;
   double modulus = 0, size = 0, way = 0;
   for (const auto& [name, spec] : problem_.model().regions)
-    if (!spec.rigid) modulus = std::max(modulus, initial_shear_modulus(make_material(terms_of(spec))));
+    if (!spec.rigid) modulus = std::max(modulus, initial_shear_modulus(material_of(spec)));
   f.largest_pressure = modulus > 0 ? end_pressure_ / modulus : 0;
   for (std::size_t i = 0; i < last.x.size(); ++i)
     size = std::max(size, std::abs(mesh.X[i])), way = std::max(way, std::abs(last.x[i] - mesh.X[i]));

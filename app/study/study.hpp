@@ -15,7 +15,7 @@ struct Factor {
     v("values", values, About{"the values, of any kind that the keys take"}.needed());
     v("labels", labels, About{"what the records call the values, where numbers and words would not do"});
     v("baseline", baseline,
-      About{"the value held while other factors vary (one_at_a_time); empty: the first"});
+      About{"the value kept while other factors vary (one_at_a_time); empty: the first"});
     v("unit", unit, About{"unit in the records; empty: that of the values"});
   }
   /// Throws InputError unless there are keys and different values, and labels and baseline fit them.
@@ -45,7 +45,7 @@ struct Study {
     v("set", set, About{"keys of the scene that differ from its file in every run"});
     v("vary", vary, About{"factors; the first with numbers is the abscissa of the figure"}.needed());
     v("design", design,
-      About{"every combination, or one factor at a time while the others hold their baseline"}.one_of(
+      About{"every combination, or one factor at a time while the others keep their baseline"}.one_of(
           {"product", "one_at_a_time"}));
     v("figures", figures, About{"probes for table and figure; empty: all"});
     v("tolerance", tolerance,

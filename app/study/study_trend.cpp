@@ -102,7 +102,7 @@ std::vector<std::string> lines_of(const Study& study, const StudyResults& result
     for (const auto& [figure, lines] : figures) columns.back().push_back(counted(lines));
   }
   if (columns.size() == 1) return {};
-  std::vector<std::string> lines{"along each factor, the others held, of the runs that converged:"};
+  std::vector<std::string> lines{"along each factor, the others fixed, of the runs that converged:"};
   for (std::string& line : aligned(columns, 1)) lines.push_back(std::move(line));
   lines.insert(lines.end(), details.begin(), details.end());
   return lines;

@@ -16,7 +16,7 @@ std::string front_of(int run, const std::vector<Bargain>& all) {
 
 std::vector<std::string> columns_of(const TradeResults& results) {
   std::vector<std::string> columns{"run",
-                                   "knob",
+                                   "parameter",
                                    "value",
                                    "mesh",
                                    "converged",

@@ -22,7 +22,7 @@ Lines runs(const Trade& trade, const TradeResults& results) {
     return column_of(results, name, unit, text);
   };
   return aligned({column("run", "", [&](int r) { return results.runs[r]; }),
-                  column("knob", "", [&](int r) { return trade.runs[r].knob; }),
+                  column("parameter", "", [&](int r) { return trade.runs[r].knob; }),
                   column("value", "", [&](int r) { return trade.runs[r].value; }),
                   column("time", "s", [&](int r) { return fmt::format("{:.1f}", row(r).seconds); }),
                   column("Newton", "", [&](int r) { return std::to_string(row(r).newton_iterations); }),

@@ -158,11 +158,12 @@ std::vector<std::array<int, 3>> triangulate(const Section& s) {
 
 Section section_of(const SweptShape& shape, const std::string& key) {
   if (shape.at.size() != 2)
-    throw scene_error(key + ".at", "a place in the meridian plane has two numbers", "Write [axial, radial].");
+    throw scene_error(key + ".at", "a point in the meridian plane has two coordinates",
+                      "Write [axial, radial].");
   Section s;
   for (const auto& corner : shape.section) {
     if (corner.size() != 2)
-      throw scene_error(key + ".section", "a corner of the section has two numbers",
+      throw scene_error(key + ".section", "a corner of the section has two coordinates",
                         "Write [axial, radial] for each.");
     s.push_back({shape.at[0] + corner[0], shape.at[1] + corner[1]});
   }

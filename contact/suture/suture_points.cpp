@@ -47,7 +47,7 @@ void require_on(const Mesh& mesh, const std::vector<Quad>& faces, const SutureSp
   const Point p = position(mesh, e.point);
   throw scene_error(fmt::format("{}.points.{}", key, i),
                     fmt::format("the point lies {:.3g} mm off '{}'", e.distance, spec.surface),
-                    fmt::format("The nearest place on it is [{:.4g}, {:.4g}, {:.4g}].", p[0], p[1], p[2]));
+                    fmt::format("The nearest point on it is [{:.4g}, {:.4g}, {:.4g}].", p[0], p[1], p[2]));
 }
 
 // The curve in which a surface meets a meridian half-plane.
@@ -115,7 +115,8 @@ std::array<Point, 2> points_on_meridian(const Mesh& mesh, const SutureSpec& spec
   const Meridian meridian(cut(places, split(faces_of(mesh, spec.surface, key)).triangles, plane));
   const auto middle = meridian.at(spec.pair->axial);
   if (middle.segment < 0)
-    throw scene_error(key + ".pair", "the meridian does not meet '" + spec.surface + "' at this axial place",
+    throw scene_error(key + ".pair",
+                      "the meridian does not meet '" + spec.surface + "' at this axial position",
                       "Check azimuth, axial and surface.");
   std::array<Point, 2> points;
   const int lower = meridian.lower_end(middle.segment);
@@ -125,7 +126,7 @@ std::array<Point, 2> points_on_meridian(const Mesh& mesh, const SutureSpec& spec
     if (left > 0)
       throw scene_error(key + ".pair.spacing",
                         "'" + spec.surface + "' ends " + std::to_string(left) + " mm before a point",
-                        "Give a smaller spacing, or another place.");
+                        "Give a smaller spacing, or another position.");
   }
   return points;
 }

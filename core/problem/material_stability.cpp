@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/problem/validate.hpp"
+#include "core/problem/region_material.hpp"
 
 namespace bulbus {
 namespace {
@@ -84,7 +84,7 @@ std::vector<std::string> unstable_regions(const Model& model) {
   std::vector<std::string> sentences;
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
-    const auto limits = stability_limits(make_material(terms_of(spec)));
+    const auto limits = stability_limits(material_of(spec));
     if (limits.empty()) continue;
     std::string list;
     for (const StabilityLimit& limit : limits) list += (list.empty() ? "" : ", ") + words(limit);

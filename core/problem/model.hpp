@@ -61,7 +61,8 @@ struct LiquidSpec {
   double K = 2083.3;
   template <class V>
   void describe(V&& v) {
-    v("surface", surface, About{"the wet surface: closed, or closed by the symmetry planes"}.needed());
+    v("surface", surface,
+      About{"the surface of the cavity: closed, or closed by the symmetry planes"}.needed());
     v("K", K, About{"bulk modulus", Quantity::stress}.positive());
   }
 };
@@ -73,7 +74,7 @@ struct FixSpec {
   template <class V>
   void describe(V&& v) {
     v("set", set, About{"node set, surface or region"}.needed());
-    v("directions", directions, About{"the directions held"}.one_of({"x", "y", "z"}));
+    v("directions", directions, About{"the constrained directions"}.one_of({"x", "y", "z"}));
   }
 };
 
@@ -101,10 +102,10 @@ struct DisplaceSpec {
     v("along", along, About{"a direction of your own, for `by`"});
     v("by", by, About{"displacement along `along`, free across it", Quantity::length}.expression());
     v("affine", affine, About{"nine numbers, rows of F: the set goes to x = F X"});
-    v("rotate", rotate, About{"rigid rotation of the set from its place at the start of the step"});
+    v("rotate", rotate, About{"rigid rotation of the set from its position at the start of the step"});
     v("translate", translate, About{"rigid translation, together with `rotate` or alone", Quantity::length});
     v("from", from,
-      About{"x, y, z, radial, by count from the `reference` place or from the `start` of the step"}.one_of(
+      About{"x, y, z, radial, by count from the `reference` position or from the `start` of the step"}.one_of(
           {"reference", "start"}));
   }
 };
@@ -154,13 +155,13 @@ struct StepSpec {
     v("couple", couple,
       About{"liquids enclosed from here on: V_i and P_i are taken at the start of the step"});
     v("add", add,
-      About{"volume added to (or, negative, drained from) an enclosed liquid of the whole eye in this step",
+      About{"volume added to (or, negative, drained from) an enclosed liquid of the whole model in this step",
             Quantity::volume});
     v("displace", displace, About{"prescribed displacements"});
     v("loads", loads, About{"pressures on surfaces, forces on nodes"});
     v("move", move, About{"motions of rigid bodies"});
     v("sew", sew,
-      About{"sutures, and the force per point of the whole eye reached at the end of the step",
+      About{"sutures, and the force per point of the whole model reached at the end of the step",
             Quantity::force});
     v("release", release,
       About{"sets whose prescribed displacement and surfaces or sets whose load ends here"});
@@ -187,7 +188,7 @@ struct ProbeSpec {
       About{"node set, surface or region (displacement, position, distance, reaction, moment; mises: cells "
             "that "
             "touch it; gap, closed_fraction: those of the contact's slave nodes; empty: all)"});
-    v("to", to, About{"the second set of a distance: mean place of `to` minus mean place of `set`"});
+    v("to", to, About{"the second set of a distance: mean position of `to` minus mean position of `set`"});
     v("liquid", liquid, About{"the liquid (pressure, volume)"});
     v("region", region, About{"the region (mises, volume_ratio) or group of bars (bar_force); empty: all"});
     v("contact", contact,
@@ -212,7 +213,7 @@ struct ProbeSpec {
       About{"a node with a smaller gap counts as closed", Quantity::length}.at_least(0));
     v("since", since,
       About{"a step: the figure is the change since its end, nothing before; displacements count from the "
-            "places there, node by node"});
+            "positions there, node by node"});
     v("scale", scale, About{"multiplies the figure"});
     v("unit", unit, About{"unit of the record, such as mmHg; empty: mm, N, MPa"});
     v("label", label, About{"what the records call the unit instead, where `scale` changes it, such as D"});

@@ -9,7 +9,7 @@
 #include "core/base/units.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/problem/formula.hpp"
-#include "core/problem/validate.hpp"
+#include "core/problem/region_material.hpp"
 
 namespace bulbus {
 namespace {
@@ -23,8 +23,7 @@ struct Sizes {
 Sizes sizes_of(const Mesh& mesh, const Model& model) {
   Sizes sizes{.diagonal = diagonal(mesh)};
   for (const auto& [name, spec] : model.regions)
-    if (!spec.rigid)
-      sizes.modulus = std::max(sizes.modulus, initial_shear_modulus(make_material(terms_of(spec))));
+    if (!spec.rigid) sizes.modulus = std::max(sizes.modulus, initial_shear_modulus(material_of(spec)));
   return sizes;
 }
 

@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/problem.hpp"
-#include "core/problem/validate.hpp"
+#include "core/problem/region_material.hpp"
 
 namespace bulbus {
 namespace {
@@ -92,7 +92,7 @@ void Problem::build_bodies_and_solid() {
     const RegionSpec& spec = model_.regions.at(name);
     if (!spec.rigid) {
       const auto& run = mesh_.regions[r];
-      regions.push_back({name, make_material(terms_of(spec)), run.first, run.count});
+      regions.push_back({name, material_of(spec), run.first, run.count});
       continue;
     }
     const auto& nodes = mesh_.region_nodes[r];  // ghosts too of which this rank has no hexahedron

@@ -168,7 +168,7 @@ void Problem::require_free_elements() const {
       throw scene_error("steps." + std::to_string(step_),
                         "over-constrained: all eight nodes of hexahedron " +
                             std::to_string(mesh_.input_hex[h] + 1) + " (region '" + r.name +
-                            "') are held in all directions, so its pressure is undetermined",
+                            "') are constrained in all directions, so its pressure is undetermined",
                         "Leave at least one of its nodes free, or declare the region rigid.");
     }
 }

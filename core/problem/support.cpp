@@ -7,6 +7,7 @@
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/error.hpp"
+#include "core/base/tensor.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/validate.hpp"
 
@@ -175,7 +176,7 @@ void require_supported(const Mesh& mesh, const Model& model) {
                     fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
                                 parts.name.size() == 1 ? "the model" : "a part of the model",
                                 parts.name[worst], describe(mode.segment<6>(6 * worst))),
-                    "Hold it with `fix`, `symmetry`, `displace` in the first step, or bars.");
+                    "Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars.");
 }
 
 }  // namespace bulbus

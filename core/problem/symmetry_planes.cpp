@@ -97,9 +97,10 @@ void require_held(const Mesh& mesh, const std::string& plane) {
       if (const double d = std::abs(mesh.points[n][c]); d > distance) distance = d, place = mesh.points[n];
   throw scene_error(
       "symmetry",
-      fmt::format("{} faces lie along the symmetry plane {} = 0, up to {:.3g} mm beside it, and are not held "
-                  "there; the farthest node is at ({:.4g}, {:.4g}, {:.4g})",
-                  faces.size(), plane, distance, place[0], place[1], place[2]),
+      fmt::format(
+          "{} faces lie along the symmetry plane {} = 0, up to {:.3g} mm beside it, and are not constrained "
+          "there; the farthest node is at ({:.4g}, {:.4g}, {:.4g})",
+          faces.size(), plane, distance, place[0], place[1], place[2]),
       fmt::format("If they are meant to be on the plane, say `symmetry_tolerance: {:.2g} mm`; otherwise take "
                   "the plane out of `symmetry`, or draw the mesh farther away from it.",
                   1.1 * distance));

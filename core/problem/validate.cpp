@@ -11,6 +11,7 @@
 #include "core/problem/plausible.hpp"
 #include "core/problem/pressed_surfaces.hpp"
 #include "core/problem/probes/cancelled_figures.hpp"
+#include "core/problem/region_material.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/tissues.hpp"
 
@@ -44,7 +45,7 @@ void check_regions(const Mesh& mesh, const Model& model) {
                             (tissue_stiffness("paper", name) ? ", or say `materials: paper`." : "."));
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
-    const double mu = initial_shear_modulus(make_material(terms_of(spec)));
+    const double mu = initial_shear_modulus(material_of(spec));
     if (!(mu > 0) || !std::isfinite(mu))
       throw scene_error(
           "regions." + name,
@@ -63,16 +64,16 @@ void check_set(const Mesh& mesh, const std::string& set, const std::string& key)
                     "Put at least one node into it, or leave the entry out.");
 }
 
-// A rigid region's nodes follow its six unknowns: a hold on single ones would be lost.
+// A rigid region's nodes follow its six unknowns: a constraint of single ones would be lost.
 void check_not_rigid(const Mesh& mesh, const Model& model, const std::string& set, const std::string& key) {
   for (const auto& [name, spec] : model.regions) {
     if (!spec.rigid) continue;
     const auto held = nodes_of(mesh, set), rigid = nodes_of_region(mesh, region_index(mesh, name));
     if (std::ranges::any_of(held, [&](int n) { return std::ranges::binary_search(rigid, n); }))
-      throw scene_error(
-          key,
-          "set '" + set + "' has nodes of the rigid region '" + name + "', which cannot be held one by one",
-          "Take them out of the set, or let the region deform.");
+      throw scene_error(key,
+                        "set '" + set + "' has nodes of the rigid region '" + name +
+                            "', which cannot be constrained one by one",
+                        "Take them out of the set, or let the region deform.");
   }
 }
 
@@ -167,19 +168,6 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
 }
 
 }  // namespace
-
-std::vector<Polynomial::Term> terms_of(const RegionSpec& s) {
-  std::vector<Polynomial::Term> terms;
-  for (const Polynomial::Term& t : {Polynomial::Term{1, 0, s.c10},
-                                    {0, 1, s.c01},
-                                    {2, 0, s.c20},
-                                    {1, 1, s.c11},
-                                    {0, 2, s.c02},
-                                    {3, 0, s.c30}})
-    if (t.c != 0) terms.push_back(t);
-  for (const auto& t : s.terms) terms.push_back({t.r, t.s, t.c});
-  return terms;
-}
 
 std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model) {
   std::set<std::string> names;

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "core/material/material.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/problem/model.hpp"
 
@@ -17,9 +16,6 @@ void validate(const Mesh& mesh, const Model& model);
 /// Surfaces of the mesh of which every rank needs all nodes: those that take part in contact or are sutured.
 /// Throws InputError for a contact whose surfaces do not exist, are empty or are the same.
 std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model);
-
-/// All terms c_rs of a region.
-std::vector<Polynomial::Term> terms_of(const RegionSpec& spec);
 
 /// Refuses rigid motions that nothing prevents, of the whole or of a part, in the first step: fixed and
 /// prescribed directions, symmetry planes and bars count. Throws InputError naming part and motion.

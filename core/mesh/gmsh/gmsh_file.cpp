@@ -50,7 +50,7 @@ void GmshFile::add_node(const GmshScanner& at, long long tag, const Point& p) {
   for (double x : p)
     if (!std::isfinite(x))
       throw input_error(path, binary ? 0 : at.line(), fmt::format("node {} has the coordinate {}", tag, x),
-                        "give the node a finite place, or mesh the model again");
+                        "give the node a finite position, or mesh the model again");
   points.push_back(p);
 }
 

@@ -21,7 +21,7 @@ struct ContactSpec {
       About{"pressure per penetration, MPa/mm; 0: chosen from the softer side and the thinner layer"}
           .at_least(0));
     v("depth", depth,
-      About{"a point deeper than this as the run begins is on another side; later, whether it came through; "
+      About{"a point deeper than this at the start of the run is not in contact; later its history decides; "
             "0: half the thinner layer",
             Quantity::length}
           .at_least(0));
@@ -30,7 +30,7 @@ struct ContactSpec {
             Quantity::length}
           .at_least(0));
     v("divisions", divisions,
-      About{"what is kept out: 0: the nodes of the slave; n: n x n points on each of its faces, which feel "
+      About{"slave points; 0: the nodes of the slave; n: n x n points on each of its faces, for "
             "edges of a rigid body finer than the mesh"}
           .between(0, 100));
     v("two_way", two_way,

@@ -18,7 +18,7 @@ struct Meridians {
   Point center{0, 0, 0}, axis{0, 0, 1}, zero{0, 1, 0};
   template <class V>
   void describe(V&& v) {
-    v("center", center, About{"a point of the axis: axial places count from here", Quantity::length});
+    v("center", center, About{"a point of the axis: axial positions count from here", Quantity::length});
     v("axis", axis, About{"direction of the axis"});
     v("zero", zero, About{"direction of azimuth 0; azimuth grows towards zero x axis"});
   }
@@ -104,7 +104,7 @@ struct SweptShape {
     v("section", section,
       About{"corners [axial, radial] in mm, counter-clockwise with the axis to the right and the radius up"}
           .needed());
-    v("at", at, About{"[axial, radial] place of the section's origin, mm"});
+    v("at", at, About{"[axial, radial] position of the section's origin, mm"});
     v("spline", spline, About{"join the corners by a closed cubic spline instead of straight lines"});
     v("points", points,
       About{"points that the spline is cut into, the corners among them"}.between(3, 10000));
@@ -123,7 +123,7 @@ struct BandShape {
     v("thickness", thickness, About{"radial thickness", Quantity::length}.positive());
     v("edge_radius", edge_radius, About{"radius of the four edges", Quantity::length}.positive());
     v("radius", radius, About{"radius of the inner face, as drawn", Quantity::length}.positive());
-    v("axial", axial, About{"axial place of its middle", Quantity::length});
+    v("axial", axial, About{"axial position of its middle", Quantity::length});
     v("edge_facets", edge_facets, About{"facets around each edge"}.between(1, 1000));
     arc.describe(v);
   }
@@ -142,7 +142,7 @@ struct TireShape {
     v("inner_radius_of_curvature", inner_radius_of_curvature,
       About{"radius of the inner face in the meridian plane", Quantity::length}.positive());
     v("radius", radius, About{"radius of the inner face's middle, as drawn", Quantity::length}.positive());
-    v("axial", axial, About{"axial place of its middle", Quantity::length});
+    v("axial", axial, About{"axial position of its middle", Quantity::length});
     v("edge_facets", edge_facets, About{"facets around each edge"}.between(1, 1000));
     v("face_facets", face_facets, About{"facets across the inner face"}.between(1, 1000));
     arc.describe(v);
@@ -213,10 +213,10 @@ struct MoveSpec {
     v("body", body, About{"the rigid body"}.needed());
     v("translate", translate, About{"shift reached at the end of the step", Quantity::length});
     v("rotate", rotate, About{"rigid rotation of all parts together"});
-    v("close", close, About{"way of every part along its own direction", Quantity::length});
+    v("close", close, About{"displacement of every part along its own direction", Quantity::length});
     v("from", from,
-      About{"the motion counts from where the body is (`here`), or from where each part, coming from outside "
-            "along its way, first meets a slave of its contacts (`touch`)"}
+      About{"the motion counts from where the body is (`here`), or from where each part, approaching along "
+            "its direction, first touches a slave of its contacts (`touch`)"}
           .one_of({"here", "touch"}));
   }
 };
@@ -230,7 +230,7 @@ struct SutureSpec {
       v("azimuth", azimuth, About{"azimuth of the meridian, degrees"}.between(-360, 360));
       v("spacing", spacing,
         About{"length of the undeformed meridian between the two points", Quantity::length}.positive());
-      v("axial", axial, About{"axial place of the middle between them", Quantity::length});
+      v("axial", axial, About{"axial position of the middle between them", Quantity::length});
     }
   };
   std::string body, surface;
@@ -247,7 +247,8 @@ struct SutureSpec {
     v("surface", surface, About{"surface of the mesh that `pair` and `points` lie on"});
     v("pair", pair, About{"two points on a meridian"});
     v("points", points,
-      About{"one or two places on the surface, off by less than one of its faces is long", Quantity::length});
+      About{"one or two points on the surface, off by less than the length of one of its faces",
+            Quantity::length});
     v("sets", sets, About{"one or two node sets: each is one point, its nodes share the force equally"});
     v("bite", bite,
       About{"area over which the force of a point is spread; 0: at the point alone", Quantity::area}.at_least(

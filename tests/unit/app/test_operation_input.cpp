@@ -94,7 +94,7 @@ TEST(OperationInput, SuturePointsLieOnTheirSurface) {
   const std::string points = "points: [[2, .5, .5]]";
   for (const Slip& s :
        std::vector<Slip>{{points, "points: [[4, .5, .5]]",
-                          "13: sutures.knot.points.0: the point lies 2 mm off 'xmax'\n  The nearest place on "
+                          "13: sutures.knot.points.0: the point lies 2 mm off 'xmax'\n  The nearest point on "
                           "it is [2, 0.5, 0.5]."},
                          {points, "pair: {azimuth: 0, spacing: .5, axial: .5}, zero: [-1, 0, 0]",
                           "13: sutures.knot.pair: the meridian does not meet 'xmax'"},

@@ -298,7 +298,10 @@ TEST(Shapes, WrongSectionsAreRefused) {
             }).find("coincide"),
             std::string::npos);
   EXPECT_NE(refusal([] { body(swept({{0, 0}, {1, 0}})); }).find("encloses nothing"), std::string::npos);
-  EXPECT_NE(refusal([] { body(swept({{0, 0}, {1, 0, 2}, {1, 1}})); }).find("two numbers"), std::string::npos);
+  EXPECT_NE(refusal([] {
+              body(swept({{0, 0}, {1, 0, 2}, {1, 1}}));
+            }).find("two coordinates"),
+            std::string::npos);
   EXPECT_NE(refusal([] { body(swept(square(1), {.from = 90, .to = 0})); }).find("spans"), std::string::npos);
   EXPECT_NE(refusal([] { body({.band = BandShape{.edge_radius = .4}}); }).find("edge_radius"),
             std::string::npos);

@@ -136,7 +136,7 @@ TEST_F(SuturePoints, WhatDoesNotFitIsRefused) {
   EXPECT_NE(fault({}).find("0 ways"), std::string::npos);
   spec = {.surface = "outer", .points = {{0, 0, 12}, {6, 0, 8}}};
   EXPECT_NE(fault(spec).find(
-                "sutures.s.points.1|the point lies 2 mm off 'outer'\n  The nearest place on it is [7."),
+                "sutures.s.points.1|the point lies 2 mm off 'outer'\n  The nearest point on it is [7."),
             std::string::npos);
 }
 
