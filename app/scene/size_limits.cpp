@@ -50,12 +50,10 @@ RunSize run_size(const MeshCount& base, const Scene& scene, int ranks) {
 
 }  // namespace
 
-double memory_of(const LinearSettings& l) {
-  return l.memory_limit > 0 ? l.memory_limit * megabyte : static_cast<double>(machine_bytes());
-}
+double memory_of(const LinearSettings& l) { return l.allowed_mb() * megabyte; }
 
 std::string whose_memory(const LinearSettings& l) {
-  return l.memory_limit > 0 ? "that solver.linear.memory_limit allows" : "that this machine has";
+  return l.memory_limit ? "that solver.linear.memory_limit allows" : "that this machine has";
 }
 
 void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks) {
@@ -63,7 +61,7 @@ void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks) {
   refuse_what_has_no_number(base, finest, scene.mesh.refine, ranks);
   std::vector<MemoryPart> parts{
       {"program, mesh and problem", ranks * (of_program + of_base_hex * base.hexes) + of_hex * finest.hexes}};
-  if (scene.solver.linear.method == "direct")
+  if (scene.solver.linear.method == Method::direct)
     parts.push_back({"matrix and its copies", direct_matrix_bytes(finest.hexes)});
   else
     for (MemoryPart& part : parts_of_solution(run_size(base, scene, ranks), scene))

@@ -1,5 +1,7 @@
 #include "core/solve/settings.hpp"
 
+#include "core/base/memory.hpp"
+
 namespace bulbus {
 
 // Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations; K of
@@ -10,6 +12,19 @@ void LinearSettings::take_mesh(int refinements) {
   pressures.weight = .3;
 }
 
+Displacement LinearSettings::displacement_on(bool refined) const {
+  if (displacement != Displacement::automatic) return displacement;
+  return refined ? Displacement::multigrid : Displacement::aggregation;
+}
+
+bool LinearSettings::wants_hierarchy() const {
+  return method == Method::iterative && displacement_on(true) == Displacement::multigrid;
+}
+
+double LinearSettings::allowed_mb() const {
+  return memory_limit.value_or(1e-6 * static_cast<double>(machine_bytes()));
+}
+
 std::string SolverSettings::accuracy_help() {
   return "defaults of the settings below; against a converged solution on the same mesh, the operation's "
          "figures (encircling.yaml) are "
@@ -18,9 +33,9 @@ std::string SolverSettings::accuracy_help() {
 
 // docs/trade.md measures what they promise, tests/scenes/accuracy_test.cpp asserts it.
 void SolverSettings::take_preset() {
-  if (accuracy == "tight") return;  // the structs' own defaults
+  if (accuracy == Accuracy::tight) return;  // the structs' own defaults
   linear.reuse = 2;
-  if (accuracy == "balanced") {
+  if (accuracy == Accuracy::balanced) {
     newton.force = newton.volume = 1e-5, newton.liquid = 1e-6;
     newton.underway = 200;  // from 1000 on, runs end with another point in contact now and then
   } else {  // a node more or less in contact is per cents of the area: the end must be as strict as that of

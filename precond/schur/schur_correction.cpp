@@ -119,15 +119,16 @@ class OnPatterns final : public SchurCorrection {
 }  // namespace
 
 std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
-                                            const LinePressureStiffness& K, int degree) {
+                                            const LinePressureStiffness& K, std::optional<int> degree) {
   return std::make_unique<OnAll>(system, lines, K,
-                                 degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
+                                 degree.value_or(degree_for(system.problem().mesh().all_hexes, 1.6)));
 }
 
 std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
-                                                    const LinePressureStiffness& K, int degree) {
+                                                    const LinePressureStiffness& K,
+                                                    std::optional<int> degree) {
   return std::make_unique<OnPatterns<CheckerboardProduct, Diagonal>>(
-      system.problem(), 1, degree > 0 ? degree : 16,
+      system.problem(), 1, degree.value_or(16),
       [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },
       [&](const CheckerboardModes& P, const CheckerboardProduct&) {
         return Diagonal(inverse_diagonal(system, P));
@@ -135,12 +136,12 @@ std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
 }
 
 std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines,
-                                                      int degree) {
+                                                      std::optional<int> degree) {
   const Problem& problem = system.problem();
   const int refinements = std::min(2, problem.mesh().refinements);
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
   return std::make_unique<OnPatterns<CheckerboardMatrix, PatternJacobi>>(
-      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2),
+      problem, refinements, degree.value_or(degree_for(hexes, 2)),
       [&](const CheckerboardModes& P) {
         CheckerboardMatrix matrix(problem, P, lines);
         matrix.drop(negligible);
