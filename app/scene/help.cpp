@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 #include "app/scene/outline.hpp"
 #include "app/study/study.hpp"
 
@@ -52,22 +54,16 @@ const Topic& innermost(const Topic& t) {
   return t.kind == Kind::list || t.kind == Kind::map ? innermost(t.parts[0]) : t;
 }
 
-// "; only with method: iterative": the conditions that what is around does not have.
-std::string conditions(const Topic& t, const Topic& around) {
-  std::string text;
-  for (std::size_t i = innermost(around).about.conditions.size(); i < t.about.conditions.size(); ++i) {
-    const Condition& c = t.about.conditions[i];
-    text += (text.empty() ? "; only with " : " and ") + c.key.substr(c.key.rfind('.') + 1) + ": " +
-            alternatives(c.words);
-  }
-  return text;
+// The conditions that what is around does not have.
+std::string own_conditions(const Topic& t, const Topic& around) {
+  return conditions_text(std::span(t.about.conditions).subspan(innermost(around).about.conditions.size()));
 }
 
 void write(const Topic& t, const Topic& around, Level most, int indent, std::string& out) {
   if (t.about.level > most) return;
   const std::string words = t.about.choices.empty() ? "" : " (" + alternatives(t.about.choices) + ")";
   out += fmt::format("{:<22}  {:<40}  {}{}{}\n", std::string(indent, ' ') + t.key, facts(t), t.about.help,
-                     words, conditions(t, around));
+                     words, own_conditions(t, around));
   for (const Topic& part : innermost(t).parts) write(part, t, most, indent + 2, out);
 }
 

@@ -16,7 +16,8 @@ namespace {
 constexpr double megabyte = 1e6;
 constexpr double indices = std::numeric_limits<int>::max();
 // Measured on blocks, shells and eyes: the program itself, what is resident of mesh and
-// problem when all is prepared, and what the making of a mesh needs at its peak.
+// problem when all is prepared, and what the making of a mesh needs at its peak
+// (benchmarks/notebook/memory.md).
 constexpr double of_program = 38 * megabyte, of_base_hex = 100, of_hex = 210, of_whole_hex = 450;
 
 // Hexahedra and nodes are numbered over all ranks; a rank keeps eight numbers of each of its hexahedra, and
