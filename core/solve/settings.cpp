@@ -5,7 +5,8 @@
 namespace bulbus {
 
 // Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations; K of
-// softened lines bears more weight.
+// softened lines bears more weight. What the default of each setting rests on is in benchmarks/notebook:
+// displacement_block.md (γ, nodes and degrees), checkerboard_modes.md (pressures), reuse.md (coarse_change).
 void LinearSettings::take_mesh(int refinements) {
   if (refinements == 0) return;
   gamma = 12;
