@@ -24,7 +24,7 @@ namespace {
 struct Arguments {
   std::string scene, out, restart, topic;
   std::vector<std::string> set;
-  bool text = false;
+  bool text = false, expert = false, all = false;
   int repeat = 1;
 };
 
@@ -40,7 +40,7 @@ struct Parser {
       app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
   CLI::App* help =
-      app.add_subcommand("help", "every key of a scene or a study, or the JSON schema of a scene");
+      app.add_subcommand("help", "the keys of a scene or a study, or the JSON schema of a scene");
 
   CLI::Option* restart = nullptr;
 
@@ -70,6 +70,8 @@ struct Parser {
     help->add_option("TOPIC", given.topic, "scene, study or schema")
         ->required()
         ->check(CLI::IsMember({"scene", "study", "schema"}));
+    help->add_flag("--expert", given.expert, "of a scene, the settings for experts too");
+    help->add_flag("--all", given.all, "of a scene, those for debugging as well");
   }
 
  private:
@@ -122,10 +124,10 @@ auto read_together(const Arguments& given, const Comm& comm, Read read) {
   return content;
 }
 
-void print_topic(const std::string& topic, std::ostream& out) {
-  if (topic == "scene")
-    out << scene_help();
-  else if (topic == "study")
+void print_topic(const Arguments& given, std::ostream& out) {
+  if (given.topic == "scene")
+    out << scene_help(given.all ? Level::debug : given.expert ? Level::expert : Level::everyday);
+  else if (given.topic == "study")
     out << study_help();
   else
     out << scene_schema().dump(2) << "\n";
@@ -160,7 +162,7 @@ void expect_fitting(const Parser& parser, bool of_a_study) {
 int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
   const Arguments& given = parser.given;
   if (*parser.help) {
-    print_topic(given.topic, out);
+    print_topic(given, out);
     return 0;
   }
   const auto [out_dir, checkpoint] = places_of(parser);

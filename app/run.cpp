@@ -18,25 +18,24 @@
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 #include "precond/make_preconditioner.hpp"
-#include "precond/operators/displacement.hpp"
 
 namespace bulbus {
 namespace {
 
 // The direct solver factorises the system as it is: augmentation would only fill it.
 LinearSettings settings_of_system(LinearSettings linear) {
-  if (linear.method == "direct") linear.gamma = 0;
+  if (linear.method == Method::direct) linear.gamma = 0;
   return linear;
 }
 
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
-  const std::string liquids = l.formulation == "eliminated" ? ", liquid pressures eliminated" : "";
-  if (l.method == "direct") return "direct (MUMPS)" + liquids;
-  const std::string why = l.displacement != "auto" ? ""
-                          : problem.coarser()      ? " (the mesh is refined)"
-                                                   : " (the mesh is not refined)";
+  const std::string liquids = l.formulation == Formulation::eliminated ? ", liquid pressures eliminated" : "";
+  if (l.method == Method::direct) return "direct (MUMPS)" + liquids;
+  const std::string why = l.displacement != Displacement::automatic ? ""
+                          : problem.coarser()                       ? " (the mesh is refined)"
+                                                                    : " (the mesh is not refined)";
   return fmt::format("GMRES({}), displacement block by {}{}, operator {}, gamma {:g}{}", l.restart,
-                     chosen_displacement(l, problem), why, l.op, l.gamma, liquids);
+                     word_of(l.displacement_on(problem.coarser())), why, word_of(l.op), l.gamma, liquids);
 }
 
 std::vector<std::string> lines_of_levels(const Problem& problem) {

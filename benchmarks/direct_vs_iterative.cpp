@@ -151,9 +151,9 @@ int main(int argc, char** argv) {
   const double memory_mb = memory_limit_in(o);
   json report = new_report("direct_vs_iterative", o);
   const SolverSettings s;
-  report["parameters"].update({{"displacement", s.linear.displacement},
+  report["parameters"].update({{"displacement", word_of(s.linear.displacement)},
                                {"gamma", s.linear.gamma},
-                               {"operator", s.linear.op},
+                               {"operator", word_of(s.linear.op)},
                                {"restart", s.linear.restart},
                                {"degree", s.linear.degree},
                                {"aggregates", s.linear.aggregates},

@@ -53,7 +53,7 @@ Limits limits_in(const Options& o) {
 
 SolverSettings settings_of(const Variant& v, double memory_mb) {
   SolverSettings s = bench::settings_of(v.method, memory_mb);
-  s.linear.formulation = v.formulation;
+  s.linear.formulation = from_word<Formulation>(v.formulation);
   return s;
 }
 

@@ -16,8 +16,10 @@ const std::vector<std::string> methods{"aggregation",     "hybrid", "multigrid",
 
 json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r,
               std::span<const double> held, LinearSettings settings) {
-  settings.displacement = method;
-  if (method == "direct") settings = bench::settings_of(method, settings.memory_limit).linear;
+  if (method == "direct")
+    settings = bench::settings_of(method, settings.memory_limit.value_or(0)).linear;
+  else
+    settings.displacement = from_word<Displacement>(method);
   json row{{"displacement", method},
            {"gamma", settings.gamma},
            {"hexahedra", problem.mesh().all_hexes},
@@ -61,7 +63,7 @@ int main(int argc, char** argv) {
                             {"degree", settings.linear.degree},
                             {"smoothed_part", settings.linear.smoothed_part},
                             {"aggregates", settings.linear.aggregates},
-                            {"operator", settings.linear.op}})
+                            {"operator", word_of(settings.linear.op)}})
     report["parameters"][key] = value;
   report["notes"] =
       "seconds are processor time; iterations to the tolerance in the scaled norm; mb without the Krylov "
@@ -69,7 +71,7 @@ int main(int argc, char** argv) {
   for (int n : o.sizes) {
     auto problem = half_eye(n, comm, o.refine);
     Profiler profiler;
-    if (o.refine > 0) settings.linear.displacement = "multigrid";
+    if (o.refine > 0) settings.linear.displacement = Displacement::multigrid;
     State state = pressurised(*problem, settings, profiler);
     const auto [r, held] = first_increment(*problem, state);
     for (const std::string& method : chosen) {

@@ -4,11 +4,11 @@
 
 namespace bulbus::bench {
 
-/// Default settings of "direct" or "iterative", with a limit of the factors' memory.
+/// Default settings of "direct" or "iterative", with a limit of the factors' memory (0: the machine's).
 inline SolverSettings settings_of(const std::string& method, double memory_mb) {
   SolverSettings s;
-  s.linear.method = method;
-  s.linear.memory_limit = memory_mb;
+  s.linear.method = from_word<Method>(method);
+  if (memory_mb > 0) s.linear.memory_limit = memory_mb;
   if (method == "direct") s.linear.gamma = 0;  // the direct solver takes the system as it is
   return s;
 }

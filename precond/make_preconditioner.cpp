@@ -24,7 +24,7 @@ PreconditionerFactory make_preconditioner_factory(const LinearSettings& settings
 }
 
 std::unique_ptr<LinearSolver> make_solver(const LinearSettings& settings, Profiler& profiler) {
-  if (settings.method == "direct") return make_direct_solver(settings, profiler);
+  if (settings.method == Method::direct) return make_direct_solver(settings, profiler);
   return make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler);
 }
 

@@ -49,7 +49,7 @@ MemoryForecast forecast_memory(const Prepared& prepared, const Scene& scene) {
 
 std::vector<std::string> lines_of(const MemoryForecast& forecast, const LinearSettings& l) {
   std::vector<std::string> lines{
-      fmt::format("memory to expect with the {} solver, over all ranks (MB):", l.method)};
+      fmt::format("memory to expect with the {} solver, over all ranks (MB):", word_of(l.method))};
   const auto add = [&](const std::string& name, double bytes) {
     lines.push_back(fmt::format("  {:<28} {:>10.1f}", name, 1e-6 * bytes));
   };
@@ -66,7 +66,7 @@ std::vector<std::string> lines_of(const MemoryForecast& forecast, const LinearSe
 }
 
 void refuse_what_cannot_fit(const MemoryForecast& forecast, const LinearSettings& l) {
-  if (l.method != "direct") refuse_more_than_there_is(forecast.parts, l);
+  if (l.method != Method::direct) refuse_more_than_there_is(forecast.parts, l);
 }
 
 }  // namespace bulbus

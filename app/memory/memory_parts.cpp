@@ -4,13 +4,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/element/mean_tangent.hpp"
 #include "core/solve/direct_memory.hpp"
 #include "core/solve/fgmres.hpp"
-#include "precond/operators/displacement.hpp"
 
 namespace bulbus {
 namespace {
 
+// Numbers of bytes that are not a count of what is stored are fitted to runs: benchmarks/notebook/memory.md.
 constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
 // Krylov vectors of a solve: only those that it needs are made
 constexpr int usual_basis = 20, basis_with_hierarchy = 18, basis_of_easy_solves = 8;
@@ -32,10 +33,10 @@ double krylov_bytes(const Size& s, const SolverSettings& solver, int refinements
 // Scaling, liquid columns and the room of a product; moduli and penalties; strain, or mean tangents and
 // places in single precision.
 double system_bytes(const Size& s, double liquids, const LinearSettings& l) {
-  const double cache = l.op == "cache"       ? 7 * 8 * single * s.hexes
-                       : l.op == "assembled" ? 27 * 9 * number * s.nodes
-                                             : 0;
-  const double smoothed = chosen_precision(l) == Precision::full
+  const double cache = l.op == TangentStorage::cache       ? 7 * 8 * single * s.hexes
+                       : l.op == TangentStorage::assembled ? 27 * 9 * number * s.nodes
+                                                           : 0;
+  const double smoothed = l.smoothing == Precision::full
                               ? 0
                               : sizeof(SingleTangent) / 16. * s.hexes + sizeof(NodeSingle) * s.nodes;
   return number * (s.unknowns() + (2 + liquids) * s.nodal() + 2 * s.hexes) + smoothed + cache;
@@ -43,18 +44,24 @@ double system_bytes(const Size& s, double liquids, const LinearSettings& l) {
 
 // Line factors; Chebyshev's and the cycle's vectors; interpolation from a coarser level.
 double smoother_bytes(const Size& s, const LinearSettings& l) {
-  const double vectors = chosen_precision(l) == Precision::full ? 5 * 3 * number : 4 * sizeof(NodeSingle);
+  const double vectors = l.smoothing == Precision::full ? 5 * 3 * number : 4 * sizeof(NodeSingle);
   return (15 * single + 8 + vectors + 3 * number + 4 + 3.4 * 8) * s.nodes;
 }
 
-// Nodal room of K; vectors. Of a refined mesh the matrix of slow patterns: pairs of coarser hexahedra,
-// measured on eyes, where lines run through five and more of them; on one refined twice K's own lines. What
-// setting it up needs besides is less than a Krylov basis that is still short.
+// Pairs of coarser hexahedra that the matrix of slow patterns couples: those on one line. Lines run through
+// a layer, and their length in hexahedra grows with the third root of the number. A hexahedron of the half
+// eye at n = 14, with 7,350 of them, is in 20 pairs; on coarser eyes in no fewer.
+double coupled_pairs(double coarser) {
+  constexpr double of_each = 20, hexes_there = 7350;
+  return of_each * coarser * std::max(1.0, std::cbrt(coarser / hexes_there));
+}
+
+// Nodal room of K; vectors. Of a refined mesh the matrix of slow patterns, and on one refined twice K's own
+// lines. What setting it up needs besides is less than a Krylov basis that is still short.
 double pressure_bytes(const Size& s, int refinements) {
   const double K = sizeof(NodeSingle) * s.nodes;
   if (refinements == 0) return K + 6 * number * s.hexes + 2 * number * s.nodes;
-  const double coarser = s.hexes / (refinements == 1 ? 8 : 64),
-               pairs = 20 * coarser * std::max(1.0, std::cbrt(coarser / 7350));
+  const double pairs = coupled_pairs(s.hexes / (refinements == 1 ? 8 : 64));
   return refinements == 1 ? 72 * pairs : K + 15 * single * s.nodes + 54 * s.hexes + 408 * pairs;
 }
 
@@ -68,7 +75,7 @@ double triplet_bytes(double rows, int block, double neighbours) {
 // blocks and balls.
 double base_bytes(const Size& s, const LinearSettings& l) {
   return 5 * megabyte + triplet_bytes(s.nodal(), 3, 27) +
-         (chosen_precision(l) == Precision::full ? 178 : 89) * std::pow(s.nodal(), 4.0 / 3);
+         (l.smoothing == Precision::full ? 178 : 89) * std::pow(s.nodal(), 4.0 / 3);
 }
 
 void add_coarser_levels(const RunSize& size, const LinearSettings& l, std::vector<MemoryPart>& parts) {
@@ -89,15 +96,17 @@ double aggregation_bytes(const Size& s, const LinearSettings& l) {
   const double aggregates = s.nodes / l.aggregation.nodes, round = sphericity(s.hexes, s.nodes),
                neighbours = 27 * std::min(1., .5 + .8 * round);
   const double factors = (neighbours / 27 * 1350 + 18 * round * std::cbrt(s.nodes)) * 16 * aggregates;
-  return (chosen_precision(l) == Precision::full ? 1.4 : 1) * factors +
-         36 * single * neighbours / 2 * aggregates + triplet_bytes(6 * aggregates, 6, neighbours);
+  return (l.smoothing == Precision::full ? 1.4 : 1) * factors + 36 * single * neighbours / 2 * aggregates +
+         triplet_bytes(6 * aggregates, 6, neighbours);
 }
 
 // Of hypre's hierarchies, and of the nodes' blocks.
-double coarse_bytes(const std::string& name, const Size& s, const LinearSettings& l) {
-  if (name == "aggregation") return aggregation_bytes(s, l);
-  if (name == "jacobi") return 9 * 12 * s.nodes;
-  return (name == "boomeramg" || name == "boomeramg_nodal" ? 2 * 27 * 9 : 2 * 27 * 3) * 12 * s.nodes;
+double coarse_bytes(Displacement name, const Size& s, const LinearSettings& l) {
+  if (name == Displacement::aggregation) return aggregation_bytes(s, l);
+  if (name == Displacement::jacobi) return 9 * 12 * s.nodes;
+  return (name == Displacement::boomeramg || name == Displacement::boomeramg_nodal ? 2 * 27 * 9
+                                                                                   : 2 * 27 * 3) *
+         12 * s.nodes;
 }
 
 void add_direct(const Size& s, int ranks, std::vector<MemoryPart>& parts) {
@@ -109,14 +118,12 @@ void add_iterative(const RunSize& size, const SolverSettings& solver, std::vecto
   const LinearSettings& l = solver.linear;
   const Size& s = size.levels.front();
   const bool hierarchy = size.levels.size() > 1;
-  const std::string name = l.displacement != "auto" ? l.displacement
-                           : hierarchy              ? "multigrid"
-                                                    : "aggregation";
+  const Displacement name = l.displacement_on(hierarchy);
   parts.push_back({"operator", system_bytes(s, size.liquids, l)});
   parts.push_back({"smoother", smoother_bytes(s, l) + (1 + size.liquids) * number * s.nodal()});
   parts.push_back({"Krylov basis", krylov_bytes(s, solver, size.refinements)});
   if (!easy(solver.newton)) parts.push_back({"element pressures", pressure_bytes(s, size.refinements)});
-  if (name == "multigrid" && hierarchy)
+  if (name == Displacement::multigrid && hierarchy)
     add_coarser_levels(size, l, parts);
   else
     parts.push_back({"coarse matrix", coarse_bytes(name, s, l)});
@@ -148,7 +155,7 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   // the state that a step begins with; on their way to the file, nodes and hexahedra with their keys
   parts.push_back({"checkpoints",
                    scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});
-  if (scene.solver.linear.method == "direct")
+  if (scene.solver.linear.method == Method::direct)
     add_direct(s, size.ranks, parts);
   else
     add_iterative(size, scene.solver, parts);
@@ -157,7 +164,7 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
 
 double bytes_of_last_resort(const RunSize& size, const Scene& scene) {
   const LinearSettings& l = scene.solver.linear;
-  if (l.method == "direct" || l.fallback != "direct") return 0;
+  if (l.method == Method::direct || l.fallback != Fallback::direct) return 0;
   std::vector<MemoryPart> parts;
   add_direct(size.levels.front(), size.ranks, parts);
   return sum_of(parts);

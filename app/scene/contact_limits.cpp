@@ -13,7 +13,7 @@ namespace {
 
 constexpr double megabyte = 1e6;
 // A triangle with its corners, neighbours and, while these are looked for, edges; a contact point with its
-// candidates and tangent; what a point remembers of each part of a body.
+// candidates and tangent; what a point remembers of each part of a body: benchmarks/notebook/memory.md.
 constexpr double of_facet = 450, of_point = 1700, of_slot = 100;
 // Facets and points are gone through in every Newton iteration: a million on a rank take seconds. 4 x 4
 // points on each face are always allowed; a point's memory of a part costs less than the point.

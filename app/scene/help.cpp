@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 #include "app/scene/outline.hpp"
 #include "app/study/study.hpp"
 
@@ -52,33 +54,66 @@ const Topic& innermost(const Topic& t) {
   return t.kind == Kind::list || t.kind == Kind::map ? innermost(t.parts[0]) : t;
 }
 
-void write(const Topic& t, int indent, std::string& out) {
+// The conditions that what is around does not have.
+std::string own_conditions(const Topic& t, const Topic& around) {
+  return conditions_text(std::span(t.about.conditions).subspan(innermost(around).about.conditions.size()));
+}
+
+void write(const Topic& t, const Topic& around, Level most, int indent, std::string& out) {
+  if (t.about.level > most) return;
   const std::string words = t.about.choices.empty() ? "" : " (" + alternatives(t.about.choices) + ")";
-  out +=
-      fmt::format("{:<22}  {:<40}  {}{}\n", std::string(indent, ' ') + t.key, facts(t), t.about.help, words);
-  for (const Topic& part : innermost(t).parts) write(part, indent + 2, out);
+  out += fmt::format("{:<22}  {:<40}  {}{}{}\n", std::string(indent, ' ') + t.key, facts(t), t.about.help,
+                     words, own_conditions(t, around));
+  for (const Topic& part : innermost(t).parts) write(part, t, most, indent + 2, out);
 }
 
 template <class T>
-std::string help_of(std::string introduction) {
-  for (const Topic& part : outline_of<T>("", About{""}).parts) write(part, 0, introduction);
+std::string help_of(std::string introduction, Level most) {
+  const Topic root = outline_of<T>("", About{""});
+  for (const Topic& part : root.parts) write(part, root, most, 0, introduction);
   return introduction;
+}
+
+// Keys of a level that hold a value.
+int count(const Topic& t, Level level) {
+  int sum = t.kind != Kind::group && t.about.level == level;
+  for (const Topic& part : innermost(t).parts) sum += count(part, level);
+  return sum;
+}
+
+std::string what_is_left_out(Level most) {
+  const Topic root = outline_of<Scene>("", About{""});
+  const int expert = most < Level::expert ? count(root, Level::expert) : 0,
+            debug = most < Level::debug ? count(root, Level::debug) : 0;
+  if (debug == 0) return "";
+  return expert > 0 ? fmt::format(
+                          "\n{} settings for experts and {} for debugging are not shown: 'bulbus help "
+                          "scene --expert' adds the\nformer, '--all' both.\n",
+                          expert, debug)
+                    : fmt::format(
+                          "\n{} settings for debugging are not shown: 'bulbus help scene --all' adds them.\n",
+                          debug);
 }
 
 }  // namespace
 
-std::string scene_help() {
+std::string scene_help(Level most) {
   return help_of<Scene>(
-      "A scene is a YAML file. Lengths in mm, forces in N, stresses in MPa, angles in rad; a value may carry "
-      "its own\n"
-      "unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and t (steps done + s).\n\n");
+             "A scene is a YAML file. Lengths in mm, forces in N, stresses in MPa, angles in rad; a value "
+             "may carry "
+             "its own\n"
+             "unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and t (steps done + "
+             "s).\n\n",
+             most) +
+         what_is_left_out(most);
 }
 
 std::string study_help() {
   return help_of<Study>(
       "A study is a YAML file: a scene, and what to vary in it. Keys of the scene are paths such as\n"
       "steps.1.increments; entries of lists count from 0, or go by their name. Runs save no result fields\n"
-      "unless `set` gives output.vtk: true.\n\n");
+      "unless `set` gives output.vtk: true.\n\n",
+      Level::debug);
 }
 
 }  // namespace bulbus

@@ -2,10 +2,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "core/base/parameters.hpp"
+
 namespace bulbus {
 
-/// Every key of a scene with its type, unit, default, bounds and one line of help, indented as in the file.
-std::string scene_help();
+/// The keys of a scene up to a level, with type, unit, default, bounds and one line of help, indented as in
+/// the file; and how many there are of every level beyond.
+std::string scene_help(Level most = Level::everyday);
 
 /// The same of a study.
 std::string study_help();

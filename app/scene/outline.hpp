@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "app/scene/writer.hpp"
 
 namespace bulbus {
@@ -34,6 +36,16 @@ std::vector<Topic> parts_of(T& object) {
   return parts;
 }
 
+/// Gives all that is below a topic the topic's level and conditions.
+inline void inherit(Topic& topic, const About& about) {
+  for (Topic& part : topic.parts) {
+    part.about.level = std::max(part.about.level, about.level);
+    part.about.conditions.insert(part.about.conditions.begin(), about.conditions.begin(),
+                                 about.conditions.end());
+    inherit(part, about);
+  }
+}
+
 /// The outline of `value`, which holds the defaults.
 template <class T>
 Topic outline_of(const std::string& key, const About& about, T& value) {
@@ -41,7 +53,8 @@ Topic outline_of(const std::string& key, const About& about, T& value) {
   Topic topic;
   if constexpr (kinds::Optional<T>) {
     topic = outline_of<typename T::value_type>(key, about);
-    topic.optional = true;
+    topic.optional = !about.zero_is_automatic;
+    return topic;
   } else if constexpr (kinds::Described<T>) {
     topic.kind = Kind::group;
     topic.parts = parts_of(value);
@@ -61,6 +74,8 @@ Topic outline_of(const std::string& key, const About& about, T& value) {
   }
   topic.key = key;
   topic.about = about;
+  if constexpr (Worded<T>) topic.about.choices = all_words<T>();
+  if constexpr (kinds::Described<T>) inherit(topic, about);
   return topic;
 }
 

@@ -52,14 +52,6 @@ void check_bounds(const Entry& entry, const std::string& key, const About& about
     refuse(entry, key, shown(entry) + " is out of bounds", "give " + wanted_number(about));
 }
 
-void check_choice(const Entry& entry, const std::string& key, const About& about) {
-  if (about.choices.empty()) return;
-  if (std::find(about.choices.begin(), about.choices.end(), entry.text) != about.choices.end()) return;
-  const std::string near = nearest(entry.text, about.choices);
-  refuse(entry, key, shown(entry) + " is not among the choices",
-         (near.empty() ? "" : "did you mean '" + near + "'? ") + "choose " + alternatives(about.choices));
-}
-
 // A number and a word are never an expression: "15 mmhg" is a slip in the unit.
 bool looks_like_quantity(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
@@ -111,6 +103,13 @@ void check_keys(const Entry& map, const std::string& key, const std::vector<std:
   }
 }
 
+void check_choice(const Entry& entry, const std::string& key, const std::vector<std::string>& choices) {
+  if (std::find(choices.begin(), choices.end(), entry.text) != choices.end()) return;
+  const std::string near = nearest(entry.text, choices);
+  refuse(entry, key, shown(entry) + " is not among the choices",
+         (near.empty() ? "" : "did you mean '" + near + "'? ") + "choose " + alternatives(choices));
+}
+
 void refuse_missing(const Entry& map, const std::string& key, const std::string& name, const About& about) {
   refuse(map, key, "the key '" + name + "' is missing", "add '" + name + ": ...' (" + about.help + ")");
 }
@@ -158,7 +157,7 @@ void read(const Entry& entry, const std::string& key, const About& about, double
 void read(const Entry& entry, const std::string& key, const About& about, std::string& value) {
   expect(entry, Entry::Kind::word, key);
   if (about.required && entry.text.empty()) refuse(entry, key, "is empty", "give " + about.help);
-  check_choice(entry, key, about);
+  if (!about.choices.empty()) check_choice(entry, key, about.choices);
   value = about.formula ? read_formula(entry, key, about) : entry.text;
 }
 

@@ -28,6 +28,16 @@ void read(const Entry& entry, const std::string& key, const About& about, Point&
 /// A member that takes any YAML.
 inline void read(const Entry& entry, const std::string&, const About&, Entry& value) { value = entry; }
 
+/// Refuses a word that is none of `choices`.
+void check_choice(const Entry& entry, const std::string& key, const std::vector<std::string>& choices);
+
+template <Worded E>
+void read(const Entry& entry, const std::string& key, const About&, E& value) {
+  expect(entry, Entry::Kind::word, key);
+  check_choice(entry, key, all_words<E>());
+  value = from_word<E>(entry.text);
+}
+
 template <class T>
 void read_any(const Entry& entry, const std::string& key, const About& about, T& value);
 
@@ -89,6 +99,8 @@ void read_optional(const Entry& entry, const std::string& key, const About& abou
   value.reset();
   if (!entry.is(Entry::Kind::nothing) || kinds::Described<typename T::value_type>)
     read_any(entry, key, about, value.emplace());
+  if constexpr (std::is_arithmetic_v<typename T::value_type>)
+    if (about.zero_is_automatic && value == typename T::value_type{}) value.reset();
 }
 
 template <class T>

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/scene/reader.hpp"
+#include "app/scene/unused.hpp"
 
 namespace bulbus {
 namespace {
@@ -12,6 +13,12 @@ namespace {
 Entry with_overrides(Entry root, const std::vector<std::string>& overrides) {
   for (const std::string& assignment : overrides) apply_override(root, assignment);
   return root;
+}
+
+Scene of_one_run(const Entry& root, const std::string& path) {
+  Scene scene = scene_of(root, path);
+  refuse_unused(root, scene);
+  return scene;
 }
 
 // Relative files count from the folder of the scene.
@@ -66,13 +73,17 @@ Scene scene_of(const Entry& root, const std::string& path) {
   return scene;
 }
 
+Entry scene_data(const std::string& path, const std::vector<std::string>& overrides) {
+  return with_overrides(read_yaml(path), overrides);
+}
+
 Scene parse_scene(const std::string& text, const std::string& path,
                   const std::vector<std::string>& overrides) {
-  return scene_of(with_overrides(parse_yaml(text, path), overrides), path);
+  return of_one_run(with_overrides(parse_yaml(text, path), overrides), path);
 }
 
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
-  return scene_of(with_overrides(read_yaml(path), overrides), path);
+  return of_one_run(scene_data(path, overrides), path);
 }
 
 InputError located(const InputError& fault, const Entry& root) {
@@ -83,7 +94,7 @@ InputError located(const InputError& fault, const Entry& root) {
 
 InputError located(const InputError& fault, const std::string& path,
                    const std::vector<std::string>& overrides) {
-  return fault.key.empty() ? fault : located(fault, with_overrides(read_yaml(path), overrides));
+  return fault.key.empty() ? fault : located(fault, scene_data(path, overrides));
 }
 
 }  // namespace bulbus

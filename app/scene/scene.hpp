@@ -58,10 +58,15 @@ struct Scene {
 };
 
 /// A scene from its YAML as data. Relative files count from the folder of `path`, the scene's, and come out
-/// absolute. Throws InputError with file, line, key, value and remedy.
+/// absolute. Throws InputError with file, line, key, value and remedy. Settings without effect are left to
+/// unused_settings.
 Scene scene_of(const Entry& root, const std::string& path);
 
-/// Reads a scene file, after `path.to.key=value` overrides in their order. Throws InputError.
+/// A scene file as data, after `path.to.key=value` overrides in their order. Throws InputError.
+Entry scene_data(const std::string& path, const std::vector<std::string>& overrides);
+
+/// Reads a scene file, after `path.to.key=value` overrides in their order. Throws InputError, also if a
+/// setting has no effect.
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The same from text; `path` is the name in messages and gives the folder.

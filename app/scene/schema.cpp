@@ -84,7 +84,9 @@ json default_of(const Topic& t) {
 json schema_of(const Topic& t) {
   json s = shape_of(t);
   const std::string unit = unit_of(t.about.quantity);
-  s["description"] = t.about.help + (unit.empty() ? "" : " [" + unit + "]");
+  const std::string level = t.about.level == Level::everyday ? "" : " (" + word_of(t.about.level) + ")";
+  s["description"] =
+      t.about.help + (unit.empty() ? "" : " [" + unit + "]") + conditions_text(t.about.conditions) + level;
   if (!t.about.required && !t.optional && t.kind != Kind::group) s["default"] = default_of(t);
   return s;
 }

@@ -16,7 +16,8 @@ namespace {
 constexpr double megabyte = 1e6;
 constexpr double indices = std::numeric_limits<int>::max();
 // Measured on blocks, shells and eyes: the program itself, what is resident of mesh and
-// problem when all is prepared, and what the making of a mesh needs at its peak.
+// problem when all is prepared, and what the making of a mesh needs at its peak
+// (benchmarks/notebook/memory.md).
 constexpr double of_program = 38 * megabyte, of_base_hex = 100, of_hex = 210, of_whole_hex = 450;
 
 // Hexahedra and nodes are numbered over all ranks; a rank keeps eight numbers of each of its hexahedra, and
@@ -50,12 +51,10 @@ RunSize run_size(const MeshCount& base, const Scene& scene, int ranks) {
 
 }  // namespace
 
-double memory_of(const LinearSettings& l) {
-  return l.memory_limit > 0 ? l.memory_limit * megabyte : static_cast<double>(machine_bytes());
-}
+double memory_of(const LinearSettings& l) { return l.allowed_mb() * megabyte; }
 
 std::string whose_memory(const LinearSettings& l) {
-  return l.memory_limit > 0 ? "that solver.linear.memory_limit allows" : "that this machine has";
+  return l.memory_limit ? "that solver.linear.memory_limit allows" : "that this machine has";
 }
 
 void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks) {
@@ -63,7 +62,7 @@ void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks) {
   refuse_what_has_no_number(base, finest, scene.mesh.refine, ranks);
   std::vector<MemoryPart> parts{
       {"program, mesh and problem", ranks * (of_program + of_base_hex * base.hexes) + of_hex * finest.hexes}};
-  if (scene.solver.linear.method == "direct")
+  if (scene.solver.linear.method == Method::direct)
     parts.push_back({"matrix and its copies", direct_matrix_bytes(finest.hexes)});
   else
     for (MemoryPart& part : parts_of_solution(run_size(base, scene, ranks), scene))

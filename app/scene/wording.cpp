@@ -30,6 +30,14 @@ std::string alternatives(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string conditions_text(std::span<const Condition> conditions) {
+  std::string text;
+  for (const Condition& c : conditions)
+    text += (text.empty() ? "; only with " : " and ") + c.key.substr(c.key.rfind('.') + 1) + ": " +
+            alternatives(c.words);
+  return text;
+}
+
 std::string wanted_number(const About& about) {
   const std::string unit = unit_of(about.quantity), bounds = bounds_text(about);
   return (unit.empty() ? std::string("a number") : "a number in " + unit + ", or with its unit") +

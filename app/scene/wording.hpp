@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ std::string bounds_text(const About& about);
 
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& words);
+
+/// "; only with method: iterative and displacement: hybrid or exact"; empty without conditions.
+std::string conditions_text(std::span<const Condition> conditions);
 
 /// What a number may be: "a number in MPa (or with its unit), above 0".
 std::string wanted_number(const About& about);

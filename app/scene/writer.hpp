@@ -38,12 +38,15 @@ template <class T>
 Entry entry_of(T& value, const About& about) {
   if constexpr (kinds::Described<T>) return entry_of_struct(value);
   if constexpr (kinds::Optional<T>)
-    return value ? entry_of(*value, about) : Entry::empty(Entry::Kind::nothing);
+    return value                     ? entry_of(*value, about)
+           : about.zero_is_automatic ? Entry::word("0")
+                                     : Entry::empty(Entry::Kind::nothing);
   if constexpr (kinds::Map<T>) return entry_of_map(value, about);
   if constexpr (std::same_as<T, Entry>) return value;
   Entry entry;
   if constexpr (kinds::List<T> || std::same_as<T, Point>) entry = entry_of_list(value, about);
   if constexpr (std::same_as<T, std::string>) entry = Entry::word(value);
+  if constexpr (Worded<T>) entry = Entry::word(word_of(value));
   if constexpr (std::same_as<T, bool>) entry = Entry::word(value ? "true" : "false");
   if constexpr (std::same_as<T, int>) entry = Entry::word(std::to_string(value));
   if constexpr (std::same_as<T, double>) entry = Entry::word(number_text(value));

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
+#include "app/scene/unused.hpp"
 #include "app/study/study_design.hpp"
 
 namespace bulbus {
@@ -18,6 +21,36 @@ Entry source_of(const Study& study, const Levels& levels) {
       set_at(root, study.vary[f].keys[k], place_of(study.source, fmt::format("vary.{}.keys.{}", f, k)),
              study.vary[f].values[levels[f]]);
   return root;
+}
+
+/// What some runs of a study give without effect: the other factors may choose a method that has no use for
+/// it. What no run uses is a slip.
+struct UnusedInAll {
+  struct Setting {
+    int runs = 0, first = 0;  ///< that give it so; the first of them that needs telling
+    std::optional<InputError> fault;
+  };
+  std::map<std::string, Setting> settings;
+  int run = 0;
+
+  void add(const std::vector<UnusedSetting>& unused) {
+    for (const UnusedSetting& u : unused) {
+      Setting& setting = settings[u.key];
+      ++setting.runs;
+      if (u.differs() && !setting.fault) setting.fault = u.fault(), setting.first = run;
+    }
+    ++run;
+  }
+};
+
+// Where a setting has no effect, the run has the value that it would have without.
+Scene scene_of_run(const Study& study, const Levels& levels, UnusedInAll& all) {
+  Entry root = source_of(study, levels);
+  const Scene scene = scene_of(root, study.scene);
+  const auto unused = unused_settings(root, scene);
+  all.add(unused);
+  for (const UnusedSetting& u : unused) set_at(root, u.key, {}, Entry::word(u.otherwise));
+  return unused.empty() ? scene : scene_of(root, study.scene);
 }
 
 const ProbeSpec* probe(const StudyRun& run, const std::string& name) {
@@ -53,11 +86,15 @@ InputError fault_of(const InputError& fault, const Study& study, const StudyRun&
 
 std::vector<StudyRun> plan(const Study& study) {
   std::vector<StudyRun> runs;
+  UnusedInAll unused;
   for (const Levels& levels : levels_of(study)) {
     runs.push_back({fmt::format("run_{:03d}", runs.size() + 1), levels, {}});
     StudyRun& run = runs.back();
-    of_run(study, run, [&] { run.scene = scene_of(source_of(study, levels), study.scene); });
+    of_run(study, run, [&] { run.scene = scene_of_run(study, levels, unused); });
   }
+  for (const auto& [key, setting] : unused.settings)
+    if (setting.runs == static_cast<int>(runs.size()) && setting.fault)
+      throw fault_of(*setting.fault, study, runs[setting.first]);
   return runs;
 }
 

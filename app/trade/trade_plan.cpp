@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "app/scene/unused.hpp"
 #include "app/scene/wording.hpp"
 #include "app/trade/trade.hpp"
 
@@ -113,7 +114,7 @@ class Planner {
         name,  knob,
         value, joined({"output.vtk=false"}, joined(overrides_, joined(trade_.meshes[mesh].set, set))),
         mesh,  {}};
-    run.scene = read_scene(trade_.scene, run.set);
+    run.scene = scene_with(run.set);
     const std::string way = way_of(run.scene);
     if (const auto same = std::ranges::find(ways_, way); same != ways_.end())
       return static_cast<int>(same - ways_.begin());
@@ -135,11 +136,21 @@ class Planner {
     }
   }
   Scene scene_on(const TradeMesh& mesh) const {
-    return read_scene(trade_.scene, joined(overrides_, mesh.set));
+    Settings set = joined(overrides_, mesh.set);
+    return scene_with(set);
   }
   Trade& trade() { return trade_; }
 
  private:
+  // Where the method of a run has no use for a setting of the scene or of a knob, the set gives it the value
+  // that it would have without.
+  Scene scene_with(Settings& set) const {
+    const Entry root = scene_data(trade_.scene, set);
+    Scene scene = scene_of(root, trade_.scene);
+    for (const UnusedSetting& u : unused_settings(root, scene))
+      if (u.differs()) set.push_back(u.key + "=" + u.otherwise);
+    return scene_of(scene_data(trade_.scene, set), trade_.scene);
+  }
   // By what words a scene's settings are called is all the same.
   static std::string way_of(Scene scene) {
     scene.solver.accuracy = SolverSettings().accuracy;
@@ -178,7 +189,7 @@ Trade plan_trade(const std::string& scene, const std::vector<std::string>& overr
   Planner planner(scene, overrides);
   planner.mesh({mesh_with(cells, 1).words, 1, {}});
   planner.trade().meshes[0].reference = planner.add("reference", "", reference);
-  planner.add("scene", "accuracy " + given.solver.accuracy, {});
+  planner.add("scene", "accuracy " + word_of(given.solver.accuracy), {});
   for (const char* accuracy : {"fast", "balanced", "tight"})
     planner.add("accuracy", accuracy, {std::string("solver.accuracy=") + accuracy});
   for (const auto& factors : {std::array{.7, .6, .5}, std::array{1.3, 1.45, 1.6}}) {

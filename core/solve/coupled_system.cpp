@@ -25,7 +25,7 @@ CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings)
 
 void CoupledSystem::linearize(const State& state, const Residual& r) {
   state_ = &state;
-  const bool cache = settings_.op == "cache";
+  const bool cache = settings_.op == TangentStorage::cache;
   problem_.linearize(state, settings_.gamma, cache ? StrainSource::cache : StrainSource::recompute);
   body_geometry_.clear();
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
@@ -35,7 +35,7 @@ void CoupledSystem::linearize(const State& state, const Residual& r) {
     body_geometry_.push_back(G);
   }
   take_liquid_columns();
-  if (settings_.op == "assembled")
+  if (settings_.op == TangentStorage::assembled)
     assembled_ = std::make_unique<BlockCsr>(problem_.mesh().nodes(), [&](const ContributionVisitor& v) {
       problem_.solid().visit(v, true);
       visit_surface(problem_, state, v);

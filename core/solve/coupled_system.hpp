@@ -76,7 +76,7 @@ class CoupledSystem final : public LinearOperator {
   const std::vector<std::vector<double>>& liquid_columns() const { return g_; }
   double compliance(int liquid) const { return problem_.liquids()[liquid].compliance(); }
   /// Are the liquids' pressures eliminated?
-  bool eliminated() const { return settings_.formulation == "eliminated"; }
+  bool eliminated() const { return settings_.formulation == Formulation::eliminated; }
   /// ω per liquid, chosen by whoever knows gᵀ A⁻¹ g. Zero until then; K/V_i where pressures are eliminated.
   void set_liquid_augmentation(std::vector<double> omega) { omega_ = std::move(omega); }
   std::span<const double> liquid_augmentation() const { return omega_; }

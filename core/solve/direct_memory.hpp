@@ -6,7 +6,7 @@ namespace bulbus {
 
 /// Bytes over all ranks that MUMPS takes for the coupled system beside the factors: triplets, their copy in
 /// the order of the fronts, analysis and the front under way. Measured on blocks, cylinders, shells and eyes
-/// of 3,600 to 13,000 hexahedra: 7.4e3 to 8.5e3 for each.
+/// of 3,600 to 13,000 hexahedra: 7.4e3 to 8.5e3 for each (benchmarks/notebook/memory.md).
 inline double direct_matrix_bytes(double hexahedra) { return 8e3 * hexahedra; }
 
 /// How round a body is: 6 hexahedra^(2/3) over the faces of its boundary, 2 (nodes − hexahedra) in number. 1

@@ -22,8 +22,7 @@ double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
 class DirectSolver final : public LinearSolver {
  public:
   DirectSolver(const LinearSettings& settings, Profiler& profiler)
-      : limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()),
-        profiler_(profiler) {}
+      : limit_mb_(settings.allowed_mb()), profiler_(profiler) {}
 
   LinearReport prepare(CoupledSystem& system) override {
     const auto scope = profiler_.clock.measure("factorisation");

@@ -60,8 +60,8 @@ bool solve_once(const CoupledSystem& system, Mumps& mumps, std::span<const doubl
 }  // namespace
 
 LastResort::LastResort(const LinearSettings& settings, Profiler& profiler)
-    : allowed_(settings.fallback == "direct"),
-      limit_mb_(settings.memory_limit > 0 ? settings.memory_limit : 1e-6 * machine_bytes()),
+    : allowed_(settings.fallback == Fallback::direct),
+      limit_mb_(settings.allowed_mb()),
       profiler_(profiler) {}
 
 double LastResort::room_mb(const CoupledSystem& system) const {

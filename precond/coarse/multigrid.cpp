@@ -23,7 +23,7 @@ std::shared_ptr<ProjectedTerm> projected_term_of(Problem& coarser) {
 MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
     : problem_(finest),
       base_(std::make_shared<Mumps>(
-          finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
+          finest.comm(), MumpsOptions{.precision = settings.smoothing, .block = 3, .joined = true})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
     levels_.push_back({find_lines(*p),
                        projected_term_of(*p->coarser()),

@@ -54,7 +54,7 @@ Precision fitting_precision(const CoupledSystem& system, const LinearSettings& s
   double part = 0;
   for (int i = 0; i < system.layout().nodal; ++i)
     part = std::max(part, stiffness[i] * system.scaling()[i] * system.scaling()[i]);
-  return problem.comm().max(part) > most ? Precision::full : chosen_precision(settings);
+  return problem.comm().max(part) > most ? Precision::full : settings.smoothing;
 }
 
 }  // namespace
@@ -62,15 +62,6 @@ Precision fitting_precision(const CoupledSystem& system, const LinearSettings& s
 std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision) {
   if (precision == Precision::single) return std::make_unique<SingleBlock>(system);
   return std::make_unique<DisplacementBlock>(system);
-}
-
-std::string chosen_displacement(const LinearSettings& settings, const Problem& problem) {
-  if (settings.displacement != "auto") return settings.displacement;
-  return problem.coarser() ? "multigrid" : "aggregation";
-}
-
-Precision chosen_precision(const LinearSettings& settings) {
-  return settings.smoothing == "double" ? Precision::full : Precision::single;
 }
 
 struct DisplacementFactory::Plans {
@@ -86,15 +77,15 @@ DisplacementFactory::~DisplacementFactory() = default;
 DisplacementInverse DisplacementFactory::make(const CoupledSystem& system, bool keep_factors) {
   const Problem& problem = system.problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
-  const std::string name = chosen_displacement(settings_, problem);
+  const Displacement name = settings_.displacement_on(problem.coarser());
   const Precision smoothing = fitting_precision(system, settings_);
   const double tolerated = keep_factors ? settings_.coarse_change : 0;
-  if (name == "jacobi") return {std::make_unique<BlockJacobi>(system)};
-  if (name == "scalar_amg") return {std::make_unique<ScalarAmgAlone>(system)};
-  if (name == "boomeramg" || name == "boomeramg_nodal")
-    return {std::make_unique<AssembledAmg>(system, name == "boomeramg_nodal")};
-  if (name == "exact") return {std::make_unique<ExactBlock>(system)};
-  if (name == "multigrid") {
+  if (name == Displacement::jacobi) return {std::make_unique<BlockJacobi>(system)};
+  if (name == Displacement::scalar_amg) return {std::make_unique<ScalarAmgAlone>(system)};
+  if (name == Displacement::boomeramg || name == Displacement::boomeramg_nodal)
+    return {std::make_unique<AssembledAmg>(system, name == Displacement::boomeramg_nodal)};
+  if (name == Displacement::exact) return {std::make_unique<ExactBlock>(system)};
+  if (name == Displacement::multigrid) {
     if (!problem.coarser())
       throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh",
                         "Give mesh.refine, or take 'aggregation'.");
@@ -104,7 +95,7 @@ DisplacementInverse DisplacementFactory::make(const CoupledSystem& system, bool 
     return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid, smoothing),
                       base);
   }
-  if (name == "hybrid") {
+  if (name == Displacement::hybrid) {
     const int nodes = settings_.aggregates > 0
                           ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates))
                           : 0;

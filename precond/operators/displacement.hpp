@@ -24,13 +24,6 @@ class DisplacementBlock final : public LinearOperator {
 /// The block, or in single precision what smoothers take for it.
 std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision);
 
-/// What `auto` stands for: multigrid where the problem has a coarser one, aggregation elsewhere. Other names
-/// stand for themselves.
-std::string chosen_displacement(const LinearSettings& settings, const Problem& problem);
-
-/// Of the smoother and of factors in preconditioners of the displacement block.
-Precision chosen_precision(const LinearSettings& settings);
-
 /// An approximate inverse of the displacement block, on primal vectors, and the lines it smooths with; null
 /// where it has none.
 struct DisplacementInverse {

@@ -27,7 +27,8 @@ void PressureSchur::enable_deferred_component() {
   if (refinements == 0) weak_.parts.push_back(rough_part(system_, lines, *weak_.K, settings_.degree));
   if (refinements > 1) weak_.parts.push_back(fine_patterns_part(system_, *weak_.K, settings_.degree));
   if (refinements > 0)
-    weak_.parts.push_back(coarse_patterns_part(system_, lines, refinements > 1 ? 0 : settings_.degree));
+    weak_.parts.push_back(
+        coarse_patterns_part(system_, lines, refinements > 1 ? std::nullopt : settings_.degree));
   if (!weak_.K) weak_.softened.reset();
 }
 

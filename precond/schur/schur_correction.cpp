@@ -46,17 +46,18 @@ class Diagonal final : public Preconditioner {
 
 // As many hexahedra as a mesh has in one direction, more or less, times `part`: halving them doubles it.
 // Fewer than 16 gain little. `part` is where the eye's fourth Newton system stopped to gain: 59 k hexahedra
-// 41, 32 iterations with 1, 1.6; refined once 20, 15, 17 with 1, 2, 3; 163 k refined twice 27, 24, 24 with 2,
-// 3, 4; of 470 k a whole increment by default takes 35 iterations with 3, 36 with 2, and less time.
+// 41, 32 iterations with 1, 1.6; refined once 20, 15, 17 with 1, 2, 3
+// (benchmarks/notebook/checkerboard_modes.md).
 int degree_for(double hexes, double part) {
   return std::max(16, static_cast<int>(std::lround(part * std::cbrt(hexes))));
 }
 
-// A polynomial of degree d inverts eigenvalues above so much of the largest one to within a third.
+// A polynomial of degree d inverts eigenvalues above the part a of the largest one to within
+// 1/T_d((1+a)/(1−a)), which is a third where √a = arccosh(3)/(2d), for small a: a = 0.777/d².
 double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * degree); }
 
 // Of a block of the checkerboard modes' matrix: a third to two fifths of them are less. Iterations are the
-// same with 1e-3 and grow by half with 3e-3.
+// same with 1e-3 and grow by half with 3e-3 (benchmarks/notebook/checkerboard_modes.md).
 constexpr double negligible = 3e-4;
 
 class OnAll final : public SchurCorrection {
@@ -119,15 +120,16 @@ class OnPatterns final : public SchurCorrection {
 }  // namespace
 
 std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
-                                            const LinePressureStiffness& K, int degree) {
+                                            const LinePressureStiffness& K, std::optional<int> degree) {
   return std::make_unique<OnAll>(system, lines, K,
-                                 degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
+                                 degree.value_or(degree_for(system.problem().mesh().all_hexes, 1.6)));
 }
 
 std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
-                                                    const LinePressureStiffness& K, int degree) {
+                                                    const LinePressureStiffness& K,
+                                                    std::optional<int> degree) {
   return std::make_unique<OnPatterns<CheckerboardProduct, Diagonal>>(
-      system.problem(), 1, degree > 0 ? degree : 16,
+      system.problem(), 1, degree.value_or(16),
       [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },
       [&](const CheckerboardModes& P, const CheckerboardProduct&) {
         return Diagonal(inverse_diagonal(system, P));
@@ -135,12 +137,12 @@ std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
 }
 
 std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines,
-                                                      int degree) {
+                                                      std::optional<int> degree) {
   const Problem& problem = system.problem();
   const int refinements = std::min(2, problem.mesh().refinements);
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
   return std::make_unique<OnPatterns<CheckerboardMatrix, PatternJacobi>>(
-      problem, refinements, degree > 0 ? degree : degree_for(hexes, 2),
+      problem, refinements, degree.value_or(degree_for(hexes, 2)),
       [&](const CheckerboardModes& P) {
         CheckerboardMatrix matrix(problem, P, lines);
         matrix.drop(negligible);

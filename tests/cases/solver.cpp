@@ -20,12 +20,15 @@ struct Both {
   Result iterative, direct;
 };
 
-Both run_both(const std::string& folder, std::vector<std::string> set = {}) {
+// `of_gmres`: settings of the iterative solver alone.
+Both run_both(const std::string& folder, const std::vector<std::string>& set = {},
+              const std::vector<std::string>& of_gmres = {}) {
   Both both;
   for (Result* r : {&both.iterative, &both.direct}) {
-    set.push_back(std::string("solver.linear.method=") + (r == &both.direct ? "direct" : "iterative"));
-    *r = result_of(folder, set);
-    set.pop_back();
+    auto all = set;
+    all.push_back(std::string("solver.linear.method=") + (r == &both.direct ? "direct" : "iterative"));
+    if (r == &both.iterative) all.insert(all.end(), of_gmres.begin(), of_gmres.end());
+    *r = result_of(folder, all);
     EXPECT_EQ(r->status, 0) << r->summary["reason"];
   }
   return both;
@@ -71,7 +74,7 @@ TEST(UnstableMaterial, IsFollowedBeyondItsLimitAndTold) {
 
 // Twelve iterations are too few now and then.
 TEST(UnstableMaterial, IsSolvedByMumpsWhereGmresFails) {
-  const Both both = run_both("unstable_material", {"solver.linear.max_iterations=12"});
+  const Both both = run_both("unstable_material", {}, {"solver.linear.max_iterations=12"});
   expect_same(both);
   EXPECT_GT(both.iterative.summary["direct_solves"], 0);
   EXPECT_NE(both.iterative.log.find("by MUMPS (GMRES: iterations exhausted)"), std::string::npos);

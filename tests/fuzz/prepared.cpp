@@ -33,8 +33,7 @@ void require_finite(const Prepared& prepared) {
 Prepared prepare_checked(const Entry& root, const std::string& path) {
   try {
     Scene scene = scene_of(root, path);
-    if (double& limit = scene.solver.linear.memory_limit; sanitized && limit == 0)
-      limit = 1e-6 * bytes_of_one;
+    if (auto& limit = scene.solver.linear.memory_limit; sanitized && !limit) limit = 1e-6 * bytes_of_one;
     Prepared prepared = prepare(scene, Comm(MPI_COMM_SELF));
     refuse_what_cannot_fit(forecast_memory(prepared, scene), scene.solver.linear);
     require_finite(prepared);

@@ -89,7 +89,7 @@ TEST(Contact, OfMatchingNodesIsIterativelyAsDirectly) {
     alone.direct();
     ASSERT_TRUE(alone.report.converged) << alone.report.reason;
     ContactTrial together(two_blocks(3, 3, penalty));
-    together.settings.linear.fallback = "none";
+    together.settings.linear.fallback = Fallback::none;
     together.iterative();
     ASSERT_TRUE(together.report.converged) << together.report.reason;
     EXPECT_LT(relative(together.force("joint")[2], alone.force("joint")[2]), 1e-6) << penalty;

@@ -83,7 +83,7 @@ TEST(Fallback, KnowsEliminatedPressuresToo) {
   Scene scene = filled_shell("half");
   ContactTrial alone(scene, Comm(MPI_COMM_SELF)), together(scene);
   alone.direct();
-  together.settings.linear.formulation = "eliminated";
+  together.settings.linear.formulation = Formulation::eliminated;
   together.settings.linear.max_iterations = 1;
   together.iterative();
   ASSERT_TRUE(together.report.converged) << together.report.reason;

@@ -42,7 +42,7 @@ Scene eye() {
 }
 
 void expect_same_figures(const char* what, const Scene& scene, double force,
-                         const std::string& formulation = "bordered") {
+                         Formulation formulation = Formulation::bordered) {
   Trial alone(scene, Comm(MPI_COMM_SELF));
   alone.settings.newton = tight(force);
   alone.direct();
@@ -75,7 +75,7 @@ TEST(Ranks, DoNotMatterToAShellWithARigidCapBarsAndSkewHolds) {
 }
 
 TEST(Ranks, DoNotMatterToAShellWhoseLiquidIsEliminated) {
-  expect_same_figures("half shell, P eliminated", shell(), 1e-11, "eliminated");
+  expect_same_figures("half shell, P eliminated", shell(), 1e-11, Formulation::eliminated);
 }
 
 TEST(Ranks, DoNotMatterToTheHalfEye) { expect_same_figures("half eye", eye(), 1e-9); }

@@ -55,7 +55,7 @@ inline Scene cylinder() {
 }
 
 /// To 1e-6, of the first linear system.
-inline int iterations(const Scene& scene, int refine, const std::string& displacement) {
+inline int iterations(const Scene& scene, int refine, Displacement displacement) {
   Linearised l(scene, refine, 0);
   l.settings.displacement = displacement;
   Profiler profiler;

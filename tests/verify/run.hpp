@@ -30,7 +30,7 @@ struct Trial : MarchTrial {
     return *this;
   }
   Trial& direct() {
-    settings.linear.method = "direct";
+    settings.linear.method = Method::direct;
     settings.linear.gamma = 0;
     return with(make_direct_solver(settings.linear, profiler));
   }

@@ -16,7 +16,7 @@ std::vector<double> displacements(const Trial& run, const State& state) {
 struct Kept {
   Trial run;
   std::vector<State> states;
-  Kept(const Scene& scene, bool direct, double force, const std::string& formulation = "bordered")
+  Kept(const Scene& scene, bool direct, double force, Formulation formulation = Formulation::bordered)
       : run(scene) {
     run.settings.newton = tight(force);
     run.settings.linear.formulation = formulation;
@@ -32,7 +32,7 @@ TEST(Solvers, AgreeOnTheEliminatedShell) {
   scene.model.steps[1].add["fluid"] = 1;
   const Kept bordered(scene, true, 1e-10);
   for (bool direct : {true, false}) {
-    const Kept eliminated(scene, direct, 1e-10, "eliminated");
+    const Kept eliminated(scene, direct, 1e-10, Formulation::eliminated);
     ASSERT_EQ(eliminated.states.size(), bordered.states.size());
     const State &e = eliminated.states.back(), &b = bordered.states.back();
     const double u = relative_difference(displacements(eliminated.run, e), displacements(bordered.run, b)),

@@ -23,7 +23,7 @@ Found inflated(const std::string& size, const ReferenceRow& r) {
   m.steps.push_back(s);
   Trial run(scene);
   run.settings.newton = {.force = 1e-8, .volume = 1e-8, .eta_max = 1e-6};
-  run.settings.linear.displacement = "aggregation";
+  run.settings.linear.displacement = Displacement::aggregation;
   run.iterative();
   EXPECT_TRUE(run.report.converged) << run.report.reason;
   return {relative(run.mean_radial(scene.mesh, "inner"), r["u_r_inner_mm"]), most_krylov(run)};

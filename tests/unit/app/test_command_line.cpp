@@ -41,6 +41,9 @@ TEST(CommandLine, HelpsAndTellsItsVersion) {
   EXPECT_NE(bulbus_says({"run", "--help"}).out.find("--set"), std::string::npos);
   EXPECT_EQ(bulbus_says({"--version"}).out, std::string("bulbus ") + version + "\n");
   EXPECT_NE(bulbus_says({"help", "scene"}).out.find("max_iterations"), std::string::npos);
+  EXPECT_EQ(bulbus_says({"help", "scene"}).out.find("smoothed_part"), std::string::npos);
+  EXPECT_NE(bulbus_says({"help", "scene", "--expert"}).out.find("smoothed_part"), std::string::npos);
+  EXPECT_NE(bulbus_says({"help", "scene", "--all"}).out.find("record_spectrum"), std::string::npos);
   EXPECT_NE(bulbus_says({"help", "study"}).out.find("one_at_a_time"), std::string::npos);
   EXPECT_EQ(bulbus_says({"help", "schema"}).out[0], '{');
 }
@@ -62,6 +65,18 @@ TEST(CommandLine, WrongUsageIsStatusTwo) {
     EXPECT_EQ(answer.status, 2);
     EXPECT_FALSE(answer.err.empty());
     EXPECT_TRUE(answer.out.empty());
+  }
+}
+
+TEST(CommandLine, ASettingWithoutEffectIsStatusTwo) {
+  const std::string scene = folder_with(least_scene()) / "scene.yaml";
+  for (const char* command : {"run", "check"}) {
+    const Answer answer =
+        bulbus_says({command, scene, "--set", "solver.linear.method=direct", "solver.linear.restart=20"});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err,
+              "--set solver.linear.restart=20: solver.linear.restart: has no effect: solver.linear.method is "
+              "direct\n  Leave it out, or choose iterative for solver.linear.method.\n");
   }
 }
 

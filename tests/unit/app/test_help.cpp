@@ -44,7 +44,7 @@ int expect_every_key(const std::string& help) {
 }
 
 TEST(Help, MentionsEveryKeyWithItsLine) {
-  EXPECT_GT(expect_every_key<Scene>(scene_help()), 100);
+  EXPECT_GT(expect_every_key<Scene>(scene_help(Level::debug)), 100);
   EXPECT_GT(expect_every_key<Study>(study_help()), 10);
 }
 
@@ -54,7 +54,7 @@ std::string line_of(const std::string& help, const std::string& start) {
 }
 
 TEST(Help, TellsTypeUnitDefaultAndBounds) {
-  const std::string help = scene_help();
+  const std::string help = scene_help(Level::expert);
   EXPECT_NE(line_of(help, "    gamma ")
                 .find("number, default " + number_text(LinearSettings{}.gamma) + ", between 0 and 10000"),
             std::string::npos);
@@ -83,6 +83,17 @@ TEST(Schema, SaysTheSame) {
   EXPECT_EQ(keys["fix"]["items"]["properties"]["directions"]["default"], (nlohmann::json{"x", "y", "z"}));
   EXPECT_EQ(keys["symmetry"]["items"]["enum"], (nlohmann::json{"x", "y", "z"}));
   EXPECT_EQ(keys["mesh"]["maxProperties"], 1);
+}
+
+TEST(Schema, MarksTheLevelOfASetting) {
+  const nlohmann::json schema = scene_schema();
+  const auto described = [&](const char* key) {
+    return schema["properties"]["solver"]["properties"]["linear"]["properties"][key]["description"]
+        .get<std::string>();
+  };
+  EXPECT_TRUE(described("gamma").ends_with(" (expert)"));
+  EXPECT_TRUE(described("dump").ends_with(" (debug)"));
+  EXPECT_FALSE(described("method").ends_with(")"));
 }
 
 }  // namespace

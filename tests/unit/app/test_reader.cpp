@@ -29,7 +29,7 @@ TEST(Reader, ReadsEveryKindOfValue) {
   EXPECT_EQ(s.model.steps[1].displace[1].affine->size(), 9u);
   EXPECT_FALSE(s.model.steps[1].displace[1].rotate);
   EXPECT_TRUE(s.model.steps[1].loads[0].dead);
-  EXPECT_EQ(s.solver.linear.op, "assembled");
+  EXPECT_EQ(s.solver.linear.op, TangentStorage::assembled);
   EXPECT_EQ(s.solver.newton.max_iterations, 25);
 }
 

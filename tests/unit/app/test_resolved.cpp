@@ -20,7 +20,7 @@ TEST(Resolved, ReadsBackAsTheSameScene) {
   EXPECT_EQ(after.model.steps[1].displace[0].y, before.model.steps[1].displace[0].y);
   EXPECT_EQ(after.model.steps[1].displace[0].rotate->angle, before.model.steps[1].displace[0].rotate->angle);
   EXPECT_EQ(after.model.steps[1].displace[0].z.has_value(), false);
-  EXPECT_EQ(after.solver.linear.op, "assembled");
+  EXPECT_EQ(after.solver.linear.op, TangentStorage::assembled);
 }
 
 TEST(Resolved, RoundTripHoldsForEveryMeshSource) {

@@ -68,6 +68,23 @@ TEST(Study, SavesNoFieldsUnlessAskedTo) {
       plan(study_from(replaced(bar_study, "set: {", "set: {output.vtk: true, ")))[0].scene.output.vtk);
 }
 
+// A method has no use for a setting that another run of the study is about.
+TEST(Study, ToleratesWhatSomeRunsDoNotUse) {
+  const std::string study = R"yaml(scene: bar.yaml
+vary:
+  - {name: method, keys: [solver.linear.method], values: [direct, iterative]}
+  - {name: restart, keys: [solver.linear.restart], values: [20, 30]}
+)yaml";
+  const auto runs = plan(study_from(study));
+  ASSERT_EQ(runs.size(), 4u);
+  EXPECT_EQ(runs[1].scene.solver.linear.restart, LinearSettings{}.restart);
+  EXPECT_EQ(runs[3].scene.solver.linear.restart, 30);
+  for (const StudyRun& run : runs) {
+    const std::string text = resolved_yaml(run.scene);
+    EXPECT_EQ(resolved_yaml(parse_scene(text, "resolved.yaml")), text);
+  }
+}
+
 struct Fault {
   std::string from, to, message;
 };
@@ -92,6 +109,10 @@ TEST(StudyErrors, NameLineRunAndRemedyBeforeAnythingIsWritten) {
            {"regions.block.c10]", "steps.stretch.displace.xmax.x]", "is varied twice"},
            {"title: a bar", "figures: [pull, stres]",
             "study.yaml:1: figures: there is no probe 'stres'\n  did you mean 'stress'?"},
+           {"set: {", "set: {solver.linear.gamma: 8, ",
+            "study.yaml:3: solver.linear.gamma: has no effect: solver.linear.method is direct\n  Leave it "
+            "out, "
+            "or choose iterative for solver.linear.method.\n  in run_001"},
            {"title: a bar", "design: all", "study.yaml:1: design: 'all' is not among the choices"},
            {"regions.block.c10], values: [0.5 MPa, 1 MPa]", "probes.pull.unit], values: [mN, N]",
             "figures: 'pull' is another figure, or in another unit"}}) {

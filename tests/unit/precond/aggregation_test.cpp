@@ -133,8 +133,9 @@ TEST(Aggregation, PlansServeEveryLinearisation) {
 }
 
 TEST(Aggregation, TakesFewIterations) {
-  EXPECT_LE(iterations(thin_plate(), 0, "aggregation"), 12);
-  EXPECT_LE(iterations(small_eye(8), 0, "aggregation"), iterations(small_eye(8), 0, "hybrid"));
+  EXPECT_LE(iterations(thin_plate(), 0, Displacement::aggregation), 12);
+  EXPECT_LE(iterations(small_eye(8), 0, Displacement::aggregation),
+            iterations(small_eye(8), 0, Displacement::hybrid));
 }
 
 }  // namespace

@@ -167,10 +167,11 @@ TEST(ProjectedTerm, IsTheGalerkinProjection) {
 
 TEST(Multigrid, TakesAsFewIterationsOnEveryMesh) {
   for (int refine : {1, 2}) {
-    EXPECT_LE(iterations(stretched_block(2, ".1"), refine, "multigrid"), 14) << refine;
-    EXPECT_LE(iterations(thin_plate(), refine, "multigrid"), 16) << refine;
+    EXPECT_LE(iterations(stretched_block(2, ".1"), refine, Displacement::multigrid), 14) << refine;
+    EXPECT_LE(iterations(thin_plate(), refine, Displacement::multigrid), 16) << refine;
   }
-  EXPECT_LE(iterations(small_eye(8), 1, "multigrid"), 36);  // at rest, where the element pressures decide
+  EXPECT_LE(iterations(small_eye(8), 1, Displacement::multigrid),
+            36);  // at rest, where the element pressures decide
 }
 
 TEST(Multigrid, OfTwoSolversOfOneProblemIsThatOfEachAlone) {
@@ -207,17 +208,19 @@ TEST(Multigrid, OfTwoSolversOfOneProblemIsThatOfEachAlone) {
 
 TEST(Multigrid, NeedsARefinedMesh) {
   Linearised l(thin_plate(), 0, 0);
-  l.settings.displacement = "multigrid";
+  l.settings.displacement = Displacement::multigrid;
   EXPECT_THROW(DisplacementFactory(l.settings).make(l.system), InputError);
 }
 
 TEST(Displacement, AutoTakesMultigridWhereTheMeshIsRefined) {
   const Scene scene = thin_plate();
-  EXPECT_EQ(chosen_displacement({}, Problem(scene.mesh, scene.model, Comm())), "aggregation");
-  EXPECT_EQ(chosen_displacement({}, Problem(refined(scene.mesh, 1), scene.model, Comm())), "multigrid");
-  EXPECT_EQ(
-      chosen_displacement({.displacement = "jacobi"}, Problem(refined(scene.mesh, 1), scene.model, Comm())),
-      "jacobi");
+  const auto on = [](const LinearSettings& settings, const Problem& problem) {
+    return settings.displacement_on(problem.coarser());
+  };
+  EXPECT_EQ(on({}, Problem(scene.mesh, scene.model, Comm())), Displacement::aggregation);
+  const Problem fine(refined(scene.mesh, 1), scene.model, Comm());
+  EXPECT_EQ(on({}, fine), Displacement::multigrid);
+  EXPECT_EQ(on({.displacement = Displacement::jacobi}, fine), Displacement::jacobi);
 }
 
 }  // namespace

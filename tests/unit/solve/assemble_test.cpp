@@ -16,7 +16,7 @@ struct AssembleTest : testing::Test {
   Scene scene = filled_shell("octant");
   Problem problem{scene.mesh, scene.model, comm};
   State state = problem.initial_state();
-  CoupledSystem system{problem, {.op = "recompute", .gamma = 10}};
+  CoupledSystem system{problem, {.op = TangentStorage::recompute, .gamma = 10}};
 
   void SetUp() override {
     problem.begin_step(0, state), problem.set_progress(1, state), problem.end_step();
@@ -71,7 +71,7 @@ TEST_F(AssembleTest, MatrixIsTheSameHoweverManyRanks) {
   alone.begin_step(0, whole), alone.set_progress(1, whole), alone.end_step();
   whole = shaken(alone, whole, .02, 3);
   alone.begin_step(1, whole);
-  CoupledSystem other(alone, {.op = "recompute", .gamma = 10});
+  CoupledSystem other(alone, {.op = TangentStorage::recompute, .gamma = 10});
   other.linearize(whole, alone.residual(whole));
   const double here = gathered(assemble(system, true), global_size(system), comm).norm();
   EXPECT_NEAR(here, gathered(assemble(other, true), global_size(other), self).norm(), 1e-11 * here);
@@ -82,7 +82,7 @@ struct Counted {
   long long wet_nodes = 0, wet = 0;  ///< k, and its displacements that symmetry leaves free
   long long entries = 0, among_wet = 0, bounds = 0, dry_entries = 0;
 
-  Counted(int n, const std::string& formulation) {
+  Counted(int n, Formulation formulation) {
     const Comm self(MPI_COMM_SELF);
     Scene scene{generate(ShellShape{.inner = 2, .outer = 2.4, .n = n, .layers = 1}), {}};
     scene.model.regions["shell"] = neo_hooke(.5);
@@ -93,7 +93,7 @@ struct Counted {
     scene.model.steps[1].couple = {"fluid"};
     Problem problem(scene.mesh, scene.model, self);
     State state = problem.initial_state();
-    CoupledSystem system(problem, {.formulation = formulation, .op = "recompute", .gamma = 0});
+    CoupledSystem system(problem, {.formulation = formulation, .op = TangentStorage::recompute, .gamma = 0});
     problem.begin_step(0, state), problem.set_progress(1, state);
     system.linearize(state, problem.residual(state));
     dry_entries = static_cast<long long>(assemble(system, true).row.size());
@@ -111,9 +111,9 @@ struct Counted {
     wet_nodes = static_cast<long long>(nodes.size());
     for (int node : nodes)
       for (double x : scene.mesh.points[node]) bounds += std::abs(x) < 1e-9;
-    EXPECT_EQ(liquid_entries(system), formulation == "bordered" ? 2 * wet + 1 : wet * wet + 1);
+    EXPECT_EQ(liquid_entries(system), formulation == Formulation::bordered ? 2 * wet + 1 : wet * wet + 1);
     EXPECT_EQ(liquid_entries(system, Triangle::upper),
-              formulation == "bordered" ? wet + 1 : wet * (wet + 1) / 2 + 1);
+              formulation == Formulation::bordered ? wet + 1 : wet * (wet + 1) / 2 + 1);
     EXPECT_EQ(assemble(system, true, Triangle::upper).row.size(), (t.row.size() + system.size()) / 2);
   }
 };
@@ -121,7 +121,7 @@ struct Counted {
 // Of k wet nodes: 2·3k + 1 numbers bordered, (3k)² eliminated, 3k less what the symmetry planes hold.
 TEST(Formulations, LiquidAddsLinearlyBorderedAndQuadraticallyEliminated) {
   for (int n : {2, 4, 8}) {
-    const Counted bordered(n, "bordered"), eliminated(n, "eliminated");
+    const Counted bordered(n, Formulation::bordered), eliminated(n, Formulation::eliminated);
     EXPECT_EQ(bordered.wet, 3 * bordered.wet_nodes - bordered.bounds) << n;
     EXPECT_EQ(bordered.entries - bordered.dry_entries, 2 * bordered.wet)
         << n;  // and P's diagonal, which is always there

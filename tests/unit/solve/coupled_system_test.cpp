@@ -19,8 +19,8 @@ struct System {
   Residual residual;
   CoupledSystem system;
 
-  System(const std::string& part, double gamma, double omega, const std::string& op = "recompute",
-         const std::string& formulation = "bordered")
+  System(const std::string& part, double gamma, double omega, TangentStorage op = TangentStorage::recompute,
+         Formulation formulation = Formulation::bordered)
       : scene(filled_shell(part)),
         problem(scene.mesh, scene.model, comm),
         state(problem.initial_state()),
@@ -71,8 +71,8 @@ TEST_P(CoupledSystemTest, AppliesWhatItAssembles) {
 }
 
 TEST_P(CoupledSystemTest, EveryKindOfTangentAppliesAlike) {
-  const System exact(GetParam(), 10, .04), cached(GetParam(), 10, .04, "cache"),
-      assembled(GetParam(), 10, .04, "assembled");
+  const System exact(GetParam(), 10, .04), cached(GetParam(), 10, .04, TangentStorage::cache),
+      assembled(GetParam(), 10, .04, TangentStorage::assembled);
   const auto x = exact.noise_unknowns(20), y = exact.apply(x);
   EXPECT_LT(exact.difference(cached.apply(x), y), 1e-6);
   EXPECT_LT(exact.difference(assembled.apply(x), y), 1e-12);
@@ -166,7 +166,7 @@ TEST_P(CoupledSystemTest, AugmentationDoesNotChangeTheSolution) {
 }
 
 System eliminated(const char* part, double gamma) {
-  return System(part, gamma, 0, "recompute", "eliminated");
+  return System(part, gamma, 0, TangentStorage::recompute, Formulation::eliminated);
 }
 
 TEST_P(CoupledSystemTest, EliminatedSystemAppliesWhatItAssemblesAndIsSymmetric) {
@@ -328,7 +328,7 @@ TEST(CoupledSystem, GivenPressureKeepsItsRow) {
   EXPECT_DOUBLE_EQ(state.P[0], .05);
   const Residual r = problem.residual(state);
   EXPECT_EQ(r.liquid[0], 0);
-  CoupledSystem system(problem, {.op = "recompute", .gamma = 10});
+  CoupledSystem system(problem, {.op = TangentStorage::recompute, .gamma = 10});
   system.linearize(state, r);
   EXPECT_TRUE(system.liquid_columns()[0].empty());
   std::vector<double> x(system.size()), y(system.size(), NAN);

@@ -11,7 +11,7 @@ using namespace test;
 
 // Smaller increments do not help: it says why and stops at once.
 TEST(March, RefusesWhatDoesNotFitIntoMemory) {
-  for (const std::string formulation : {"bordered", "eliminated"}) {
+  for (const Formulation formulation : {Formulation::bordered, Formulation::eliminated}) {
     Trial run(inflated_shell());
     run.settings.linear.formulation = formulation;
     run.settings.linear.memory_limit = 1e-3;

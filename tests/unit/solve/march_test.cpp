@@ -68,7 +68,7 @@ TEST(March, NegativePivotsAreHexahedraAndLiquids) {
 // Elimination is exact: iterates, pivots and answers are those of the bordered system up to round-off.
 TEST(March, EliminatedPressureGivesTheSameAnswerByTheSameIterations) {
   Trial bordered(inflated_shell()), eliminated(inflated_shell());
-  eliminated.settings.linear.formulation = "eliminated";
+  eliminated.settings.linear.formulation = Formulation::eliminated;
   bordered.go(), eliminated.go();
   ASSERT_TRUE(eliminated.report.converged) << eliminated.report.reason;
   EXPECT_EQ(eliminated.report.newton_iterations, bordered.report.newton_iterations);
@@ -80,7 +80,7 @@ TEST(March, EliminatedPressureGivesTheSameAnswerByTheSameIterations) {
 }
 
 TEST(March, ReportsTheFactors) {
-  for (const std::string formulation : {"bordered", "eliminated"}) {
+  for (const Formulation formulation : {Formulation::bordered, Formulation::eliminated}) {
     Trial run(inflated_shell());
     run.settings.linear.formulation = formulation;
     run.go();

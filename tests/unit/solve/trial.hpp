@@ -16,7 +16,7 @@ struct Trial : MarchTrial {
   void increment_cut(const NewtonReport& r, double, double) override { cuts.push_back(r); }
   Trial& go(double gamma = 0) {
     settings.linear.gamma = gamma;
-    settings.linear.op = "recompute";
+    settings.linear.op = TangentStorage::recompute;
     march_with(make_direct_solver(settings.linear, profiler));
     return *this;
   }

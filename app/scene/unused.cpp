@@ -1,0 +1,104 @@
+#include "app/scene/unused.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/scene/outline.hpp"
+#include "app/scene/reader.hpp"
+
+namespace bulbus {
+namespace {
+
+// "solver.linear.gamma" is "solver" and "linear.gamma"; the second may be empty.
+std::pair<std::string, std::string> split(const std::string& path) {
+  const auto dot = path.find('.');
+  return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
+}
+
+std::string word_at(const Entry& map, const std::string& path) {
+  const auto [name, rest] = split(path);
+  const Entry* entry = map.find(name);
+  return !entry ? "" : rest.empty() ? entry->text : word_at(*entry, rest);
+}
+
+void remove(Entry& map, const std::string& path) {
+  const auto [name, rest] = split(path);
+  Entry* entry = map.find(name);
+  if (!entry) return;
+  if (!rest.empty()) return remove(*entry, rest);
+  const auto at = entry - map.items.data();
+  map.items.erase(map.items.begin() + at);
+  map.keys.erase(map.keys.begin() + at);
+  map.key_places.erase(map.key_places.begin() + at);
+}
+
+Entry written(Scene scene) { return writer::entry_of_struct(scene); }
+
+// What `auto` stands for is what conditions ask for.
+Entry choices_of(Scene scene) {
+  LinearSettings& linear = scene.solver.linear;
+  linear.displacement = linear.displacement_on(scene.mesh.refine > 0);
+  return written(std::move(scene));
+}
+
+// "auto, here aggregation"
+std::string chosen_at(const Entry& values, const Entry& choices, const std::string& key) {
+  const std::string given = word_at(values, key), chosen = word_at(choices, key);
+  return given == chosen ? given : given + ", here " + chosen;
+}
+
+struct Read {
+  Entry values, choices;
+};
+
+void collect(const Topic& group, const Entry& given, const std::string& path, const Read& read,
+             std::vector<UnusedSetting>& unused) {
+  for (const Topic& t : group.parts) {
+    const Entry* entry = given.find(t.key);
+    if (!entry) continue;
+    const std::string key = reader::below(path, t.key);
+    if (t.kind == Topic::Kind::group) {
+      collect(t, *entry, key, read, unused);
+      continue;
+    }
+    const auto holds = [&](const Condition& c) {
+      return std::ranges::find(c.words, word_at(read.choices, c.key)) != c.words.end();
+    };
+    const auto& conditions = t.about.conditions;
+    if (const auto failed = std::ranges::find_if_not(conditions, holds); failed != conditions.end())
+      unused.push_back(
+          {key, *failed, chosen_at(read.values, read.choices, failed->key), word_at(read.values, key), ""});
+  }
+}
+
+Scene without(const std::vector<UnusedSetting>& unused, Entry root) {
+  for (const UnusedSetting& u : unused) remove(root, u.key);
+  Scene scene;
+  reader::read_struct(root, "", scene);
+  return scene;
+}
+
+}  // namespace
+
+InputError UnusedSetting::fault() const {
+  return scene_error(
+      key, fmt::format("has no effect: {} is {}", condition.key, chosen),
+      fmt::format("Leave it out, or choose {} for {}.", alternatives(condition.words), condition.key));
+}
+
+std::vector<UnusedSetting> unused_settings(const Entry& root, const Scene& scene) {
+  std::vector<UnusedSetting> unused;
+  collect(outline_of<Scene>("", About{""}), root, "", {written(scene), choices_of(scene)}, unused);
+  if (unused.empty()) return unused;
+  const Entry others = written(without(unused, root));
+  for (UnusedSetting& u : unused) u.otherwise = word_at(others, u.key);
+  return unused;
+}
+
+void refuse_unused(const Entry& root, const Scene& scene) {
+  for (const UnusedSetting& u : unused_settings(root, scene))
+    if (u.differs()) throw located(u.fault(), root);
+}
+
+}  // namespace bulbus
