@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/problem/closed_surface.hpp"
@@ -214,9 +215,8 @@ int Problem::liquid_index(const std::string& name, const std::string& key) const
     if (liquids_[i].name() == name) return static_cast<int>(i);
     names.push_back(liquids_[i].name());
   }
-  const std::string guess = nearest(name, names);
   throw scene_error(key, "there is no liquid '" + name + "'",
-                    guess.empty() ? "Name one under `liquids`." : "Did you mean '" + guess + "'?");
+                    did_you_mean(name, names, "Name one under `liquids`."));
 }
 
 void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) {

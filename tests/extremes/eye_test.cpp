@@ -74,14 +74,18 @@ Scene lifted(double height) {
 }
 
 TEST(Eye, RetinaFarOffItsBed) {
+  std::vector<double> pressures;
   for (double height : {1., 3.}) {
     ContactTrial run(lifted(height));
     as_people_do(run, .02);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
+    EXPECT_EQ(run.report.cuts, 0);
     EXPECT_GT(run.pairs("retina"), 0);
+    pressures.push_back(run.state.P[0]);
     row("lift of the retina", fmt::format("{:g} mm, buckle 2 mm", height), run,
         "{:.1f} mmHg, {} nodes of the retina touch", mmHg(run.state.P[0]), run.pairs("retina"));
   }
+  EXPECT_LT(relative(pressures[0], pressures[1]), .01) << "the liquid on both sides is one";
 }
 
 /// The eye at 15 mmHg and pushed in by 1 mm; its zonules may only pull, or are cut.
@@ -98,14 +102,28 @@ Scene hung(const std::string& zonules) {
   return eye;
 }
 
+std::vector<double> zonule_forces(const Trial& run) {
+  return run.problem.bars().at("zonules")->bars().forces(run.state.x);
+}
+
 TEST(Eye, ZonulesSlackAndCut) {
+  std::map<std::string, double> least, pressure;  // smallest force of a zonule, N, and the liquid's, mmHg
   for (const std::string zonules : {"as drawn", "pull only", "slack", "half of them cut"}) {
     Trial run(hung(zonules));
     as_people_do(run, .05);
     ASSERT_TRUE(run.report.converged) << run.report.reason;
+    EXPECT_EQ(run.report.cuts, 0) << zonules;
+    least[zonules] = std::ranges::min(zonule_forces(run));
+    pressure[zonules] = mmHg(run.state.P[0]);
     row("zonules", zonules, run, "{:.2f} mmHg, largest displacement {:.3g} mm", mmHg(run.state.P[0]),
         largest(plus(run.state.x, -1, run.problem.mesh().X)));
   }
+  EXPECT_LT(least["as drawn"], 0);
+  for (const char* zonules : {"pull only", "slack", "half of them cut"})
+    EXPECT_EQ(least[zonules], 0) << zonules;
+  EXPECT_LT(pressure["pull only"], pressure["as drawn"]);
+  EXPECT_LT(pressure["half of them cut"], pressure["pull only"]);
+  EXPECT_LT(pressure["slack"], 15);
 }
 
 TEST(Eye, AFloatingLensIsRefused) {

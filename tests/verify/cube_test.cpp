@@ -1,4 +1,5 @@
 // Homogeneous states of a distorted block: the element must give the closed forms to round-off.
+#include "tests/support/not_empty.hpp"
 #include "tests/verify/references.hpp"
 #include "tests/verify/run.hpp"
 
@@ -99,7 +100,7 @@ class Cube : public testing::TestWithParam<const char*> {
   template <class Error>
   void expect_exact(const char* what, Error error) const {
     double worst = 0;
-    for (const auto& r : rows()) {
+    for (const auto& r : not_empty(rows())) {
       const double e = error(r);
       EXPECT_LT(e, 1e-9) << "lambda = " << r["lambda"];
       worst = std::max(worst, e);

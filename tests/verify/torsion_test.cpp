@@ -1,4 +1,5 @@
 // Torsion of a solid cylinder of fixed length: moment and axial force against the closed form.
+#include "tests/support/not_empty.hpp"
 #include "tests/verify/references.hpp"
 #include "tests/verify/run.hpp"
 
@@ -41,7 +42,7 @@ Reactions reactions(int n, double twist) {
 TEST(Torsion, MomentAndAxialForceConvergeWithSecondOrder) {
   const auto rows = references("torsion_cylinder.csv");
   ASSERT_EQ(rows.size(), 4u);
-  for (const auto& r : rows) {
+  for (const auto& r : not_empty(rows)) {
     const double twist = r["twist_per_ref_length_rad_per_mm"];
     const Reactions coarse = reactions(4, twist), fine = reactions(8, twist);
     const double mc = relative(coarse.moment, r["Moment_Nmm"]), mf = relative(fine.moment, r["Moment_Nmm"]);

@@ -105,6 +105,7 @@ TEST(CornerNormals, KeepSharpEdges) {
   RigidBodySpec spec;
   spec.cylinder = RodShape{.radius = 1, .length = 2, .facets = 48};
   const RigidSurface rod = make_rigid_surface("rod", spec, "rigid_bodies.rod");
+  ASSERT_GT(rod.facets.triangles.size(), 48u);
   for (std::size_t t = 0; t < rod.facets.triangles.size(); ++t)
     for (const auto& n : rod.normals[t]) EXPECT_TRUE(std::abs(n[2]) < 1e-9 || std::abs(n[2]) > 1 - 1e-9);
 }

@@ -11,6 +11,7 @@
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
+#include "tests/support/not_empty.hpp"
 
 namespace bulbus {
 namespace {
@@ -62,7 +63,7 @@ Edges directed_edges(const Mesh& mesh, const char* surface) {
 std::vector<std::pair<int, int>> open_edges(const Mesh& mesh, const char* surface) {
   const Edges edges = directed_edges(mesh, surface);
   std::vector<std::pair<int, int>> open;
-  for (const auto& [e, count] : edges) {
+  for (const auto& [e, count] : not_empty(edges)) {
     EXPECT_EQ(count, 1);
     const bool cut = mesh.points[e.first][0] == 0 && mesh.points[e.second][0] == 0;
     if (!cut && !edges.count({e.second, e.first})) open.push_back(e);
@@ -122,15 +123,15 @@ TEST(EyeDetachment, LeavesTheRetinaAttachedWhereTheLiftIsZero) {
   std::vector<int> shared;
   std::ranges::set_intersection(nodes_of(mesh, "retina"), nodes_of(mesh, "choroid"),
                                 std::back_inserter(shared));
-  for (int k : shared) EXPECT_EQ(d.lift(polar(mesh.points[k]), azimuth(mesh.points[k])), 0);
-  for (int k : mesh.node_sets.at("detached")) EXPECT_FALSE(std::ranges::binary_search(shared, k));
+  for (int k : not_empty(shared)) EXPECT_EQ(d.lift(polar(mesh.points[k]), azimuth(mesh.points[k])), 0);
+  for (int k : not_empty(mesh.node_sets.at("detached"))) EXPECT_FALSE(std::ranges::binary_search(shared, k));
 }
 
 TEST(EyeDetachment, KeepsTheThicknessOfTheRetina) {
   const Mesh& mesh = torn_eye();
   const EyeShape e;
   const Detachment d;
-  for (int k : nodes_of(mesh, "inner_retina")) {
+  for (int k : not_empty(nodes_of(mesh, "inner_retina"))) {
     const Point& p = mesh.points[k];
     const double t = polar(p), depth = e.wall(t) + e.choroid(t) + e.retina(t) + d.lift(t, azimuth(p));
     EXPECT_NEAR(norm(p), e.sclera_radius - depth, 1e-9);
@@ -187,7 +188,7 @@ TEST(EyeDetachment, RimIsTheEdgeOfTheHole) {
   }
   EXPECT_EQ(std::vector<int>(met.begin(), met.end()), rim);
   const double half_length = std::asin(1.0 / 12) / degree, width = 180.0 / 28;  // whole cells
-  for (int k : rim) {
+  for (int k : not_empty(rim)) {
     const double t = polar(mesh.points[k]), phi = azimuth(mesh.points[k]);
     EXPECT_LT(phi, width + 1e-9);
     EXPECT_LT(std::abs(t - 90), half_length + 1e-9);

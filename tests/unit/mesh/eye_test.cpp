@@ -9,6 +9,7 @@
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
+#include "tests/support/not_empty.hpp"
 
 namespace bulbus {
 namespace {
@@ -52,7 +53,7 @@ TEST(Eye, LayersMultiplyTheCellsOfTheCoatsAlone) {
 
 TEST(Eye, IsRegularAtEveryN) {
   for (int n : {8, 10, 14, 20, 28})
-    for (const RegionQuality& q : quality(eye(n))) {
+    for (const RegionQuality& q : not_empty(quality(eye(n)))) {
       EXPECT_GT(q.count, 0) << q.region;
       EXPECT_GT(q.least, q.region == "lens" || q.region == "ciliary_body" ? .6 : .8)
           << q.region << ", n = " << n;
@@ -88,7 +89,7 @@ TEST(Eye, WetSurfaceIsClosedUpToTheSymmetryPlane) {
   for (const Quad& q : mesh.surfaces.at("wet"))
     for (int c = 0; c < 4; ++c) ++directed[{q[c], q[(c + 1) % 4]}];
   int cut = 0;
-  for (const auto& [edge, count] : directed) {
+  for (const auto& [edge, count] : not_empty(directed)) {
     ASSERT_EQ(count, 1);
     if (directed.count({edge.second, edge.first})) continue;
     ++cut;
@@ -100,7 +101,7 @@ TEST(Eye, WetSurfaceIsClosedUpToTheSymmetryPlane) {
 
 TEST(Eye, SymmetryPlaneIsExactAndNothingLiesBehindIt) {
   const Mesh& mesh = working_eye();
-  for (int k : nodes_of(mesh, "symmetry")) EXPECT_EQ(mesh.points[k][0], 0);
+  for (int k : not_empty(nodes_of(mesh, "symmetry"))) EXPECT_EQ(mesh.points[k][0], 0);
   for (const Point& p : mesh.points) EXPECT_TRUE(p[0] == 0 || p[0] > 1e-3);
 }
 
@@ -116,10 +117,10 @@ TEST(Eye, SetsAreWhereTheyShouldBe) {
   const auto at = [&](const char* set) { return mesh.points[mesh.node_sets.at(set).at(0)]; };
   EXPECT_NEAR(norm(at("apex") - Point{0, 0, shape.place(shape.meridian_end(), 0).z}), 0, 1e-12);
   EXPECT_NEAR(norm(at("retina_pole") - Point{0, 0, -10.5}), 0, 1e-12);
-  for (int k : mesh.node_sets.at("nerve_end")) EXPECT_EQ(mesh.points[k][2], -20);
-  for (int k : mesh.node_sets.at("nerve_ring")) EXPECT_NEAR(norm(mesh.points[k]), 12, 1e-12);
+  for (int k : not_empty(mesh.node_sets.at("nerve_end"))) EXPECT_EQ(mesh.points[k][2], -20);
+  for (int k : not_empty(mesh.node_sets.at("nerve_ring"))) EXPECT_NEAR(norm(mesh.points[k]), 12, 1e-12);
   double low = 0, high = 0;
-  for (int k : mesh.node_sets.at("equator_band")) {
+  for (int k : not_empty(mesh.node_sets.at("equator_band"))) {
     EXPECT_NEAR(norm(mesh.points[k]), 12, 1e-12);
     low = std::min(low, mesh.points[k][2]);
     high = std::max(high, mesh.points[k][2]);
@@ -173,7 +174,7 @@ TEST(Zonules, NumberAndPlaceDoNotDependOnTheMesh) {
 TEST(Zonules, OfHalfShareLieOnTheSymmetryPlane) {
   const Mesh& mesh = working_eye();
   int half = 0;
-  for (const Bar& bar : mesh.bars.at("zonules")) {
+  for (const Bar& bar : not_empty(mesh.bars.at("zonules"))) {
     for (const EmbeddedPoint* e : {&bar.a, &bar.b}) {
       EXPECT_NEAR(std::accumulate(e->weights.begin(), e->weights.end(), 0.0), 1, 1e-14);
       if (bar.share == .5)

@@ -10,6 +10,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "core/mesh/quality.hpp"
+#include "tests/support/not_empty.hpp"
 
 namespace bulbus {
 namespace {
@@ -49,7 +50,7 @@ TEST_P(RoundTrip, KeepsAllThatABlockHas) {
   const std::vector<Bar>& bars = read.bars.at("fibres");
   ASSERT_EQ(bars.size(), 2u);
   double share = 0;
-  for (const Bar& bar : bars) {
+  for (const Bar& bar : not_empty(bars)) {
     share += bar.share;
     EXPECT_EQ(sole_node(bar.b), sole_node(bar.a) + 4);
   }
