@@ -23,13 +23,6 @@ std::string bounds_text(const About& about) {
   return high ? "at most " + most : "";
 }
 
-std::string alternatives(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
-  return text;
-}
-
 std::string wanted_number(const About& about) {
   const std::string unit = unit_of(about.quantity), bounds = bounds_text(about);
   return (unit.empty() ? std::string("a number") : "a number in " + unit + ", or with its unit") +

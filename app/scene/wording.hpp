@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/parameters.hpp"
+#include "core/base/require_one.hpp"
 
 namespace bulbus {
 
@@ -11,9 +12,6 @@ std::string number_text(double value);
 
 /// "between 0 and 10", "above 0", "at least 1"; empty without bounds.
 std::string bounds_text(const About& about);
-
-/// "a, b or c".
-std::string alternatives(const std::vector<std::string>& words);
 
 /// What a number may be: "a number in MPa (or with its unit), above 0".
 std::string wanted_number(const About& about);

@@ -162,10 +162,7 @@ void Problem::require_free_elements() const {
   for (const SolidRegion& r : solid_->regions())
     for (int h = r.first; h < r.first + r.count; ++h) {
       const Hex& hex = mesh_.hexes[h];
-      if (!std::ranges::all_of(hex, [&](int n) {
-            return dofs_->body_of(n) < 0 && dofs_->held(n) && trace(dofs_->projector(n)) < 0.5;
-          }))
-        continue;
+      if (!std::ranges::all_of(hex, [&](int n) { return dofs_->fully_constrained(n); })) continue;
       throw scene_error("steps." + std::to_string(step_),
                         "over-constrained: all eight nodes of hexahedron " +
                             std::to_string(mesh_.input_hex[h] + 1) + " (region '" + r.name +

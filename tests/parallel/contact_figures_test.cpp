@@ -58,6 +58,7 @@ TEST(ContactFigures, DoNotDependOnTheRanks) {
   const auto expected = probes.values(alone.snapshot),
              found = ProbeSet(together.problem, interaction_probes(together.interactions))
                          .values(together.snapshot);
+  ASSERT_EQ(found.size(), scene.model.probes.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], expected[i], 1e-10 * (1 + std::abs(expected[i]))) << probes.name(i);
     EXPECT_NE(expected[i], 0) << probes.name(i);

@@ -43,8 +43,9 @@ void expect_the_same_on_any_number_of_ranks(const Scene& scene) {
     direct ? together.direct() : together.iterative();
     ASSERT_TRUE(together.report.converged) << together.report.reason;
     const auto found = ProbeSet(together.problem).values(together.problem, together.state);
+    EXPECT_EQ(found.size(), scene.model.probes.size());
     double worst = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, relative(found[i], expected[i]));
+    for (std::size_t i = 0; i < found.size(); ++i) worst = worse(worst, relative(found[i], expected[i]));
     EXPECT_LT(worst, 1e-6);
     for (const char* name : {"blocks", "ball"}) {
       EXPECT_GT(alone.pairs(name), 0) << name;

@@ -43,7 +43,7 @@ void expect_same(const Scene& scene) {
   double size = 0, difference = 0;
   for (std::size_t i = 0; i < alone.dx.size(); ++i) {
     size = std::max(size, std::abs(alone.dx[i]));
-    difference = std::max(difference, std::abs(alone.dx[i] - together.dx[i]));
+    difference = worse(difference, std::abs(alone.dx[i] - together.dx[i]));
   }
   EXPECT_LT(difference, 1e-5 * size);
   EXPECT_LE(together.iterations, alone.iterations * 1.25 + 2);

@@ -62,9 +62,9 @@ double difference(const fs::path& a, const fs::path& b) {
   double worst = 0;
   const auto found = probes_in(a), wanted = probes_in(b);
   for (const auto& [name, v] : wanted.items())
-    worst = std::max(worst, std::abs(found[name].get<double>() - v.get<double>()) / size_of(name, v));
+    worst = worse(worst, std::abs(found[name].get<double>() - v.get<double>()) / size_of(name, v));
   for (const auto& [keys, name] : {std::pair{"node", "now/x"}, {"hexahedron", "now/lambda"}})
-    worst = std::max(worst, relative_difference(in_order(a, keys, name), in_order(b, keys, name)));
+    worst = worse(worst, relative_difference(in_order(a, keys, name), in_order(b, keys, name)));
   return worst;
 }
 

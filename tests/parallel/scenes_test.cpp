@@ -56,6 +56,7 @@ void expect_same_figures(const char* what, const Scene& scene, double force,
     direct ? together.direct() : together.iterative();
     ASSERT_TRUE(together.report.converged) << together.report.reason;
     const auto found = ProbeSet(together.problem).values(together.problem, together.state);
+    ASSERT_EQ(found.size(), scene.model.probes.size());
     std::string figures;
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_LT(relative(found[i], expected[i]), 1e-8) << probes.name(i);

@@ -23,9 +23,12 @@ inline std::vector<double> noise_vector(std::size_t n, std::uint64_t seed) {
   return v;
 }
 
+/// The larger of two errors; a NaN, which std::max passes over, is infinitely large.
+inline double worse(double a, double b) { return std::isnan(b) ? INFINITY : std::max(a, b); }
+
 inline double largest(std::span<const double> v) {
   double m = 0;
-  for (double x : v) m = std::isnan(x) ? INFINITY : std::max(m, std::abs(x));
+  for (double x : v) m = worse(m, std::abs(x));
   return m;
 }
 

@@ -47,7 +47,7 @@ double scatter(const ContactTrial& run, double sigma) {
   const auto stresses = run.problem.solid().stresses(run.state.x, run.state.lambda);
   const SolidRegion& high = *std::ranges::find(run.problem.solid().regions(), "high", &SolidRegion::name);
   for (int h = high.first; h < high.first + high.count; ++h)
-    worst = std::max(worst, relative(stresses[h].mises, std::abs(sigma)));
+    worst = worse(worst, relative(stresses[h].mises, std::abs(sigma)));
   return worst;
 }
 

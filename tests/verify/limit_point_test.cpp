@@ -53,7 +53,7 @@ double inflate(int n) {
   int before = 0, after = 0;
   run.watch = [&](const Increment&, const State& state) {
     const double stretch = std::cbrt(volume(run.problem, state) / V0), p = state.P[0];
-    worst = std::max(worst, std::abs(p - closed_form(stretch)) / top.pressure);
+    worst = worse(worst, std::abs(p - closed_form(stretch)) / top.pressure);
     highest = std::max(highest, p);
     stretch < top.stretch ? ++before : ++after;
   };

@@ -43,7 +43,7 @@ TEST(CurvedGap, OfABallIsTheDistanceToIt) {
     for (const Vec3<double>& L : {Vec3<double>{.6, .3, .1}, {.2, .2, .6}, {1. / 3, 1. / 3, 1. / 3}}) {
       const Vec3<double> x = above(b, t, L, -.002);
       const FaceGap g = gap_at(b, t, x);
-      worst = std::max(worst, std::abs(g.gap - (norm(x) - 2)));
+      worst = worse(worst, std::abs(g.gap - (norm(x) - 2)));
       flat = std::max(flat, std::abs(project(x, corners_of(b, t)).gap - (norm(x) - 2)));
       EXPECT_NEAR(norm(g.normal), 1, 1e-14);
       EXPECT_GT(dot(g.normal, x) / norm(x), 1 - 2e-5);
