@@ -14,7 +14,8 @@ bool warns(const Ran& run, const std::string& part) {
 // `check` writes to the screen.
 std::string said_by_check(const std::string& folder, const std::vector<std::string>& set = {}) {
   testing::internal::CaptureStdout();
-  run_case(folder, set, "s.yaml", "check");
+  const Ran run = run_case(folder, set, "s.yaml", "check");
+  EXPECT_EQ(run.status, 0) << run.err;
   return testing::internal::GetCapturedStdout();
 }
 

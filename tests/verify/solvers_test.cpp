@@ -63,9 +63,9 @@ void compare(const std::string& what, const Scene& scene, double force, std::siz
   for (std::size_t i = 0; i < stable; ++i) {
     const State &d = direct.states[i], &k = iterative.states[i];
     ASSERT_NEAR(direct.run.increments[i].time, iterative.run.increments[i].time, 1e-12);
-    u = std::max(u, relative_difference(displacements(iterative.run, k), displacements(direct.run, d)));
-    lambda = std::max(lambda, relative_difference(k.lambda, d.lambda));
-    P = std::max(P, relative_difference(k.P, d.P));
+    u = worse(u, relative_difference(displacements(iterative.run, k), displacements(direct.run, d)));
+    lambda = worse(lambda, relative_difference(k.lambda, d.lambda));
+    P = worse(P, relative_difference(k.P, d.P));
   }
   measured(
       "{}, iterative against direct ({} hexahedra, {} of {} states stable): u {:.1e}, lambda {:.1e}, P "
