@@ -29,7 +29,9 @@ class NewNodes {
       for (const auto& f : hex_faces) faces_.push_back(sorted(Quad{h[f[0]], h[f[1]], h[f[2]], h[f[3]]}));
     }
     sort_unique(edges_);
+    edges_.shrink_to_fit();
     sort_unique(faces_);
+    faces_.shrink_to_fit();
   }
 
   int of_edge(int a, int b) const { return coarse_ + position(edges_, sorted(Edge{a, b})); }
