@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/rigid/rigid_shapes.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace bulbus {
 namespace {

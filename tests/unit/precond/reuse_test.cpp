@@ -106,27 +106,6 @@ TEST(Reuse, KeepsCoarseFactorsWhileTheirMatrixHardlyChanges) {
   }
 }
 
-// What a preconditioner of the system makes of one vector.
-std::vector<double> applied(const MadePreconditioner& made, std::span<const double> x) {
-  std::vector<double> y(x.size());
-  made.preconditioner->apply(x, y);
-  return y;
-}
-
-// A kept one is the earlier one, an own one is not: it follows the tangent's change of a few per cent.
-TEST(Reuse, AppliesTheEarlierInverse) {
-  Linearised l(small_eye(8), 0, 0);
-  widen(l);
-  Profiler profiler;
-  const auto make = make_preconditioner_factory(l.settings, profiler);
-  const auto x = noise_vector(l.system.size(), 3);
-  const auto earlier = applied(make(l.system, SetUp::anew), x);
-  widen(l);
-  const auto kept = applied(make(l.system, SetUp::kept), x), own = applied(make(l.system, SetUp::anew), x);
-  EXPECT_GT(relative_difference(own, earlier), 1e-3);
-  EXPECT_LT(relative_difference(kept, earlier), .1 * relative_difference(own, earlier));
-}
-
 TEST(Reuse, KeepsOnlyWhatFits) {
   Linearised l(small_eye(8), 0, 0);
   Profiler profiler;
