@@ -6,9 +6,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/not_empty.hpp"
-
 #include "app/command_line.hpp"
+#include "tests/support/not_empty.hpp"
 
 namespace bulbus {
 namespace {
