@@ -1,4 +1,3 @@
-#include "tests/support/not_empty.hpp"
 #include "tests/unit/problem/standing_block.hpp"
 
 namespace bulbus {
@@ -44,7 +43,8 @@ struct Displaced : testing::Test {
     p.begin_step(0, start);
     p.set_progress(progress, start);
     const State end = obeyed(p, start, progress);
-    for (int n : not_empty(p.nodes_of("zmax")))
+    EXPECT_GT(world().sum(static_cast<int>(p.nodes_of("zmax").size())), 0);
+    for (int n : p.nodes_of("zmax"))
       expect_near(at(end.x, n), place(at(p.mesh().X, n), at(start.x, n)), 1e-13);
   }
 };
@@ -125,12 +125,13 @@ TEST(Displacements, LastOneReplacesTheSameOfAnEarlierStepAndTheOthersStay) {
   s = obeyed(p, s, 1);
   p.end_step(), p.begin_step(1, s), p.set_progress(.5, s);
   s = obeyed(p, s, .5);
-  for (int n : not_empty(p.nodes_of("zmax"))) {
+  EXPECT_GT(world().sum(static_cast<int>(p.nodes_of("zmax").size())), 0);
+  for (int n : p.nodes_of("zmax")) {
     EXPECT_NEAR(s.x[3 * n] - p.mesh().X[3 * n], .1, 1e-14);
     EXPECT_NEAR(s.x[3 * n + 2] - p.mesh().X[3 * n + 2], .4, 1e-14);
   }
   p.end_step(), p.begin_step(2, s);
-  for (int n : not_empty(p.nodes_of("zmax"))) EXPECT_FALSE(p.dofs().held(n));
+  for (int n : p.nodes_of("zmax")) EXPECT_FALSE(p.dofs().held(n));
 }
 
 TEST(Displacements, ElementsWithoutAFreeNodeAreRefused) {
