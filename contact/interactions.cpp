@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <set>
 
 #include "contact/rigid/rigid_shapes.hpp"
 #include "contact/surfaces/layer.hpp"
 #include "contact/suture/suture_points.hpp"
 #include "contact/suture/sutured_tissue.hpp"
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/region_material.hpp"
 
@@ -45,17 +47,7 @@ double shear_modulus(const Mesh& mesh, const Model& model, const Layer& layer) {
   return mu;
 }
 
-std::string known(const std::string& word, const std::vector<std::string>& names, const std::string& remedy) {
-  const std::string guess = nearest(word, names);
-  return guess.empty() ? remedy : "Did you mean '" + guess + "'?";
-}
-
-template <class Map>
-std::vector<std::string> keys(const Map& map) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : map) names.push_back(name);
-  return names;
-}
+using std::views::keys;
 
 void refuse_out_of_sight(const RigidSurface& body, double farthest, const std::string& key) {
   double most = 0;
@@ -111,7 +103,7 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
         const std::string key = fmt::format("steps.{}.move.{}.body", k, i);
         if (!bodies_.contains(body))
           throw scene_error(key, "there is no rigid body '" + body + "'",
-                            known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+                            did_you_mean(body, keys(bodies_), "Describe it under `rigid_bodies`."));
         if (!moved.insert(body).second)
           throw scene_error(
               key, "the rigid body '" + body + "' is moved twice in one step: only one motion would count",
@@ -122,7 +114,7 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
       for (const auto& [name, force] : model.steps[k].sew)
         if (!model.sutures.contains(name))
           throw scene_error(fmt::format("steps.{}.sew.{}", k, name), "there is no suture '" + name + "'",
-                            known(name, keys(model.sutures), "Describe it under `sutures`."));
+                            did_you_mean(name, keys(model.sutures), "Describe it under `sutures`."));
   });
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     add_contact(base, model.contacts[i], "contacts." + std::to_string(i));
@@ -209,7 +201,7 @@ void Interactions::add_suture(const std::string& name, const SutureSpec& spec) {
   const auto body = bodies_.find(spec.body);
   if (body == bodies_.end())
     throw scene_error(key + ".body", "there is no rigid body '" + spec.body + "'",
-                      known(spec.body, keys(bodies_), "Describe it under `rigid_bodies`."));
+                      did_you_mean(spec.body, keys(bodies_), "Describe it under `rigid_bodies`."));
   std::vector<SuturePoint> points;
   const SuturedTissue tissue = sutured_tissue(problem_.mesh(), spec);
   problem_.comm().together(
@@ -228,20 +220,20 @@ const Interactions::Contact& Interactions::contact(const std::string& name, cons
     names.push_back(c.spec.name);
   }
   throw scene_error(key, "there is no contact '" + name + "'",
-                    known(name, names, "Describe it under `contacts`."));
+                    did_you_mean(name, names, "Describe it under `contacts`."));
 }
 
 const SutureTerm& Interactions::suture(const std::string& name, const std::string& key) const {
   if (const auto found = sutures_.find(name); found != sutures_.end()) return *found->second;
   throw scene_error(key, "there is no suture '" + name + "'",
-                    known(name, keys(sutures_), "Describe it under `sutures`."));
+                    did_you_mean(name, keys(sutures_), "Describe it under `sutures`."));
 }
 
 std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::string& body,
                                                                     const std::string& key) const {
   if (!bodies_.contains(body))
     throw scene_error(key, "there is no rigid body '" + body + "'",
-                      known(body, keys(bodies_), "Describe it under `rigid_bodies`."));
+                      did_you_mean(body, keys(bodies_), "Describe it under `rigid_bodies`."));
   std::vector<const Contact*> found;
   for (const Contact& c : contacts_)
     if (c.spec.master == body) found.push_back(&c);

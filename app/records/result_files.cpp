@@ -12,7 +12,7 @@ namespace {
 
 std::vector<Point> reference_points(const LocalMesh& mesh) {
   std::vector<Point> points(mesh.nodes());
-  for (int n = 0; n < mesh.nodes(); ++n) points[n] = {mesh.X[3 * n], mesh.X[3 * n + 1], mesh.X[3 * n + 2]};
+  for (int n = 0; n < mesh.nodes(); ++n) points[n] = at(mesh.X, n);
   return points;
 }
 

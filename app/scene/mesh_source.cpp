@@ -1,30 +1,16 @@
 #include "app/scene/mesh_source.hpp"
 
-#include "app/scene/kinds.hpp"
-#include "app/scene/wording.hpp"
 #include "core/base/error.hpp"
+#include "core/base/require_one.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 
 namespace bulbus {
 
 void MeshSource::validate() const {
-  MeshSource copy = *this;
-  std::vector<std::string> given, known;
-  copy.describe([&]<class T>(const char* key, T& member, const About&) {
-    if constexpr (kinds::Optional<T>) {
-      known.emplace_back(key);
-      if (member) given.emplace_back(key);
-    }
-  });
   if (scale != 1 && !file)
     throw input_error("`scale` is given for a mesh that is not read from a file",
                       "leave it out, or give the shape its lengths in mm");
-  if (given.size() == 1) return;
-  const std::string all = alternatives(known);
-  if (given.empty()) throw input_error("the mesh has no source", "give one of " + all);
-  throw input_error(
-      "the mesh has " + std::to_string(given.size()) + " sources: " + given[0] + " and " + given[1],
-      "keep exactly one of " + all);
+  require_one("the mesh", "source", optional_members(*this));
 }
 
 namespace {

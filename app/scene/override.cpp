@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "app/scene/entry.hpp"
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus {
@@ -33,10 +34,10 @@ Entry& in_list(Entry& list, const std::string& part, const Place& place) {
     if (name_of(item) == part) return item;
     names.push_back(name_of(item));
   }
-  const std::string near = numeric ? "" : nearest(part, names);
-  throw input_error(
-      place.file, place.line, "no entry '" + part + "' in a list of " + std::to_string(list.items.size()),
-      near.empty() ? "entries count from 0, or go by their name" : "did you mean '" + near + "'?");
+  if (numeric) names.clear();
+  throw input_error(place.file, place.line,
+                    "no entry '" + part + "' in a list of " + std::to_string(list.items.size()),
+                    did_you_mean(part, names, "entries count from 0, or go by their name"));
 }
 
 // A word or nothing on the way becomes a map: the reader then says whether a map may stand there.

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/scene/wording.hpp"
+#include "core/base/did_you_mean.hpp"
 
 namespace bulbus::reader {
 namespace {
@@ -93,21 +94,19 @@ void expect(const Entry& entry, Entry::Kind kind, const std::string& key) {
 void check_keys(const Entry& map, const std::string& key, const std::vector<std::string>& known) {
   for (std::size_t i = 0; i < map.keys.size(); ++i) {
     if (std::find(known.begin(), known.end(), map.keys[i]) != known.end()) continue;
-    const std::string near = nearest(map.keys[i], known);
     const bool number = looks_like_quantity(map.keys[i]);  // {x: 0,1}
     throw input_error(map.key_places[i].file, map.key_places[i].line,
                       "unknown key '" + map.keys[i] + "'" + (key.empty() ? "" : " in " + key),
-                      number         ? "numbers have a decimal point: write 0.1, not 0,1"
-                      : near.empty() ? "known here: " + alternatives(known)
-                                     : "did you mean '" + near + "'?");
+                      number ? "numbers have a decimal point: write 0.1, not 0,1"
+                             : did_you_mean(map.keys[i], known, "known here: " + alternatives(known)));
   }
 }
 
 void check_choice(const Entry& entry, const std::string& key, const std::vector<std::string>& choices) {
   if (std::find(choices.begin(), choices.end(), entry.text) != choices.end()) return;
-  const std::string near = nearest(entry.text, choices);
+  const std::string guess = did_you_mean(entry.text, choices, "");
   refuse(entry, key, shown(entry) + " is not among the choices",
-         (near.empty() ? "" : "did you mean '" + near + "'? ") + "choose " + alternatives(choices));
+         guess + (guess.empty() ? "" : " ") + "choose " + alternatives(choices));
 }
 
 void refuse_missing(const Entry& map, const std::string& key, const std::string& name, const About& about) {

@@ -1,5 +1,7 @@
 #include "app/scene/wording.hpp"
 
+#include "core/base/require_one.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,13 +23,6 @@ std::string bounds_text(const About& about) {
   if (low && high) return least + " and at most " + most;
   if (low) return least;
   return high ? "at most " + most : "";
-}
-
-std::string alternatives(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
-  return text;
 }
 
 std::string conditions_text(std::span<const Condition> conditions) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/parameters.hpp"
+#include "core/base/require_one.hpp"
 
 namespace bulbus {
 
@@ -12,9 +13,6 @@ std::string number_text(double value);
 
 /// "between 0 and 10", "above 0", "at least 1"; empty without bounds.
 std::string bounds_text(const About& about);
-
-/// "a, b or c".
-std::string alternatives(const std::vector<std::string>& words);
 
 /// "; only with method: iterative and displacement: hybrid or exact"; empty without conditions.
 std::string conditions_text(std::span<const Condition> conditions);

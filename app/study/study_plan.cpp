@@ -6,6 +6,7 @@
 
 #include "app/scene/unused.hpp"
 #include "app/study/study_design.hpp"
+#include "core/base/did_you_mean.hpp"
 
 namespace bulbus {
 namespace {
@@ -67,10 +68,9 @@ std::vector<std::string> probe_names(const StudyRun& run) {
 
 void expect_figure(const std::string& name, const StudyRun& run, const StudyRun& first) {
   const ProbeSpec *here = probe(run, name), *there = probe(first, name);
-  const std::string near = nearest(name, probe_names(run));
   if (!here)
     throw scene_error("figures", "there is no probe '" + name + "'",
-                      near.empty() ? "name probes of the scene" : "did you mean '" + near + "'?");
+                      did_you_mean(name, probe_names(run), "name probes of the scene"));
   if (here->unit != there->unit || here->label != there->label || here->kind != there->kind)
     throw scene_error("figures",
                       "'" + name + "' is another figure, or in another unit, than in the first run",

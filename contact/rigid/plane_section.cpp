@@ -10,7 +10,7 @@ std::vector<CutSegment> cut(std::span<const double> points, std::span<const doub
                             std::span<const std::array<int, 3>> triangles, const CuttingPlane& plane,
                             bool zero_in_front) {
   const auto front = [&](int p) { return height[p] > 0 || (zero_in_front && height[p] == 0); };
-  const auto at = [&](int p) { return plane.flat({points[3 * p], points[3 * p + 1], points[3 * p + 2]}); };
+  const auto flat = [&](int p) { return plane.flat(at(points, p)); };
   std::vector<CutSegment> segments;
   for (const auto& t : triangles) {
     CutSegment s;
@@ -19,7 +19,7 @@ std::vector<CutSegment> cut(std::span<const double> points, std::span<const doub
       const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
       if (front(a) == front(b)) continue;
       const double w = height[a] / (height[a] - height[b]);
-      const Point2 p = at(a), q = at(b);
+      const Point2 p = flat(a), q = flat(b);
       s.edges[count] = {a, b};
       s.ends[count++] = {p[0] + w * (q[0] - p[0]), p[1] + w * (q[1] - p[1])};
     }
@@ -35,7 +35,7 @@ std::vector<CutSegment> cut(std::span<const double> points, std::span<const std:
   std::vector<double> height(points.size() / 3);
   double size = 0;
   for (std::size_t p = 0; p < height.size(); ++p) {
-    const Vec3<double> r = minus({points[3 * p], points[3 * p + 1], points[3 * p + 2]}, plane.origin);
+    const Vec3<double> r = minus(at(points, static_cast<int>(p)), plane.origin);
     height[p] = dot(r, plane.normal);
     size = std::max(size, norm(r));
   }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 
 #include "contact/rigid/stl.hpp"
 #include "contact/surfaces/facets.hpp"
 #include "contact/surfaces/meridians.hpp"
+#include "core/base/did_you_mean.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 
 namespace bulbus {
@@ -60,11 +62,8 @@ void warn_of_size(Skin& skin, const std::string& path) {
 const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& surface, const std::string& key) {
   if (const auto found = mesh.surfaces.find(surface); found != mesh.surfaces.end() && !found->second.empty())
     return found->second;
-  std::vector<std::string> known;
-  for (const auto& [name, faces] : mesh.surfaces) known.push_back(name);
-  const std::string near = nearest(surface, known);
   throw scene_error(key + ".surface", "the mesh has no surface '" + surface + "'",
-                    near.empty() ? "Name one of its surfaces." : "Did you mean '" + near + "'?");
+                    did_you_mean(surface, std::views::keys(mesh.surfaces), "Name one of its surfaces."));
 }
 
 double enclosed_volume(std::span<const double> points, std::span<const std::array<int, 3>> triangles) {

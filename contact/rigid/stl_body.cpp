@@ -44,7 +44,7 @@ class Body {
     bool agrees;  // on which side is out
   };
 
-  Point point(int p) const { return {skin_.points[3 * p], skin_.points[3 * p + 1], skin_.points[3 * p + 2]}; }
+  Point point(int p) const { return at(skin_.points, p); }
   std::string place(int p) const {
     return fmt::format("({:g}, {:g}, {:g})", skin_.points[3 * p], skin_.points[3 * p + 1],
                        skin_.points[3 * p + 2]);

@@ -21,10 +21,7 @@ std::vector<int> within(double reach, std::span<const int> of, std::span<const d
   std::vector<int> rest;
   for (int k = 0; k < static_cast<int>(of.size()); ++k) {
     double& d = distance[of[k]];
-    for (int t : near.of(k))
-      d = std::min(
-          d,
-          nearest_point({places[3 * k], places[3 * k + 1], places[3 * k + 2]}, surface.corners(t)).distance);
+    for (int t : near.of(k)) d = std::min(d, nearest_point(at(places, k), surface.corners(t)).distance);
     if (d > reach) rest.push_back(of[k]);
   }
   return rest;

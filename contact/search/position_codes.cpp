@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/sort_unique.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -136,8 +138,7 @@ const Candidates& GlobalSearch::update(std::span<const double> points,
   reach_ = reach;
   if (searches_ == 0) {
     for (const auto& t : triangles) corners_.insert(corners_.end(), t.begin(), t.end());
-    std::sort(corners_.begin(), corners_.end());
-    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    sort_unique(corners_);
     corner_places_.resize(3 * corners_.size());
   }
   points_.assign(points.begin(), points.end());

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "contact/surfaces/normal_projection.hpp"
+#include "core/base/sort_unique.hpp"
 
 namespace bulbus {
 
 Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles.size()) {
   for (const auto& t : faces_.triangles) nodes_.insert(nodes_.end(), t.begin(), t.end());
-  std::sort(nodes_.begin(), nodes_.end());
-  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  sort_unique(nodes_);
   for (auto& t : faces_.triangles)
     for (int& n : t) n = static_cast<int>(std::ranges::lower_bound(nodes_, n) - nodes_.begin());
   mirror(std::vector<std::array<bool, 3>>(nodes_.size()));

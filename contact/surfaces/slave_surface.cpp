@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/sort_unique.hpp"
 #include "core/element/q1.hpp"
 
 namespace bulbus {
@@ -23,8 +24,7 @@ SlaveSurface::SlaveSurface(std::span<const double> X, int owned, std::span<const
   for (const Quad& q : faces)
     for (int n : q)
       if (n < owned) nodes_.push_back(n);
-  std::sort(nodes_.begin(), nodes_.end());
-  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  sort_unique(nodes_);
   std::erase_if(nodes_, [&](int n) { return std::ranges::binary_search(excluded, n); });
   std::map<int, int> index;
   for (int n : nodes_) index.insert({n, static_cast<int>(index.size())});

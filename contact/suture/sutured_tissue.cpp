@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -43,8 +45,7 @@ SuturedTissue sutured_tissue(const LocalMesh& mesh, const SutureSpec& spec) {
   const auto shared = mesh.shared.find(spec.surface);
   if (shared != mesh.shared.end())
     for (const Quad& q : shared->second) nodes.insert(nodes.end(), q.begin(), q.end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
   t.input = gathered(mesh, nodes, &t.mesh.points);
 
   for (const std::string& set : spec.sets)

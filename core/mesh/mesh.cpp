@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
+#include "core/base/sort_unique.hpp"
 #include "core/mesh/faces.hpp"
 
 namespace bulbus {
 namespace {
 
 std::vector<int> sorted_unique(std::vector<int> nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
   return nodes;
 }
 
@@ -29,8 +30,7 @@ std::vector<std::string> all_names(const Mesh& mesh) {
 }
 
 std::string known_names(std::vector<std::string> names) {
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  sort_unique(names);
   std::string text;
   for (const std::string& n : names) text += (text.empty() ? "" : ", ") + n;
   return text;
@@ -75,9 +75,8 @@ std::vector<int> nodes_of(const Mesh& mesh, const std::string& name) {
     return nodes_of_surface(at->second);
   if (const int region = region_index(mesh, name); region >= 0) return nodes_of_region(mesh, region);
   const std::vector<std::string> names = all_names(mesh);
-  const std::string near = nearest(name, names);
   throw input_error("the mesh has no node set, surface or region '" + name + "'",
-                    near.empty() ? "it has: " + known_names(names) : "did you mean '" + near + "'?");
+                    did_you_mean(name, names, "it has: " + known_names(names)));
 }
 
 }  // namespace bulbus

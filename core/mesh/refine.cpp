@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/hex_edges.hpp"
 #include "core/mesh/sorted.hpp"
@@ -14,13 +15,6 @@ using Edge = std::array<int, 2>;
 // Corners of the unit cube in the order of a Hex.
 constexpr int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                               {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-
-template <class Key>
-void sort_unique(std::vector<Key>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  keys.shrink_to_fit();
-}
 
 // New nodes: edges in the order of their sorted ends, then faces, then hexahedra. Two sets of nodes that rise
 // together so get children that do.
@@ -35,7 +29,9 @@ class NewNodes {
       for (const auto& f : hex_faces) faces_.push_back(sorted(Quad{h[f[0]], h[f[1]], h[f[2]], h[f[3]]}));
     }
     sort_unique(edges_);
+    edges_.shrink_to_fit();
     sort_unique(faces_);
+    faces_.shrink_to_fit();
   }
 
   int of_edge(int a, int b) const { return coarse_ + position(edges_, sorted(Edge{a, b})); }

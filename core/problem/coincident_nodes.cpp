@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "core/base/sort_unique.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/hex_edges.hpp"
 
@@ -53,8 +54,7 @@ class Grid {
       for (std::size_t j = i + 1; j < entries_.size() && entries_[j].cell == entries_[i].cell; ++j)
         if (norm(mesh_.points[entries_[i].node] - mesh_.points[entries_[j].node]) <= tolerance_)
           found.emplace_back(entries_[i].node, entries_[j].node);
-    std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    sort_unique(found);
     return found;
   }
 

@@ -69,6 +69,10 @@ class DofMap {
   /// 3×3 matrix of P for a local node (identity where nothing is held; zero for a rigid node).
   Mat3<double> projector(int node) const;
   bool held(int node) const { return slot_[node] >= 0 || body_of_[node] >= 0; }
+  /// Are all three displacements of the node prescribed? Not so of the nodes of a rigid body.
+  bool fully_constrained(int node) const {
+    return body_of_[node] < 0 && slot_[node] >= 0 && nodes_[slot_[node]].count == 3;
+  }
   int body_of(int node) const { return body_of_[node]; }
   /// Is this direction of the node held?
   bool holds_direction(int node, const Vec3<double>& d) const;

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/base/tensor.hpp"
 #include "core/problem/surface_sides.hpp"
@@ -40,11 +41,9 @@ void require_boundary(const Mesh& mesh, const SurfaceSides& sides, const std::st
 void require_region(const Mesh& mesh, const SurfaceSides& sides, const LoadSpec& load,
                     const std::string& key) {
   const int region = load.region.empty() ? -1 : region_index(mesh, load.region);
-  if (!load.region.empty() && region < 0) {
-    const std::string near = nearest(load.region, mesh.region_names);
+  if (!load.region.empty() && region < 0)
     throw scene_error(key + ".region", "the mesh has no region '" + load.region + "'",
-                      near.empty() ? "Name one of its regions." : "Did you mean '" + near + "'?");
-  }
+                      did_you_mean(load.region, mesh.region_names, "Name one of its regions."));
   for (const Quad& q : mesh.surfaces.at(load.surface)) {
     const auto& [a, b] = sides.of(q);
     const std::string first = mesh.region_names[a], second = b < 0 ? "" : mesh.region_names[b];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/enclosed_parts.hpp"
 #include "core/problem/validate.hpp"
@@ -83,9 +84,8 @@ State Problem::coarsened(const State& state) const {
 const std::vector<int>& Problem::nodes_of(const std::string& set) const {
   const auto known = sets_in_use(mesh_, model_);
   if (const auto* nodes = mesh_.nodes_of(set); nodes && known.contains(set)) return *nodes;
-  const std::string near = nearest(set, known);
   throw input_error("no hold, load or probe of the model names the set '" + set + "'",
-                    near.empty() ? "name it in one of them" : "did you mean '" + near + "'?");
+                    did_you_mean(set, known, "name it in one of them"));
 }
 
 State Problem::initial_state() const {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/problem/closed_surface.hpp"
@@ -161,10 +162,7 @@ void Problem::require_free_elements() const {
   for (const SolidRegion& r : solid_->regions())
     for (int h = r.first; h < r.first + r.count; ++h) {
       const Hex& hex = mesh_.hexes[h];
-      if (!std::ranges::all_of(hex, [&](int n) {
-            return dofs_->body_of(n) < 0 && dofs_->held(n) && trace(dofs_->projector(n)) < 0.5;
-          }))
-        continue;
+      if (!std::ranges::all_of(hex, [&](int n) { return dofs_->fully_constrained(n); })) continue;
       throw scene_error("steps." + std::to_string(step_),
                         "over-constrained: all eight nodes of hexahedron " +
                             std::to_string(mesh_.input_hex[h] + 1) + " (region '" + r.name +
@@ -214,9 +212,8 @@ int Problem::liquid_index(const std::string& name, const std::string& key) const
     if (liquids_[i].name() == name) return static_cast<int>(i);
     names.push_back(liquids_[i].name());
   }
-  const std::string guess = nearest(name, names);
   throw scene_error(key, "there is no liquid '" + name + "'",
-                    guess.empty() ? "Name one under `liquids`." : "Did you mean '" + guess + "'?");
+                    did_you_mean(name, names, "Name one under `liquids`."));
 }
 
 void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) {

@@ -52,7 +52,7 @@ RigidBody::Six RigidBody::reduce(const Pose& pose, std::span<const double> x, st
   Six sum{};
   for (int n : nodes_) {
     if (n >= owned) continue;
-    const Vec3<double> force{f[3 * n], f[3 * n + 1], f[3 * n + 2]};
+    const Vec3<double> force = at(f, n);
     const Vec3<double> moment = cross(arm(pose, x, n), force);
     for (int c = 0; c < 3; ++c) sum[c] += force[c], sum[3 + c] += moment[c];
   }
@@ -66,7 +66,7 @@ Mat3<double> RigidBody::geometric(const Pose& pose, std::span<const double> x, s
   Mat3<double> G{};
   for (int n : nodes_) {
     if (n >= owned) continue;
-    const Vec3<double> r = arm(pose, x, n), force{f[3 * n], f[3 * n + 1], f[3 * n + 2]};
+    const Vec3<double> r = arm(pose, x, n), force = at(f, n);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) G(i, j) += 0.5 * (force[i] * r[j] + r[i] * force[j]);
       G(i, i) -= dot(force, r);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/plausible.hpp"
@@ -26,11 +27,9 @@ std::vector<std::string> names_of(const Map& map) {
 }
 
 std::string known(const std::string& word, const std::vector<std::string>& names) {
-  const std::string guess = nearest(word, names);
-  if (!guess.empty()) return "Did you mean '" + guess + "'?";
   std::string list;
   for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
-  return names.empty() ? "The mesh has none." : "Known: " + list + ".";
+  return did_you_mean(word, names, names.empty() ? "The mesh has none." : "Known: " + list + ".");
 }
 
 void check_regions(const Mesh& mesh, const Model& model) {

@@ -57,8 +57,8 @@ struct Difference {
 inline Difference difference(const Trial& a, const Trial& b) {
   const std::vector<double> u = plus(b.state.x, -1, b.problem.mesh().X);
   return {largest(plus(a.state.x, -1, b.state.x)) / largest(u),
-          std::max(relative_difference(a.state.lambda, b.state.lambda),
-                   b.state.P.empty() ? 0 : relative_difference(a.state.P, b.state.P))};
+          worse(relative_difference(a.state.lambda, b.state.lambda),
+                b.state.P.empty() ? 0 : relative_difference(a.state.P, b.state.P))};
 }
 
 /// The iterative solver and the direct one on the same scene.

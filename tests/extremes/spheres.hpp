@@ -4,24 +4,24 @@
 namespace bulbus {
 
 /// A neo-Hookean layer of a sphere, from `inner` to `outer`, mm.
-struct Layer {
+struct ShellLayer {
   double inner, outer, c10;
 };
 
 /// Pressure in a sphere of incompressible neo-Hookean layers whose inside has the stretch `la`: Σ c10 [4/l +
 /// 1/l⁴] from inside to outside.
-inline double pressure_of(const std::vector<Layer>& layers, double la) {
+inline double pressure_of(const std::vector<ShellLayer>& layers, double la) {
   const double a = layers.front().inner;
   const auto stretch = [&](double R) { return std::cbrt(1 + (la * la * la - 1) * std::pow(a / R, 3)); };
   const auto h = [&](double R) { return 4 / stretch(R) + 1 / std::pow(stretch(R), 4); };
   double p = 0;
-  for (const Layer& l : layers) p += l.c10 * (h(l.outer) - h(l.inner));
+  for (const ShellLayer& l : layers) p += l.c10 * (h(l.outer) - h(l.inner));
   return p;
 }
 
 /// An octant of a liquid-filled shell of layers, each of `cells` cells, in `increments` filled by beta times
 /// its volume.
-inline Scene filled_layers(int n, int cells, const std::vector<Layer>& layers, double beta, double K,
+inline Scene filled_layers(int n, int cells, const std::vector<ShellLayer>& layers, double beta, double K,
                            int increments) {
   const double inner = layers.front().inner, outer = layers.back().outer;
   const int count = static_cast<int>(layers.size()), all = cells * count;

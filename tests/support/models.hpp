@@ -59,11 +59,17 @@ inline void append(Mesh& mesh, const Mesh& other) {
     }
 }
 
-/// A mesh and what is to happen to it.
+namespace test {
+
+/// A mesh and what is to happen to it: not the Scene of app/, which programs of tests link beside it.
 struct Scene {
   Mesh mesh;
   Model model;
 };
+
+}  // namespace test
+
+using test::Scene;
 
 inline StepSpec step(std::string name, int increments = 1) {
   StepSpec s;

@@ -23,18 +23,22 @@ inline std::vector<double> noise_vector(std::size_t n, std::uint64_t seed) {
   return v;
 }
 
+/// The larger of two errors; a NaN, which std::max passes over, is infinitely large.
+inline double worse(double a, double b) { return std::isnan(b) ? INFINITY : std::max(a, b); }
+
 inline double largest(std::span<const double> v) {
   double m = 0;
-  for (double x : v) m = std::isnan(x) ? INFINITY : std::max(m, std::abs(x));
+  for (double x : v) m = worse(m, std::abs(x));
   return m;
 }
 
-/// Largest |a − b| over largest |b|.
+/// Largest |a − b| over largest |b|. A NaN, which no comparison bears, where the sizes differ and where b is
+/// empty or zero: that proves nothing.
 inline double relative_difference(std::span<const double> a, std::span<const double> b) {
-  if (a.size() != b.size()) return INFINITY;
+  if (a.size() != b.size() || largest(b) == 0) return NAN;
   std::vector<double> d(a.begin(), a.end());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] -= b[i];
-  return largest(d) / std::max(largest(b), 1e-300);
+  return largest(d) / largest(b);
 }
 
 inline double inner(std::span<const double> a, std::span<const double> b) {

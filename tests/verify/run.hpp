@@ -45,11 +45,8 @@ struct Trial : MarchTrial {
   /// Radial displacement in a sphere: mean of |x| − |X| over the owned nodes of a set.
   double mean_radial(const Mesh& mesh, const std::string& set) const {
     double sum = 0, count = 0;
-    const auto at = [](std::span<const double> v, int n) {
-      return std::sqrt(v[3 * n] * v[3 * n] + v[3 * n + 1] * v[3 * n + 1] + v[3 * n + 2] * v[3 * n + 2]);
-    };
     for (int n : nodes(mesh, set))
-      if (n < problem.mesh().owned) sum += at(state.x, n) - at(problem.mesh().X, n), ++count;
+      if (n < problem.mesh().owned) sum += norm(at(state.x, n)) - norm(at(problem.mesh().X, n)), ++count;
     return comm.sum(sum) / comm.sum(count);
   }
   /// Mean nominal stress from nodal forces alone: Σ f ⊗ X = ∫ P dV.

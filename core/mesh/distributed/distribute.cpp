@@ -5,6 +5,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "core/base/sort_unique.hpp"
+
 namespace bulbus {
 namespace {
 
@@ -26,11 +28,6 @@ std::vector<int> node_owners(const Mesh& mesh, std::span<const int> rank_of_hex)
   for (int& o : owner)
     if (o == none) o = 0;  // a node of bars only
   return owner;
-}
-
-void sort_unique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
 // Per rank, the nodes that its hexahedra, bars and shared surfaces touch but that others own: all of them for

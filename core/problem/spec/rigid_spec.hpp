@@ -1,11 +1,11 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "core/base/error.hpp"
 #include "core/base/parameters.hpp"
+#include "core/base/require_one.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus {
@@ -183,21 +183,7 @@ struct RigidBodySpec {
       About{"direction of `close`; zero: against the radius of each arc's middle, along a plane's normal"});
   }
   /// Throws InputError unless exactly one shape is given.
-  void validate() const {
-    RigidBodySpec copy = *this;
-    std::string given, all;
-    int count = 0;
-    copy.describe([&](const char* key, auto& member, const About&) {
-      if constexpr (!std::is_same_v<decltype(member), Point&>) {
-        all += (all.empty() ? "" : ", ") + std::string(key);
-        if (member) given += (count++ ? " and " : "") + std::string(key);
-      }
-    });
-    if (count == 0) throw input_error("the rigid body has no shape", "give one of " + all);
-    if (count > 1)
-      throw input_error("the rigid body has " + std::to_string(count) + " shapes: " + given,
-                        "keep exactly one of " + all);
-  }
+  void validate() const { require_one("the rigid body", "shape", optional_members(*this)); }
 };
 
 /// Motion of a rigid body over a step, reached linearly by its end: all parts turn together, shift together
@@ -263,10 +249,8 @@ struct SutureSpec {
   }
   /// Throws InputError unless the points are given in exactly one way.
   void validate() const {
-    const int ways = (pair ? 1 : 0) + (points.empty() ? 0 : 1) + (sets.empty() ? 0 : 1);
-    if (ways != 1)
-      throw input_error("the points of the suture are given in " + std::to_string(ways) + " ways",
-                        "give exactly one of pair, points, sets");
+    require_one("the suture", "placement",
+                {{"pair", pair.has_value()}, {"points", !points.empty()}, {"sets", !sets.empty()}});
     if (points.size() > 2 || sets.size() > 2)
       throw input_error("a suture has more than two points", "make two sutures of it");
     if (sets.empty() && surface.empty())

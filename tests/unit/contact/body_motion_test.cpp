@@ -30,12 +30,8 @@ MoveSpec closing(double way, const std::string& from = "here") {
   return m;
 }
 
-Vec3<double> place(const RigidSurface& b, int p) {
-  return {b.places[3 * p], b.places[3 * p + 1], b.places[3 * p + 2]};
-}
-Vec3<double> drawn(const RigidSurface& b, int p) {
-  return {b.reference[3 * p], b.reference[3 * p + 1], b.reference[3 * p + 2]};
-}
+Vec3<double> place(const RigidSurface& b, int p) { return at(b.places, p); }
+Vec3<double> drawn(const RigidSurface& b, int p) { return at(b.reference, p); }
 
 void expect_near(const Vec3<double>& a, const Vec3<double>& b, double tolerance = 1e-12) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/element/block_csr.hpp"
+#include "tests/support/not_empty.hpp"
 #include "tests/unit/contact/two_sheets.hpp"
 
 namespace bulbus {
@@ -123,7 +124,7 @@ TEST_F(ContactTermTest, PushesTheSlaveUpAndTheMasterDownInBalance) {
   const auto f = force(term, state);
   Vec3<double> slave{0, 0, 0}, all{0, 0, 0}, moment{0, 0, 0};
   for (int n = 0; n < two.sheets.nodes(); ++n) {
-    const Vec3<double> at_node{f[3 * n], f[3 * n + 1], f[3 * n + 2]}, m = cross(at(state.x, n), at_node);
+    const Vec3<double> at_node = at(f, n), m = cross(at(state.x, n), at_node);
     for (int c = 0; c < 3; ++c)
       all[c] += at_node[c], moment[c] += m[c], slave[c] += n < two.slaves() ? at_node[c] : 0;
   }
@@ -141,7 +142,7 @@ TEST_F(ContactTermTest, MagnitudeSumsTheContributions) {
   term.add_residual(state, f, magnitude);
   double slave = 0, master = 0;
   for (int n = 0; n < two.sheets.nodes(); ++n) {
-    EXPECT_GE(magnitude[n] * (1 + 1e-12), norm({f[3 * n], f[3 * n + 1], f[3 * n + 2]}));
+    EXPECT_GE(magnitude[n] * (1 + 1e-12), norm(at(f, n)));
     (n < two.slaves() ? slave : master) += magnitude[n];
   }
   EXPECT_NEAR(slave, master, 1e-12);
@@ -196,7 +197,7 @@ TEST(Contact, CarriesAUniformPressureAcrossMeshesThatDoNotMatch) {
   EXPECT_NEAR(moment_about({.5, .5, 3}, f.on_master[0])[0], 0, 1e-14);
   EXPECT_NEAR(moment_about({.5, .5, 3}, f.on_master[0])[1], 0, 1e-14);
   EXPECT_NEAR(f.area, two.area, 1e-14);
-  for (const ContactNode& n : term.nodes(state)) {
+  for (const ContactNode& n : not_empty(term.nodes(state))) {
     EXPECT_NEAR(n.pressure, .5, 1e-13);
     EXPECT_NEAR(n.gap, -.01, 1e-15);
     EXPECT_TRUE(n.active);
@@ -234,7 +235,7 @@ TEST(Contact, PushesNodesInASymmetryPlaneAlongIt) {
     EXPECT_EQ(term.figures(s.state()).pairs, 30);
     double most = 0;
     for (const ContactNode& n : term.nodes(s.state()))
-      if (s.X[3 * n.node] == 0) most = std::max(most, std::abs(n.force[0]) / norm(n.force));
+      if (s.X[3 * n.node] == 0) most = worse(most, std::abs(n.force[0]) / norm(n.force));
     return most;
   };
   EXPECT_LT(across({"x"}), 1e-30);

@@ -47,7 +47,7 @@ std::vector<double> figures(Scene scene, const std::vector<ProbeSpec>& probes, c
   const auto interactions = Interactions::attach(problem, scene.mesh);
   State state = problem.initial_state();
   for (int n = 0; map && n < problem.mesh().nodes(); ++n) {
-    const Vec3<double> x = map({state.x[3 * n], state.x[3 * n + 1], state.x[3 * n + 2]});
+    const Vec3<double> x = map(at(state.x, n));
     std::copy(x.begin(), x.end(), state.x.begin() + 3 * n);
   }
   return ProbeSet(problem, interaction_probes(interactions)).values(problem, state);

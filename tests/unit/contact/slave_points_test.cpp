@@ -41,7 +41,7 @@ TEST(SlavePoints, BulgeToTheSphere) {
       Vec3<double> x = at(places, i);
       flat = std::max(flat, 1 - norm(x));
       for (int c = 0; c < 3; ++c) x[c] += cap.points[i].chordal_offset * normals[i][c];
-      curved = std::max(curved, std::abs(1 - norm(x)));
+      curved = worse(curved, std::abs(1 - norm(x)));
     }
   }
   EXPECT_GT(flat, 3e-3);

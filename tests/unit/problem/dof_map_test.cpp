@@ -112,8 +112,7 @@ TEST_F(DofMapTest, DefectLeadsToThePrescribedPlace) {
   EXPECT_GT(size, .1);
   s.x = plus(s.x, 1, du);
   for (int n : here(7)) {
-    const Vec3<double> u{s.x[3 * n] - local.X[3 * n], s.x[3 * n + 1] - local.X[3 * n + 1],
-                         s.x[3 * n + 2] - local.X[3 * n + 2]};
+    const Vec3<double> u = minus(at(s.x, n), at(local.X, n));
     EXPECT_NEAR(dot(u, skew), .3, 1e-15);
     EXPECT_NEAR(dot(u, axis), -.18, 1e-15);
   }
@@ -199,13 +198,9 @@ TEST_F(DofMapTest, MoveKeepsBodiesRigid) {
   dofs.move(state, dx, q, .7);
   const auto nodes = dofs.bodies()[0].nodes();
   for (int a : nodes)
-    for (int b : nodes) {
-      const auto at = [](std::span<const double> v, int n) {
-        return Vec3<double>{v[3 * n], v[3 * n + 1], v[3 * n + 2]};
-      };
+    for (int b : nodes)
       ASSERT_NEAR(norm(minus(at(state.x, a), at(state.x, b))), norm(minus(at(local.X, a), at(local.X, b))),
                   1e-13);
-    }
 }
 
 TEST_F(DofMapTest, BodiesCountSixUnknownsAndTheirNodesNone) {

@@ -44,7 +44,7 @@ template <class Map>
 State mapped(const Problem& p, Map map) {
   State s = p.initial_state();
   for (int n = 0; n < p.mesh().nodes(); ++n) {
-    const Vec3<double> x = map(Vec3<double>{s.x[3 * n], s.x[3 * n + 1], s.x[3 * n + 2]});
+    const Vec3<double> x = map(at(s.x, n));
     std::copy(x.begin(), x.end(), s.x.begin() + 3 * n);
   }
   return s;

@@ -13,7 +13,7 @@ TEST_F(FilledShell, RigidHexahedraKeepTheirVolumeInTheBalance) {
   const Residual r = p.residual(s);
   double worst = 0;
   for (std::size_t e = 0; e < r.volume.size(); ++e)
-    worst = std::max(worst, std::abs(r.volume[e]) / p.solid().reference_volumes()[e]);
+    worst = worse(worst, std::abs(r.volume[e]) / p.solid().reference_volumes()[e]);
   EXPECT_DOUBLE_EQ(p.balance(r).volume, world().max(worst));
   EXPECT_GT(worst, 1e-4);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/not_empty.hpp"
 #include "tests/unit/solve/trial.hpp"
 
 namespace bulbus {
@@ -33,7 +34,7 @@ TEST(March, CutsIncrementsThatNeedTooManyIterations) {
   EXPECT_GT(run.report.cuts, 0);
   EXPECT_EQ(run.report.cuts, static_cast<int>(run.cuts.size()));
   EXPECT_NEAR(run.reaction("zmax", 2), 2.5 - 1 / 6.25, 1e-8);
-  for (const auto& cut : run.cuts) EXPECT_NE(cut.outcome, Outcome::converged);
+  for (const auto& cut : not_empty(run.cuts)) EXPECT_NE(cut.outcome, Outcome::converged);
 }
 
 TEST(March, ImpossibleStepFailsWithAReasonAndKeepsTheLastGoodState) {

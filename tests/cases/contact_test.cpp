@@ -1,0 +1,174 @@
+// Contacts that were passed through, or whose sides were treated unequally.
+#include "tests/cases/run_case.hpp"
+#include "tests/support/not_empty.hpp"
+
+namespace bulbus::test {
+namespace {
+
+// A closed form of the membrane is not known: many increments are the reference.
+TEST(ThinSheet, IsCarriedAlongInAnyNumberOfIncrements) {
+  for (int increments : {1, 2, 3, 5, 10}) {
+    const Ran run = run_case("thin_sheet", {"steps.0.increments=" + std::to_string(increments)});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(probe(run, "lowest"), -.4, 1e-5) << increments;
+    EXPECT_NEAR(probe(run, "push"), 9.491, 1e-3) << increments;
+  }
+}
+
+TEST(ThinSheet, OfAnyThicknessIsCarriedAlongByARodOrABall) {
+  for (const char* body : {"cylinder: {center: [0,0,1.5], axis: [0,1,0], radius: 0.5, length: 6}",
+                           "sphere: {center: [0,0,1.5], radius: 0.5}"})
+    for (const char* thickness : {".02", ".5"}) {
+      std::vector<double> push;
+      for (const char* increments : {"1", "2", "10"}) {
+        const Ran run = run_case("thin_sheet", {std::string("steps.0.increments=") + increments,
+                                                std::string("mesh.block.upper=[1, 1, ") + thickness + "]",
+                                                std::string("rigid_bodies.rod={") + body + "}"});
+        ASSERT_EQ(run.status, 0) << run.err;
+        push.push_back(probe(run, "push"));
+      }
+      EXPECT_GT(push[2], .1) << body << thickness;
+      for (double p : not_empty(push)) EXPECT_NEAR(p / push[2], 1, 1e-3) << body << thickness;
+    }
+}
+
+TEST(Ridge, PushesNeitherWay) {
+  const Ran run = run_case("ridge");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_LT(probe(run, "push"), -100);
+  EXPECT_LT(std::abs(probe(run, "side") / probe(run, "push")), 1e-6);
+}
+
+TEST(Ridge, PushesPointsOfFacesNeitherWay) {
+  const Ran run = run_case("ridge", {"contacts.0.divisions=2"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_LT(std::abs(probe(run, "side") / probe(run, "push")), 1e-6);
+}
+
+// The nodes of the block's lower edge lie in the concave edge of floor and wall, which keep them out
+// together.
+TEST(Corner, KeepsNodesOutOfFloorAndWall) {
+  std::vector<double> push, side;
+  for (const char* how : {"solver.linear.method=direct", "solver.linear.method=iterative",
+                          "steps.0.increments=1", "contacts.0.tolerance=1e-5"}) {
+    const Ran run = run_case("corner", {how});
+    ASSERT_EQ(run.status, 0) << run.err;
+    push.push_back(probe(run, "push")), side.push_back(probe(run, "side"));
+    EXPECT_LT(push.back(), -100);
+    EXPECT_GT(side.back(), 50);
+    EXPECT_LT(probe(run, "penetration"), .05) << how;
+  }
+  for (int k : {1, 2}) {
+    EXPECT_NEAR(push[k] / push[0], 1, 1e-6);
+    EXPECT_NEAR(side[k] / side[0], 1, 1e-6);
+  }
+}
+
+// 0.1 (1/0.64 − 0.8) 4 mm² of a block of 50 kPa; with a penalty both blocks are a little higher.
+TEST(MatchingNodes, ArePressedIterativelyAsDirectly) {
+  const Ran augmented = run_case("matching_nodes", {"solver.linear.fallback=none"});
+  ASSERT_EQ(augmented.status, 0) << augmented.err;
+  EXPECT_NEAR(probe(augmented, "push"), -305, 1e-3);
+  for (const char* penalty : {"30", "300", "3e5"}) {
+    const std::vector<std::string> set{"contacts.0.tolerance=0", std::string("contacts.0.penalty=") + penalty,
+                                       "solver.linear.fallback=none"};
+    auto direct = set;
+    direct.push_back("solver.linear.method=direct");
+    const Ran iterative = run_case("matching_nodes", set);
+    ASSERT_EQ(iterative.status, 0) << iterative.err;
+    const auto totals = iterative.summary()["totals"];
+    EXPECT_EQ(totals["cuts"], 0) << penalty;
+    EXPECT_LE(totals["newton_iterations"], 32) << penalty;  // 8 in each of four increments
+    EXPECT_NEAR(probe(iterative, "push") / probe(run_case("matching_nodes", direct), "push"), 1, 1e-6)
+        << penalty;
+  }
+}
+
+TEST(RodOverEdge, TakesAsManyIncrementsIterativelyAsDirectly) {
+  std::ifstream in(std::string(BULBUS_DATA) + "/scenes/rod_over_edge.yaml");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::vector<int> increments;
+  for (const char* method : {"direct", "iterative"}) {
+    const Ran run =
+        run_scene(text, {std::string("solver.linear.method=") + method, "solver.linear.fallback=none"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    increments.push_back(run.summary()["totals"]["increments"]);
+  }
+  EXPECT_LE(increments[1], 1.2 * increments[0]);
+}
+
+// A preset is as good as what it promises of `tight`, and one increment as good as four.
+TEST(Band, ClosesOnTheEyeWithAnyPreset) {
+  const std::string scene = std::string(BULBUS_DATA) + "/scenes/band.yaml";
+  std::ifstream in(scene);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto closed = [&](const std::string& preset, const std::string& way, const std::string& more) {
+    return run_scene(text, {"mesh.eye.n=6", "output.vtk=false", "solver.accuracy=" + preset,
+                            "steps.1.move.0.close=" + way, more});
+  };
+  for (const auto& [way, pressure, force] : {std::tuple{"2", 37.11, 3.351}, {"3", 53.43, 5.701}})
+    for (const auto& [preset, more] :
+         {std::pair{"fast", "steps.1.increments=4"}, {"tight", "steps.1.increments=1"}}) {
+      const Ran run = closed(preset, way, more);
+      ASSERT_EQ(run.status, 0) << run.err;
+      EXPECT_NEAR(probe(run, "IOP") / pressure, 1, 1e-3) << preset << " " << way;
+      EXPECT_NEAR(probe(run, "band_force") / force, 1, 2e-3) << preset << " " << way;
+    }
+}
+
+std::string reason(const Ran& run) { return run.summary()["reason"]; }
+
+// A punch that presses between the nodes of the slab: 0.2 mm deep without a force is not an answer.
+TEST(Punch, BetweenTheNodesOfTheSlaveIsRefusedUnlessItIsFelt) {
+  const Ran one_way = run_case("punch");
+  EXPECT_EQ(one_way.status, 1);
+  for (const char* part : {"enters between the nodes", "two_way: true"})
+    EXPECT_NE(reason(one_way).find(part), std::string::npos) << reason(one_way);
+  std::vector<double> push;
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{"contacts.0.two_way=true"},
+        {"contacts.0.two_way=true", "solver.linear.method=direct"},
+        {"contacts.0.slave=punch_bottom", "contacts.0.master=slab_top"}}) {
+    const Ran run = run_case("punch", set);
+    ASSERT_EQ(run.status, 0) << run.err;
+    push.push_back(probe(run, "push"));
+    EXPECT_LT(push.back(), -50);
+    EXPECT_NEAR(probe(run, "hold") / -push.back(), 1, 1e-5);
+    EXPECT_NEAR(std::abs(probe(run, "touch")) / -push.back(), 1, 1e-5) << "the figures count both ways";
+    EXPECT_EQ(run.summary()["totals"]["cuts"], 0);
+  }
+  for (double p : not_empty(push)) EXPECT_NEAR(p / push[0], 1, 1e-6) << "only the punch's nodes touch";
+}
+
+TEST(Punch, TwoWayIsForSurfacesOfTheMesh) {
+  expect_refused(run_case("narrow_rod", {"contacts.0.two_way=true"}), {"contacts.0.two_way", "divisions"});
+  expect_refused(run_case("punch", {"contacts.0.two_way=true", "contacts.0.tolerance=1e-4"}),
+                 {"contacts.0.two_way", "penalty"});
+}
+
+// A rod of 0.4 mm between nodes 1 mm apart: a face cannot bend around it.
+TEST(NarrowRod, IsRefusedWhereTheFacesCannotFollowIt) {
+  const Ran nodes = run_case("narrow_rod");
+  EXPECT_EQ(nodes.status, 1);
+  for (const char* part : {"enters between the nodes", "divisions"})
+    EXPECT_NE(reason(nodes).find(part), std::string::npos) << reason(nodes);
+  EXPECT_EQ(run_case("narrow_rod", {"contacts.0.divisions=4"}).status, 1)
+      << "points would slip around the rod";
+}
+
+TEST(NarrowRod, ThatIsLetInDeepIsToldOf) {
+  const auto warnings = [](const char* way) {
+    const Ran run = run_case("narrow_rod", {"contacts.0.divisions=8",
+                                            std::string("steps.0.move.0.translate=[0, 0, ") + way + "]"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_GT(probe(run, "push"), 10);
+    return run.summary()["warnings"];
+  };
+  EXPECT_TRUE(warnings("-0.13").empty());
+  const auto deep = warnings("-0.3");
+  ASSERT_EQ(deep.size(), 1);
+  EXPECT_NE(deep[0].get<std::string>().find("larger than 3 MPa/mm"), std::string::npos) << deep;
+}
+
+}  // namespace
+}  // namespace bulbus::test

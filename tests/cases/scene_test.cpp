@@ -1,0 +1,182 @@
+// Scenes that are wrong, states in which no body can be, and failures that teach.
+#include "tests/cases/run_case.hpp"
+
+namespace bulbus::test {
+namespace {
+
+bool warns(const Ran& run, const std::string& part) {
+  const auto summary = run.summary();
+  for (const auto& warning : summary["warnings"])
+    if (warning.get<std::string>().find(part) != std::string::npos) return true;
+  return false;
+}
+
+// `check` writes to the screen.
+std::string said_by_check(const std::string& folder, const std::vector<std::string>& set = {}) {
+  testing::internal::CaptureStdout();
+  const Ran run = run_case(folder, set, "s.yaml", "check");
+  EXPECT_EQ(run.status, 0) << run.err;
+  return testing::internal::GetCapturedStdout();
+}
+
+TEST(NotANumber, IsRefusedWithFormulaPlaceAndProgress) {
+  for (const char* command : {"check", "run"}) {
+    expect_refused(run_case("not_a_number", {}, "div0.yaml", command),
+                   {"div0.yaml:9: ", "steps.0.displace.0.x", "1/0", "s = 0", "infinite"});
+    expect_refused(run_case("not_a_number", {}, "nanf.yaml", command),
+                   {"nanf.yaml:9: ", "steps.0.displace.0.x", "sqrt(-1)", "not a number"});
+  }
+}
+
+TEST(NotANumber, IsRefusedWhereverAFormulaStands) {
+  const auto with = [](const std::string& set) { return run_case("not_a_number", {set}, "div0.yaml"); };
+  expect_refused(with("steps.0.displace.0.x=log(Y-2)"), {"not a number", "Y = "});
+  expect_refused(with("steps.0.displace.0.x=1/(s-0.5)"), {"s = 0.5"});
+  for (const char* word : {".nan", ".inf", "nan", "inf", "1e999", "1e999*s"})
+    EXPECT_EQ(with(std::string("steps.0.displace.0.x=") + word).status, 2) << word;
+  const std::string load = "steps.0.loads=[{surface: zmax, pressure: \"";
+  expect_refused(run_case("not_a_number", {"steps.0.displace.0.x=0.1", load + "log(-s)\"}]"}, "div0.yaml"),
+                 {"steps.0.loads.0.pressure", "log(-s)"});
+  expect_refused(run_case("not_a_number", {"steps.0.displace.0.x=0.1", load + "0.001*X\"}]"}, "div0.yaml"),
+                 {"depends on X"});
+  expect_refused(run_case("wrong_unit", {"steps.0.pressures.inside=0/0*s"}),
+                 {"steps.0.pressures.inside", "not a number"});
+}
+
+// Between the places in s at which it is looked at when a step begins.
+TEST(NotANumber, IsRefusedDuringAStep) {
+  expect_refused(
+      run_case("not_a_number", {"steps.0.displace.0.x=0.1*s/(abs(s-0.25)>1e-9)", "steps.0.increments=4"},
+               "div0.yaml"),
+      {"s = 0.25", "not a finite number"});
+}
+
+TEST(MergeKey, IsRead) {
+  const Ran run = run_case("not_a_number", {}, "merge.yaml");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NEAR(probe(run, "F"), 105.556, 1e-2);  // 2 c10 (1.5 − 1/1.5²)
+}
+
+TEST(DecimalComma, IsRefusedOutsideOfFunctions) {
+  expect_refused(run_case("decimal_comma"), {"s.yaml:8: ", "steps.0.displace.0.z", "0,1", "write 0.1"});
+  for (const char* formula : {"2*(0,5)", "\"0,1*s\"", "sin(0,5)", "0,1 mm"})
+    expect_refused(run_case("decimal_comma", {std::string("steps.0.displace.0.z=") + formula}),
+                   {"write 0.1"});
+  expect_refused(run_case("decimal_comma", {"regions.block.c10=0,05"}), {"write 0.05"});
+}
+
+TEST(DecimalComma, IsNoneBetweenArguments) {
+  const Ran run = run_case("decimal_comma", {"steps.0.displace.0.z=max(0.1*s, min(0, s)) + 0*atan2(s, 1)"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NEAR(probe(run, "uz"), .1, 1e-9);
+}
+
+TEST(WrongUnit, OfAPressureIsAskedBack) {
+  for (const char* command : {"check", "run"})
+    expect_refused(
+        run_case("wrong_unit", {}, "s.yaml", command),
+        {"15 MPa is 93.8 times the shear modulus", "did you mean `15 mmHg`?", "15 MPa` if that is meant"});
+  expect_refused(run_case("wrong_unit", {"steps.0.pressures.inside=2 mmHg",
+                                         "steps.0.loads=[{surface: outer, pressure: -20}]"}),
+                 {"steps.0.loads.0.pressure"});
+  EXPECT_EQ(run_case("wrong_unit", {"steps.0.pressures.inside=15 mmHg"}).status, 0);
+  EXPECT_EQ(run_case("wrong_unit", {"steps.0.pressures.inside=0.002"}).status, 0);
+  EXPECT_EQ(run_case("wrong_unit", {"steps.0.pressures.inside=15 MPa"}, "s.yaml", "check").status, 0);
+}
+
+TEST(WrongUnit, OfADisplacementOrAnAngleIsAskedBack) {
+  expect_refused(run_case("decimal_comma", {"steps.0.displace.0.z=100"}),
+                 {"100 mm is 20.4 times the diagonal", "did you mean `100 um`?"});
+  EXPECT_EQ(run_case("decimal_comma", {"steps.0.displace.0.z=100 um"}).status, 0);
+  expect_refused(run_case("decimal_comma", {"steps.0.displace.0.rotate={angle: 30}"}),
+                 {"is it in degrees?", "'30 deg'"});
+}
+
+TEST(ReactionAcrossSymmetry, IsToldAndTheDrawnPartIsGiven) {
+  const Ran whole = run_case("reaction_across_symmetry");
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  EXPECT_TRUE(warns(whole, "component x of probe 'F' is across the plane of symmetry x"));
+  EXPECT_EQ(probe(whole, "F"), 0);
+  const Ran part = run_case("reaction_across_symmetry", {"probes.0.of=part"});
+  ASSERT_EQ(part.status, 0) << part.err;
+  EXPECT_NEAR(probe(part, "F"), 175, .02);  // 2 c10 (2 − 1/4)
+  EXPECT_FALSE(warns(part, "probe 'F'"));
+  const Ran y_and_z =
+      run_case("reaction_across_symmetry", {"symmetry=[y, z]", "fix=[{set: xmin, directions: [x]}]"});
+  EXPECT_NEAR(probe(y_and_z, "F"), 700, .1);
+  EXPECT_FALSE(warns(y_and_z, "probe 'F'"));
+}
+
+TEST(ReactionAcrossSymmetry, OfMomentsGoesTheOtherWay) {
+  const auto moment = [](const std::string& component) {
+    return said_by_check("reaction_across_symmetry",
+                         {"symmetry=[x]", "fix=[{set: ymin, directions: [y, z]}]", "probes.0.kind=moment",
+                          "probes.0.unit=mN mm", "probes.0.component=" + component});
+  };
+  EXPECT_EQ(moment("x").find("probe 'F'"), std::string::npos);
+  EXPECT_NE(moment("y").find("component y of probe 'F' is along the plane of symmetry x"), std::string::npos);
+  expect_refused(run_case("reaction_across_symmetry",
+                          {"probes.0.of=part", "probes.0.kind=displacement", "probes.0.unit=mm"}),
+                 {"probes.0.of"});
+}
+
+TEST(FixedVolume, WithoutRoomIsRefusedWithTheVolume) {
+  for (const char* command : {"check", "run"})
+    expect_refused(run_case("fixed_volume", {}, "s.yaml", command),
+                   {"region 'block'", "0.1 mm3 have no place"});
+  expect_refused(run_case("fixed_volume", {"steps.0.displace.0.x=0.05"}), {"0.05 mm3 are missing"});
+  // held at last: in the second step only
+  expect_refused(run_case("fixed_volume",
+                          {"steps=[{displace: [{set: xmax, x: 0}]}, {displace: [{set: xmax, x: -0.2}]}]"}),
+                 {"steps.1", "0.2 mm3"});
+}
+
+TEST(FixedVolume, KeepsItsMeanPressureWithEitherSolver) {
+  double reaction[2];
+  int k = 0;
+  for (const char* method : {"direct", "iterative"}) {
+    const Ran run = run_case("fixed_volume/still", {std::string("solver.linear.method=") + method});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(warns(run, "fix the volume of region 'block'"));
+    reaction[k++] = probe(run, "top");
+    EXPECT_NEAR(probe(run, "top") + probe(run, "bottom"), 0, 1e-3);
+  }
+  EXPECT_NEAR(reaction[0], reaction[1], 1e-3 * (1 + std::abs(reaction[1])));
+}
+
+TEST(FixedVolume, IsNoneWhereAFaceIsFree) {
+  const Ran run = run_case(
+      "fixed_volume/still",
+      {"fix=[{set: xmin, directions: [x]}, {set: ymin, directions: [y]}, {set: zmin, directions: [z]}]"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_FALSE(warns(run, "fix the volume"));
+}
+
+TEST(UnstableMaterial, IsToldBeforeAndAfter) {
+  EXPECT_NE(said_by_check("unstable_material").find("loses stability"), std::string::npos);
+  EXPECT_EQ(said_by_check("unstable_material", {"regions.block.c01=10 kPa"}).find("loses stability"),
+            std::string::npos);
+  const Ran run = run_case("unstable_material", {"solver.linear.method=direct"});
+  EXPECT_TRUE(warns(run, "the law of region 'block' loses stability"));
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NEAR(probe(run, "Fx"), -102.83, .01);
+}
+
+TEST(LimitPoint, IsNamedWithTheLastStablePressure) {
+  const Ran run = run_case("limit_point", {"solver.linear.method=direct"});
+  ASSERT_EQ(run.status, 1) << run.err;
+  const std::string text = run.summary()["diagnosis"];
+  for (const char* part : {"limit point", "inside", "couple", "add"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
+  EXPECT_NEAR(probe(run, "P"), 11.8, .05);
+  EXPECT_LT(probe(run, "r"), 14.6);
+}
+
+TEST(LimitPoint, IsPassedByVolume) {
+  const Ran run = run_case("limit_point", {"solver.linear.method=direct"}, "by_volume.yaml");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_FALSE(run.summary().contains("diagnosis"));
+}
+
+}  // namespace
+}  // namespace bulbus::test

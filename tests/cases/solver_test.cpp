@@ -1,0 +1,97 @@
+// Systems on which GMRES stagnated: the iterative solver goes wherever the direct one goes.
+#include "tests/cases/run_case.hpp"
+#include "tests/support/not_empty.hpp"
+
+namespace bulbus::test {
+namespace {
+
+struct Result {
+  int status;
+  nlohmann::json summary;
+  std::string log;
+};
+
+Result result_of(const std::string& folder, const std::vector<std::string>& set) {
+  const Ran run = run_case(folder, set);
+  EXPECT_NE(run.status, 2) << run.err;
+  return {run.status, run.summary(), run.text("run.log")};
+}
+
+struct Both {
+  Result iterative, direct;
+};
+
+// `of_gmres`: settings of the iterative solver alone.
+Both run_both(const std::string& folder, const std::vector<std::string>& set = {},
+              const std::vector<std::string>& of_gmres = {}) {
+  Both both;
+  for (Result* r : {&both.iterative, &both.direct}) {
+    auto all = set;
+    all.push_back(std::string("solver.linear.method=") + (r == &both.direct ? "direct" : "iterative"));
+    if (r == &both.iterative) all.insert(all.end(), of_gmres.begin(), of_gmres.end());
+    *r = result_of(folder, all);
+    EXPECT_EQ(r->status, 0) << r->summary["reason"];
+  }
+  return both;
+}
+
+// Every probe to 1e-6 of its largest, and no more than a fifth more increments.
+void expect_same(const Both& both) {
+  const auto &found = both.iterative.summary, &expected = both.direct.summary;
+  ASSERT_FALSE(found["probes"].empty());
+  double scale = 0;
+  for (const auto& [name, value] : expected["probes"].items())
+    scale = std::max(scale, std::abs(value.get<double>()));
+  for (const auto& [name, value] : not_empty(expected["probes"]).items()) {
+    const double size = std::max(std::abs(value.get<double>()), 1e-6 * scale);
+    EXPECT_NEAR(found["probes"][name].get<double>(), value.get<double>(), 1e-6 * size) << name;
+  }
+  EXPECT_EQ(found["unstable_increments"], expected["unstable_increments"]);
+  EXPECT_LE(found["totals"]["increments"].get<double>(),
+            1.2 * expected["totals"]["increments"].get<double>());
+}
+
+TEST(Indefinite, IsPulledToTwiceItsLengthInOneIncrement) {
+  const Both both = run_both("indefinite");
+  expect_same(both);
+  EXPECT_EQ(both.iterative.summary["totals"]["cuts"], 0);
+}
+
+// Other lengths, meshes and laws meet other indefinite tangents.
+TEST(Indefinite, IsPulledAndPressedOtherwise) {
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{"steps.0.displace.0.x=2"},
+        {"steps.0.displace.0.x=1.5", "mesh.block.nx=3", "mesh.block.ny=3", "mesh.block.nz=3"},
+        {"steps.0.displace.0.x=-0.5", "mesh.block.ny=4"}})
+    expect_same(run_both("indefinite", set));
+}
+
+TEST(UnstableMaterial, IsFollowedBeyondItsLimitAndTold) {
+  const Both both = run_both("unstable_material");
+  expect_same(both);
+  EXPECT_NEAR(both.iterative.summary["probes"]["Fx"].get<double>(), -102.83, .01);
+  EXPECT_NE(both.iterative.log.find("not a stable equilibrium"), std::string::npos);
+}
+
+// Twelve iterations are too few now and then.
+TEST(UnstableMaterial, IsSolvedByMumpsWhereGmresFails) {
+  const Both both = run_both("unstable_material", {}, {"solver.linear.max_iterations=12"});
+  expect_same(both);
+  EXPECT_GT(both.iterative.summary["direct_solves"], 0);
+  EXPECT_NE(both.iterative.log.find("by MUMPS (GMRES: iterations exhausted)"), std::string::npos);
+  const Result alone =
+      result_of("unstable_material", {"solver.linear.max_iterations=12", "solver.linear.fallback=none"});
+  EXPECT_EQ(alone.status, 1);
+  EXPECT_NE(alone.summary["reason"].get<std::string>().find("GMRES"), std::string::npos);
+  EXPECT_EQ(alone.summary["direct_solves"], 0);
+}
+
+// The block leaves the symmetric branch that the direct solver stays on: more increments, the same end.
+TEST(DeepOverlap, IsResolved) {
+  const Result run = result_of("deep_overlap", {});
+  EXPECT_EQ(run.status, 0) << run.summary["reason"];
+  EXPECT_NEAR(run.summary["probes"]["push"].get<double>(), 2340, 1);
+}
+
+}  // namespace
+}  // namespace bulbus::test

@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/plot/chart.hpp"
+
+namespace {
+
+using namespace bulbus;
+
+// Every element of the file is closed where it should be, and no text opens one.
+void expect_well_formed(const std::string& svg) {
+  std::vector<std::string> open;
+  ASSERT_NE(svg.find("?>\n<svg"), std::string::npos) << svg.substr(0, 100);
+  for (auto at = svg.find('<', svg.find("?>")); at != std::string::npos; at = svg.find('<', at + 1)) {
+    const auto end = svg.find('>', at);
+    ASSERT_NE(end, std::string::npos);
+    const std::string tag = svg.substr(at + 1, end - at - 1), name = tag.substr(0, tag.find(' '));
+    EXPECT_EQ(std::count(tag.begin(), tag.end(), '"') % 2, 0) << tag;
+    EXPECT_EQ(tag.find('<'), std::string::npos) << tag;
+    if (tag[0] == '/') {
+      ASSERT_FALSE(open.empty()) << tag;
+      EXPECT_EQ("/" + open.back(), tag);
+      open.pop_back();
+    } else if (tag.back() != '/') {
+      open.push_back(name);
+    }
+  }
+  EXPECT_TRUE(open.empty());
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(Chart, IsWellFormedWhateverItShows) {
+  Chart chart{.title = "a < b & \"c\"", .columns = 2};
+  expect_well_formed(svg_of(chart));
+  chart.panels = {{"<>", "&", {{1, "1"}, {2, "2"}}, {{"a<b", {{1, 5}, {2, 5, false}}}, {"b", {}}}},
+                  {"far", "x", {{0, "only"}}, {{"a", {{0, 1}, {0, 1e6, false}, {0, -1e6, false}}}}},
+                  {"none", "x", {{0, "only"}}, {{"a", {}}, {"b", {}}}},
+                  {"one", "x", {{0, "only"}}, {{"a", {{0, 0}}}}}};
+  const std::string svg = svg_of(chart);
+  expect_well_formed(svg);
+  EXPECT_NE(svg.find("a &lt; b &amp;"), std::string::npos);
+  EXPECT_NE(svg.find("fill=\"white\" stroke=\"#0072b2\""), std::string::npos);
+}
+
+TEST(Chart, HasRoundTicks) {
+  const auto texts = [](double low, double high) {
+    std::vector<std::string> all;
+    for (const auto& tick : round_ticks(low, high)) all.push_back(tick.text);
+    return all;
+  };
+  EXPECT_EQ(texts(0, 1), (std::vector<std::string>{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+  EXPECT_EQ(texts(-3, 14), (std::vector<std::string>{"-5", "0", "5", "10", "15"}));
+  EXPECT_EQ(texts(24.123, 24.131).front(), "24.122");
+  EXPECT_GE(texts(7, 7).size(), 2u);
+  EXPECT_GE(texts(0, 0).size(), 2u);
+  EXPECT_GE(texts(0, 3e8).size(), 2u);
+  EXPECT_LE(texts(0, 3e8).size(), 8u);
+}
+
+}  // namespace

@@ -1,0 +1,279 @@
+#include <gtest/gtest.h>
+
+#include "core/io/hdf5_read.hpp"
+#include "tests/support/left.hpp"
+#include "tests/support/not_empty.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/run_scene.hpp"
+
+namespace {
+
+using namespace bulbus;
+using namespace bulbus::test;
+namespace fs = std::filesystem;
+
+Comm alone() { return Comm(MPI_COMM_SELF); }
+
+/// What the run leaves behind that nothing interrupts.
+const Ran& whole() {
+  static const Ran ran = [] {
+    const Ran r = call("run", fresh_folder("bulbus_whole"), "scene.yaml", full_of_memory, {});
+    EXPECT_EQ(r.status, 0) << r.err;
+    return r;
+  }();
+  return ran;
+}
+
+void write_scene(const fs::path& folder, const std::string& yaml) {
+  std::ofstream(folder / "scene.yaml") << yaml;
+}
+
+/// Folders 1, 2, ... as a run leaves them that is killed after that increment.
+fs::path left_folders(const std::string& name, const std::string& yaml) {
+  const auto folder = fresh_folder(name);
+  fs::create_directories(folder / "out");
+  write_scene(folder, yaml);
+  run_and_leave(read_scene(folder / "scene.yaml"), folder / "out", alone(),
+                [&](int number) { fs::copy(folder / "out", folder / std::to_string(number)); });
+  return folder;
+}
+
+/// A folder with the scene and, in `out`, what is left of its run.
+fs::path left_after(int last) {
+  static const fs::path folders = left_folders("bulbus_left_folders", full_of_memory);
+  const auto folder = fresh_folder("bulbus_left");
+  write_scene(folder, full_of_memory);
+  fs::copy(folders / std::to_string(last), folder / "out");
+  return folder;
+}
+
+/// `bulbus run --restart ...` with the scene of the folder.
+Ran go_on(const fs::path& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"run", folder / "scene.yaml"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  std::ostringstream out, err;
+  testing::internal::CaptureStdout();
+  const int status = command_line(arguments, alone(), out, err);
+  testing::internal::GetCapturedStdout();
+  return {folder, status, err.str()};
+}
+Ran go_on(const fs::path& folder) { return go_on(folder, {"-o", folder / "out", "--restart"}); }
+
+void expect_same_end(const Ran& r, double tolerance) {
+  const auto found = r.summary(), wanted = whole().summary();
+  EXPECT_EQ(found["totals"], wanted["totals"]);
+  EXPECT_EQ(found["converged"], true);
+  for (const auto& [name, value] : not_empty(wanted["probes"]).items())
+    EXPECT_LE(std::abs(found["probes"][name].get<double>() - value.get<double>()),
+              tolerance * size_of(name, value))
+        << name;
+  for (const char* name : {"now/x", "now/lambda", "now/P", "start/x", "rigid body tire/now"}) {
+    const auto a = read_dataset(r.folder / "out/checkpoint.h5", name),
+               b = read_dataset(whole().folder / "out/checkpoint.h5", name);
+    EXPECT_LE(relative_difference(a, b), tolerance) << name;
+  }
+}
+
+// The cells of a line but the last, the seconds.
+std::vector<std::string> cells(const std::string& line) {
+  std::istringstream in(line.substr(0, line.rfind(',')));
+  std::vector<std::string> all;
+  for (std::string cell; std::getline(in, cell, ',');) all.push_back(cell);
+  return all;
+}
+
+void expect_same_history(const Ran& r) {
+  const auto found = r.lines("history.csv"), wanted = whole().lines("history.csv");
+  ASSERT_EQ(found.size(), wanted.size());
+  EXPECT_EQ(found[0], wanted[0]);
+  for (std::size_t i = 1; i < wanted.size(); ++i) {
+    const auto a = cells(found[i]), b = cells(wanted[i]);
+    ASSERT_EQ(a.size(), b.size()) << found[i];
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      if (k == 1 || b[k].empty())
+        EXPECT_EQ(a[k], b[k]) << found[i];
+      else
+        EXPECT_NEAR(std::stod(a[k]), std::stod(b[k]), 1e-11 * std::max(std::abs(std::stod(b[k])), .01))
+            << found[i];
+    }
+  }
+}
+
+std::vector<std::string> results_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+  std::ranges::sort(names);
+  return names;
+}
+
+TEST(Restart, EndsWhereAnUninterruptedRunEndsFromEveryIncrement) {
+  for (int last = 1; last < increments_of_memory; ++last) {
+    const Ran r = go_on(left_after(last));
+    ASSERT_EQ(r.status, 0) << r.err;
+    expect_same_end(r, 1e-12);
+    expect_same_history(r);
+    EXPECT_EQ(r.text("result.vtkhdf.series"), whole().text("result.vtkhdf.series")) << last;
+    EXPECT_EQ(r.text("bodies.pvd"), whole().text("bodies.pvd")) << last;
+    EXPECT_EQ(results_in(r.folder / "out"), results_in(whole().folder / "out")) << last;
+    EXPECT_NE(r.text("run.log").find("goes on after increment " + std::to_string(last)), std::string::npos);
+    EXPECT_NE(r.text("run.log").find("increment 10 converged"), std::string::npos);
+  }
+}
+
+TEST(Restart, TakesAwayWhatCameAfterTheCheckpoint) {
+  const auto folder = left_after(4);
+  fs::copy_file(folder / "out/checkpoint.h5", folder / "fourth.h5");
+  ASSERT_EQ(go_on(folder).status, 0);
+  std::ofstream(folder / "out/history.csv", std::ios::app) << "10,cut sho";
+  std::ofstream(folder / "out/result_0017.vtkhdf") << "late";
+  std::ofstream(folder / "out/manifest.txt", std::ios::app) << "result_0017.vtkhdf\n";
+  std::ofstream(folder / "out/result_final.vtkhdf") << "mine";
+  fs::rename(folder / "fourth.h5", folder / "out/checkpoint.h5");
+  const Ran r = go_on(folder);
+  ASSERT_EQ(r.status, 0) << r.err;
+  expect_same_history(r);
+  EXPECT_TRUE(fs::remove(folder / "out/result_final.vtkhdf"));
+  EXPECT_EQ(results_in(r.folder / "out"), results_in(whole().folder / "out"));
+}
+
+TEST(Restart, OfAFinishedRunChangesNothing) {
+  const Ran r = go_on(left_after(increments_of_memory));
+  ASSERT_EQ(r.status, 0) << r.err;
+  expect_same_end(r, 1e-12);
+  expect_same_history(r);
+}
+
+TEST(Restart, GoesOnElsewhereAndLeavesTheOldFolderAlone) {
+  const auto folder = left_after(3);
+  const auto before = results_in(folder / "out");
+  fs::rename(folder / "out", folder / "old");
+  const Ran r = go_on(folder, {"--restart", folder / "old", "-o", folder / "out"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  expect_same_end(r, 1e-12);
+  expect_same_history(r);
+  EXPECT_EQ(results_in(folder / "old"), before);
+}
+
+TEST(Restart, FindsTheFolderOfItsFile) {
+  const auto folder = left_after(7);
+  const Ran r = go_on(folder, {"--restart", folder / "out/checkpoint.h5"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  expect_same_history(r);
+}
+
+TEST(Restart, TakesTheSceneBehindIt) {
+  const auto folder = left_after(7);
+  std::ostringstream out, err;
+  EXPECT_EQ(
+      command_line({"run", "--restart", folder / "scene.yaml", "-o", folder / "out"}, alone(), out, err), 0)
+      << err.str();
+}
+
+TEST(Restart, GoesOnThroughAStepThatIsDividedOtherwise) {
+  const auto folder = left_after(9);
+  const auto drain = full_of_memory.find("  - name: drain");
+  write_scene(folder, full_of_memory.substr(0, drain) +
+                          replaced(full_of_memory.substr(drain), "increments: 2", "increments: 4"));
+  const Ran r = go_on(folder);
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.summary()["totals"]["increments"], increments_of_memory + 1);
+}
+
+/// Refused with status 2 and a message that begins with the file; the folder stays as it was.
+void expect_refused(const fs::path& folder, const std::string& message,
+                    const std::vector<std::string>& more = {}) {
+  const auto before = results_in(folder / "out");
+  std::vector<std::string> arguments{"-o", folder / "out", "--restart"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Ran r = go_on(folder, arguments);
+  EXPECT_EQ(r.status, 2);
+  EXPECT_EQ(r.err.find((folder / "out/checkpoint.h5").string() + ": " + message), 0u) << r.err;
+  EXPECT_NE(r.err.find("run without --restart"), std::string::npos) << r.err;
+  EXPECT_EQ(results_in(folder / "out"), before);
+}
+
+TEST(Restart, RefusesAnotherProblemAndSaysWhatDiffers) {
+  const auto folder = left_after(4);
+  for (const auto& [from, to, message] :
+       {std::array{"c10: 80 kPa", "c10: 81 kPa",
+                   "is of another problem: the scene says something else under 'regions'"},
+        std::array{"close: 0.3", "close: 0.4",
+                   "is of another problem: the scene says something else under 'steps', no later than"},
+        std::array{"tolerance: 0.002", "tolerance: 0.003",
+                   "is of another problem: the scene says something else under 'contacts'"},
+        std::array{"outer: 12,", "outer: 12.01,", "is of another mesh of the same size"},
+        std::array{"n: 4, layers: 2", "n: 4, layers: 3", "is of another mesh: 96 hexahedra"}}) {
+    write_scene(folder, replaced(full_of_memory, from, to));
+    expect_refused(folder, message);
+  }
+  write_scene(folder, full_of_memory);
+  expect_refused(folder, "is of another problem", {"--set", "liquids.inside.K=2000"});
+  write_scene(folder, replaced(replaced(full_of_memory, "title: everything", "title: all"), "angle: 2 deg",
+                               "angle: 3 deg"));
+  EXPECT_EQ(go_on(folder).status, 0);  // what came later may change
+}
+
+TEST(Restart, RefusesWhatIsNoCheckpoint) {
+  const auto folder = left_after(3);
+  const fs::path file = folder / "out/checkpoint.h5";
+  fs::resize_file(file, fs::file_size(file) / 2);
+  expect_refused(folder, "no whole checkpoint");
+  fs::remove(file);
+  fs::copy_file(folder / "out/result_0002.vtkhdf", file);
+  expect_refused(folder, "no whole checkpoint");
+  fs::remove(file);
+  expect_refused(folder, "there is no such checkpoint");
+}
+
+TEST(Restart, NeedsNoCheckpointsToBeWrittenByDefault) {
+  const Ran r = run_scene(
+      "mesh: {block: {}}\nregions: {block: {c10: 1}}\nfix: [{set: zmin}]\nsteps: [{displace: [{set: zmax, z: "
+      ".1}]}]\n");
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_FALSE(r.wrote("checkpoint.h5"));
+}
+
+/// The increment that fails, the first of a step, is tried again with what the scene says now of the solver.
+TEST(Restart, GoesOnWhereARunDidNotConverge) {
+  const std::string rare = replaced(full_of_memory, "checkpoint: 1", "checkpoint: 100");
+  const Ran failed =
+      call("run", fresh_folder("bulbus_stuck"), "scene.yaml",
+           replaced(rare, "newton: {", "stepping: {smallest: .9}\n  newton: {max_iterations: 3, "), {});
+  ASSERT_EQ(failed.status, 1) << failed.err;
+  ASSERT_EQ(failed.summary()["totals"]["increments"], 3);
+  write_scene(failed.folder, full_of_memory);
+  const Ran r = go_on(failed.folder);
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_NE(r.text("run.log").find("0 of step 2 of 4 is done"), std::string::npos);
+  const auto wanted = whole().summary()["probes"], found = r.summary()["probes"];
+  for (const auto& [name, value] : not_empty(wanted).items())
+    EXPECT_LE(std::abs(found[name].get<double>() - value.get<double>()), 1e-12 * size_of(name, value))
+        << name;
+}
+
+/// The last increment has its checkpoint whatever the interval, before its step is closed.
+TEST(Restart, TakesMoreStepsBehindAFinishedRun) {
+  const auto drain = full_of_memory.find("  - name: drain"), probes = full_of_memory.find("probes:");
+  const std::string shorter =
+      replaced(std::string(full_of_memory).erase(drain, probes - drain), "checkpoint: 1", "checkpoint: 100");
+  const Ran first = call("run", fresh_folder("bulbus_longer"), "scene.yaml", shorter, {});
+  ASSERT_EQ(first.status, 0) << first.err;
+  write_scene(first.folder, full_of_memory);
+  const Ran r = go_on(first.folder);
+  ASSERT_EQ(r.status, 0) << r.err;
+  expect_same_end(r, 1e-12);
+}
+
+TEST(Forecast, CountsIncrementsAtThePriceOfTheLast) {
+  const std::vector<StepSpec> steps{{.increments = 4}, {.increments = 10}};
+  Forecast forecast;
+  EXPECT_NEAR(forecast.after({.step = 0, .progress = .25, .next = .25}, steps, 2), 13 * 2, 1e-12);
+  EXPECT_NEAR(forecast.after({.step = 0, .progress = .5, .next = .125}, steps, 2), 14 * 2,
+              1e-12);  // cut: twice as many
+  const double dearer = forecast.after({.step = 1, .progress = .5, .next = .1}, steps, 4);
+  EXPECT_GT(dearer, 5 * 2);
+  EXPECT_LT(dearer, 5 * 4);
+  EXPECT_EQ(forecast.after({.step = 1, .progress = 1, .next = .1}, steps, 4), 0);
+}
+
+}  // namespace

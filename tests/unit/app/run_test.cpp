@@ -1,0 +1,204 @@
+#include <gtest/gtest.h>
+
+#include "core/io/hdf5_read.hpp"
+#include "core/solve/dump.hpp"
+#include "tests/support/not_empty.hpp"
+#include "tests/support/run_scene.hpp"
+
+namespace {
+
+using namespace bulbus;
+using namespace bulbus::test;
+namespace fs = std::filesystem;
+
+// Line 11 is the first probe.
+const std::string scene = R"yaml(title: stretch
+mesh: {block: {upper: [2, 1, 1], nx: 2, ny: 2, nz: 2}}
+regions:
+  block: {c10: 0.5}
+symmetry: [x, y, z]
+steps:
+  - name: stretch
+    increments: 2
+    displace: [{set: xmax, x: 0.8}]
+probes:
+  - {name: pull, kind: reaction, set: xmax, component: x, unit: mN}
+  - {name: stress, kind: mises}
+solver:
+  linear: {method: direct}
+  newton: {force: 1e-11, volume: 1e-11}
+)yaml";
+
+/// c10 = 1/2, stretch 1.4, a quarter of the section 1 × 1 in the model.
+TEST(Run, WritesTheAnswerAndHowItWasFound) {
+  const Ran r = run_scene(scene);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const auto s = r.summary();
+  EXPECT_EQ(s["converged"], true);
+  EXPECT_EQ(s["title"], "stretch");
+  EXPECT_EQ(s["unknowns"]["element_pressure"], 8);
+  EXPECT_EQ(s["unknowns"]["total"], s["unknowns"]["displacement"].get<int>() + 8);
+  EXPECT_EQ(s["unknowns"]["displacement"],
+            9 + 18 + 18);  // 27 nodes; x is held on both ends, y and z on one side
+  EXPECT_EQ(s["units"]["pull"], "mN");
+  EXPECT_EQ(s["units"]["stress"], "MPa");
+  const double l = 1.4, P = l - 1 / (l * l);
+  EXPECT_NEAR(s["probes"]["stress"], l * P, 1e-9);
+  EXPECT_NEAR(s["probes"]["pull"], 0, 1e-9);  // the image in x = 0 pulls the other way
+  ASSERT_EQ(s["steps"].size(), 1u);
+  EXPECT_EQ(s["steps"][0]["increments"], 2);
+  EXPECT_EQ(s["totals"]["newton_iterations"], s["steps"][0]["newton_iterations"]);
+  EXPECT_EQ(s["negative_pivots"], 8);
+  EXPECT_EQ(s["negative_pivots_if_stable"], 8);
+  EXPECT_GE(s["factor"]["factor_entries"], s["factor"]["matrix_entries"]);
+  EXPECT_EQ(s["factor"]["ordering"], "Scotch");
+  EXPECT_GT(s["factor"]["flops"], 0);
+  EXPECT_LT(s["factor"]["largest_residual"], 1e-6);  // of late, tiny right-hand sides
+  EXPECT_GT(s["memory_mb"]["process_peak"]["largest_rank"], 1);
+  EXPECT_EQ(s["ranks"], 1);
+  for (const char* file :
+       {"resolved.yaml", "run.log", "result.vtkhdf.series", "result_0001.vtkhdf", "result_0002.vtkhdf"})
+    EXPECT_TRUE(r.wrote(file)) << file;
+}
+
+TEST(Run, KeepsTheHistory) {
+  const Ran r = run_scene(
+      replaced(scene, "symmetry: [x, y, z]", "symmetry: [y, z]\nfix: [{set: xmin, directions: [x]}]"));
+  ASSERT_EQ(r.status, 0) << r.err;
+  const auto lines = r.lines("history.csv");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], "increment,step,time,pull,stress,newton_iterations,krylov_iterations,cuts,seconds");
+  EXPECT_EQ(lines[1].substr(0, 14), "1,stretch,0.5,");
+  const double P = 1.4 - 1 / (1.4 * 1.4);
+  EXPECT_NEAR(r.summary()["probes"]["pull"], 4e3 * P, 1e-5);  // the whole section is 2 × 2
+  EXPECT_EQ(lines[2].substr(0, 12), "2,stretch,1,");
+  EXPECT_NEAR(std::stod(lines[2].substr(12)), 4e3 * P, 1e-5);
+}
+
+TEST(Run, SavesFieldsThatAgreeWithEachOther) {
+  const Ran r = run_scene(scene, {"output.every=2"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_FALSE(r.wrote("result_0001.vtkhdf"));
+  const std::string file = r.folder / "out" / "result_0002.vtkhdf";
+  const double l = 1.4, stress = l * l - 1 / l;
+  const auto field = [&](const std::string& name) { return read_dataset(file, "VTKHDF/" + name); };
+  for (const char* place : {"PointData/stress", "CellData/stress"}) {
+    const auto s = field(place);
+    ASSERT_FALSE(s.empty()) << place;
+    for (std::size_t i = 0; i < s.size(); ++i)
+      EXPECT_NEAR(s[i], i % 6 == 0 ? stress : 0, 1e-6) << place << ' ' << i;
+  }
+  for (double v : not_empty(field("PointData/mises"))) EXPECT_NEAR(v, stress, 1e-6);
+  for (double v : not_empty(field("CellData/pressure"))) EXPECT_NEAR(v, -stress / 3, 1e-6);
+  for (double v : not_empty(field("CellData/J"))) EXPECT_NEAR(v, 1, 1e-6);
+  for (double v : not_empty(field("CellData/region"))) EXPECT_EQ(v, 0);
+  const auto X = field("Points"), u = field("PointData/displacement");
+  ASSERT_EQ(X.size(), u.size());
+  ASSERT_FALSE(X.empty());
+  for (std::size_t i = 0; i < X.size(); i += 3) EXPECT_NEAR(u[i], (l - 1) * X[i], 1e-6);
+}
+
+TEST(Run, SavesTheLastStateWhateverTheInterval) {
+  const Ran r = run_scene(scene, {"output.every=5", "output.fields=[displacement]"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_TRUE(r.wrote("result_0002.vtkhdf"));
+  EXPECT_FALSE(run_scene(scene, {"output.vtk=false"}).wrote("result_0002.vtkhdf"));
+}
+
+/// The block may shrink to a tenth of its length, not to nothing: the last good state stays on the disk.
+TEST(Run, TellsWhyItDidNotConverge) {
+  const Ran r = run_scene(replaced(scene, "x: 0.8", "x: \"-2.2*s\""),
+                          {"solver.stepping.smallest=0.1", "solver.newton.max_iterations=6"});
+  EXPECT_EQ(r.status, 1);
+  const auto s = r.summary();
+  EXPECT_EQ(s["converged"], false);
+  EXPECT_NE(s["reason"].get<std::string>().find("stretch"), std::string::npos);
+  EXPECT_GT(s["totals"]["cuts"], 0);
+  EXPECT_EQ(r.lines("history.csv").size(), 1 + s["totals"]["increments"].get<std::size_t>());
+  EXPECT_NE(r.text("run.log").find("cut:"), std::string::npos);
+  EXPECT_NE(r.text("run.log").find("error: not converged"), std::string::npos);
+}
+
+TEST(Run, TakesAwayTheRecordsOfAnEarlierRun) {
+  Ran r = run_scene(scene);
+  for (const char* mine :
+       {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
+    std::ofstream(r.folder / "out" / mine) << "mine";
+  std::ostringstream out, err;
+  EXPECT_EQ(
+      command_line({"run", r.folder / "scene.yaml", "-o", r.folder / "out", "--set", "steps.0.increments=1"},
+                   Comm(MPI_COMM_SELF), out, err),
+      0);
+  EXPECT_FALSE(r.wrote("result_0002.vtkhdf"));
+  for (const char* mine :
+       {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
+    EXPECT_EQ(r.text(mine), "mine") << mine;
+}
+
+struct Fault {
+  std::string from, to, message;
+};
+
+TEST(Run, WrongInputIsFoundBeforeAnythingIsWritten) {
+  for (const Fault& f : std::vector<Fault>{
+           {"  block: {c10: 0.5}", "  lens: {c10: 0.5}", "scene.yaml:4: regions.lens: "},
+           {"regions:\n  block: {c10: 0.5}", "regions: {}", "scene.yaml:3: regions: "},
+           {"unit: mN", "unit: mmHg", "scene.yaml:11: probes.0.unit: "},
+           {"x: 0.8", "x: 0.8*q", "scene.yaml:9: steps.0.displace.0.x: "},
+           {"set: xmax, x: 0.8", "set: xmx, x: 0.8", "scene.yaml:9: steps.0.displace.0.set: "}}) {
+    for (const char* command : {"run", "check"}) {
+      const Ran r = run_scene(replaced(scene, f.from, f.to), {}, command);
+      EXPECT_EQ(r.status, 2) << f.to;
+      EXPECT_NE(r.err.find(f.message), std::string::npos) << r.err;
+      EXPECT_FALSE(fs::exists(r.folder / "out"));
+    }
+  }
+}
+
+/// A slip in the second step is found before the first is solved.
+TEST(Run, RehearsesEveryStep) {
+  const Ran r = run_scene(replaced(scene, "probes:", "  - displace: [{set: xmax, x: 0.8*q}]\nprobes:"));
+  EXPECT_EQ(r.status, 2);
+  EXPECT_NE(r.err.find("scene.yaml:10: steps.1.displace.0.x: "), std::string::npos) << r.err;
+  EXPECT_FALSE(fs::exists(r.folder / "out"));
+}
+
+TEST(Run, RefusesAFolderThatCannotBe) {
+  const Ran r = run_scene(scene);
+  std::ostringstream out, err;
+  const std::string file = r.folder / "scene.yaml";
+  EXPECT_EQ(command_line({"run", file, "-o", file}, Comm(MPI_COMM_SELF), out, err), 2);
+}
+
+/// The dumped system is the one that is solved.
+TEST(Run, DumpsEverySystem) {
+  const Ran r = run_scene(scene, {"solver.linear.dump=systems"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  const std::string folder = r.folder / "out/systems";
+  const int solves = r.summary()["totals"]["newton_iterations"];
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), solves);
+  const SystemDump d = read_system(folder + "/system_0001.h5");
+  EXPECT_EQ(d.rhs.size(), d.kind.size());
+  EXPECT_EQ(d.rhs.size(), d.scaling.size());
+  EXPECT_EQ(d.attributes.at("increment"), 1);
+  EXPECT_EQ(d.attributes.at("gamma"), 0);
+}
+
+TEST(Check, AcceptsAScene) {
+  const Ran r = run_scene(scene, {}, "check");
+  EXPECT_EQ(r.status, 0) << r.err;
+}
+
+TEST(Run, IsRefusedBeforeItStartsWhereMemoryDoesNotSuffice) {
+  for (const char* command : {"check", "run"}) {
+    const Ran r =
+        run_scene(scene, {"solver.linear.method=iterative", "solver.linear.memory_limit=1"}, command);
+    EXPECT_EQ(r.status, 2) << command;
+    EXPECT_NE(r.err.find("more than the 1 MB that solver.linear.memory_limit allows"), std::string::npos)
+        << r.err;
+    EXPECT_NE(r.err.find("Refine once less"), std::string::npos) << r.err;
+    EXPECT_FALSE(r.wrote("summary.json"));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,277 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/base/error.hpp"
+#include "core/mesh/eye/eye.hpp"
+#include "core/mesh/generate/embed.hpp"
+#include "core/mesh/geometry.hpp"
+#include "core/mesh/quality.hpp"
+#include "tests/support/not_empty.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+EyeSettings settings(int n, bool torn, double height = 1.25) {
+  EyeSettings s;
+  s.n = n;
+  s.detachment.emplace().height = height;
+  if (torn) s.detachment->tear.emplace();
+  return s;
+}
+
+const Mesh& attached_eye() {
+  static const Mesh mesh = generate(EyeSettings{});
+  return mesh;
+}
+const Mesh& detached_eye() {
+  static const Mesh mesh = generate(settings(14, false));
+  return mesh;
+}
+const Mesh& torn_eye() {
+  static const Mesh mesh = generate(settings(14, true));
+  return mesh;
+}
+
+double polar(const Point& p) { return std::acos(-p[2] / norm(p)) / degree; }
+double azimuth(const Point& p) { return std::atan2(p[0], p[1]) / degree; }
+
+/// mm³ on the side that the normals point to.
+double enclosed(const Mesh& mesh, std::initializer_list<const char*> surfaces) {
+  double sum = 0;
+  for (const char* name : surfaces)
+    for (const Quad& q : mesh.surfaces.at(name)) sum -= volume_flux(corners(mesh, q))[0];
+  return sum;
+}
+
+using Edges = std::map<std::pair<int, int>, int>;
+
+Edges directed_edges(const Mesh& mesh, const char* surface) {
+  Edges edges;
+  for (const Quad& q : mesh.surfaces.at(surface))
+    for (int c = 0; c < 4; ++c) ++edges[{q[c], q[(c + 1) % 4]}];
+  return edges;
+}
+
+/// Edges without a neighbour that runs the other way, those on x = 0 left out.
+std::vector<std::pair<int, int>> open_edges(const Mesh& mesh, const char* surface) {
+  const Edges edges = directed_edges(mesh, surface);
+  std::vector<std::pair<int, int>> open;
+  for (const auto& [e, count] : not_empty(edges)) {
+    EXPECT_EQ(count, 1);
+    const bool cut = mesh.points[e.first][0] == 0 && mesh.points[e.second][0] == 0;
+    if (!cut && !edges.count({e.second, e.first})) open.push_back(e);
+  }
+  return open;
+}
+
+TEST(EyeDetachment, IsAbsentByDefault) {
+  const Mesh& mesh = attached_eye();
+  EXPECT_EQ(mesh.hexes.size(), 7350u);
+  EXPECT_EQ(mesh.points.size(), 9210u);
+  for (const char* name : {"retina_back", "retina_bed"}) EXPECT_EQ(mesh.surfaces.count(name), 0u) << name;
+  for (const char* name : {"detached", "detached_bed", "tear_rim"})
+    EXPECT_EQ(mesh.node_sets.count(name), 0u) << name;
+}
+
+TEST(EyeDetachment, DoublesNodesAndLeavesTheTornCellsOut) {
+  const Mesh &whole = detached_eye(), &torn = torn_eye();
+  EXPECT_EQ(whole.hexes.size(), 7350u);
+  EXPECT_EQ(whole.points.size(), 9210 + whole.node_sets.at("detached").size());
+  EXPECT_EQ(whole.surfaces.at("retina_back").size(), whole.surfaces.at("retina_bed").size());
+  EXPECT_EQ(whole.surfaces.at("inner_retina").size(), attached_eye().surfaces.at("inner_retina").size());
+  EXPECT_EQ(whole.node_sets.count("tear_rim"), 0u);
+
+  const std::size_t columns = 4;  // 1.28 mm in azimuth, 1.9 mm along the meridian
+  EXPECT_EQ(torn.hexes.size(), 7350 - 2 * columns);
+  EXPECT_EQ(torn.surfaces.at("retina_bed").size(), whole.surfaces.at("retina_bed").size());
+  EXPECT_EQ(torn.surfaces.at("retina_back").size(), whole.surfaces.at("retina_back").size() - columns);
+  EXPECT_EQ(torn.surfaces.at("inner_retina").size(), whole.surfaces.at("inner_retina").size() - columns);
+  std::set<int> used;
+  for (const Hex& h : torn.hexes) used.insert(h.begin(), h.end());
+  EXPECT_EQ(used.size(), torn.points.size());
+}
+
+TEST(EyeDetachment, LiftsItsNodesOffTheirTwinsByTheFormula) {
+  for (int n : {8, 14, 28}) {
+    const EyeSettings s = settings(n, true);
+    const Mesh mesh = generate(s);
+    const std::vector<int>&back = mesh.node_sets.at("detached"), &bed = mesh.node_sets.at("detached_bed");
+    ASSERT_EQ(back.size(), bed.size());
+    EXPECT_TRUE(std::is_sorted(back.begin(), back.end()));
+    EXPECT_TRUE(std::is_sorted(bed.begin(), bed.end()));
+    for (std::size_t i = 0; i < back.size(); ++i) {
+      const Point &p = mesh.points[back[i]], &q = mesh.points[bed[i]];
+      const double lift = s.detachment->lift(polar(q), azimuth(q));
+      EXPECT_GT(lift, 0);
+      EXPECT_NEAR(norm(q - p), lift, 1e-12);
+      EXPECT_NEAR(norm(q) - norm(p), lift, 1e-12);
+      EXPECT_EQ(p[0] == 0, q[0] == 0);
+    }
+  }
+}
+
+TEST(EyeDetachment, LeavesTheRetinaAttachedWhereTheLiftIsZero) {
+  const Mesh& mesh = torn_eye();
+  const Detachment d;
+  std::vector<int> shared;
+  std::ranges::set_intersection(nodes_of(mesh, "retina"), nodes_of(mesh, "choroid"),
+                                std::back_inserter(shared));
+  for (int k : not_empty(shared)) EXPECT_EQ(d.lift(polar(mesh.points[k]), azimuth(mesh.points[k])), 0);
+  for (int k : not_empty(mesh.node_sets.at("detached"))) EXPECT_FALSE(std::ranges::binary_search(shared, k));
+}
+
+TEST(EyeDetachment, KeepsTheThicknessOfTheRetina) {
+  const Mesh& mesh = torn_eye();
+  const EyeShape e;
+  const Detachment d;
+  for (int k : not_empty(nodes_of(mesh, "inner_retina"))) {
+    const Point& p = mesh.points[k];
+    const double t = polar(p), depth = e.wall(t) + e.choroid(t) + e.retina(t) + d.lift(t, azimuth(p));
+    EXPECT_NEAR(norm(p), e.sclera_radius - depth, 1e-9);
+  }
+}
+
+TEST(EyeDetachment, WetSurfaceIsClosedUpToTheSymmetryPlane) {
+  for (int n : {4, 6, 8, 10, 14, 20, 28})
+    for (bool torn : {false, true})
+      EXPECT_TRUE(open_edges(generate(settings(n, torn)), "wet").empty()) << "n = " << n;
+}
+
+TEST(EyeDetachment, LiquidAndTissueTogetherKeepTheirVolume) {
+  const std::vector<RegionQuality> before = quality(attached_eye());
+  double filled = enclosed(attached_eye(), {"wet"});
+  for (const RegionQuality& q : before) filled += q.volume;
+  for (const Mesh* mesh : {&detached_eye(), &torn_eye()}) {
+    double sum = enclosed(*mesh, {"wet"});
+    for (const RegionQuality& q : quality(*mesh)) sum += q.volume;
+    EXPECT_NEAR(sum, filled, 1e-9);
+  }
+  const std::vector<RegionQuality> after = quality(detached_eye());
+  for (std::size_t r = 0; r < after.size(); ++r)
+    EXPECT_NEAR(after[r].volume / before[r].volume, 1, after[r].region == "retina" ? .015 : 1e-14)
+        << after[r].region;  // the lifted retina lies on a smaller sphere
+}
+
+TEST(EyeDetachment, GapHoldsTheVolumeOfTheFormula) {
+  const EyeShape e;
+  const Detachment d;
+  double exact = 0;
+  const int m = 400;
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double t = d.center + d.half_length * (2 * (i + .5) / m - 1), phi = d.half_width * (j + .5) / m;
+      const double r = e.sclera_radius - e.wall(t) - e.choroid(t), s = r - d.lift(t, phi);
+      exact += (r * r * r - s * s * s) / 3 * std::sin(t * degree);
+    }
+  exact *= 2 * d.half_length * d.half_width * degree * degree / (m * m);
+  const double coarse = enclosed(detached_eye(), {"retina_back", "retina_bed"});
+  const double fine = enclosed(generate(settings(28, false)), {"retina_back", "retina_bed"});
+  EXPECT_NEAR(coarse / exact, 1, .06);
+  EXPECT_NEAR(fine / exact, 1, .015);
+}
+
+TEST(EyeDetachment, RimIsTheEdgeOfTheHole) {
+  const Mesh& mesh = torn_eye();
+  const std::vector<int>&rim = mesh.node_sets.at("tear_rim"), &detached = mesh.node_sets.at("detached");
+  EXPECT_TRUE(std::ranges::includes(detached, rim));
+  std::set<int> met;
+  for (const auto& [a, b] : open_edges(mesh, "retina_back")) {
+    if (!std::ranges::binary_search(detached, a) || !std::ranges::binary_search(detached, b)) continue;
+    met.insert(a), met.insert(b);
+  }
+  EXPECT_EQ(std::vector<int>(met.begin(), met.end()), rim);
+  const double half_length = std::asin(1.0 / 12) / degree, width = 180.0 / 28;  // whole cells
+  for (int k : not_empty(rim)) {
+    const double t = polar(mesh.points[k]), phi = azimuth(mesh.points[k]);
+    EXPECT_LT(phi, width + 1e-9);
+    EXPECT_LT(std::abs(t - 90), half_length + 1e-9);
+    EXPECT_TRUE(phi > width - 1e-9 || std::abs(t - 90) > half_length - 1e-9);
+  }
+}
+
+TEST(EyeDetachment, TearHasOneCellAtLeast) {
+  EyeSettings s = settings(14, true);
+  s.detachment->tear->width = s.detachment->tear->length = .01;
+  const Mesh mesh = generate(s);
+  EXPECT_EQ(mesh.surfaces.at("retina_bed").size(), mesh.surfaces.at("retina_back").size() + 1);
+  EXPECT_EQ(mesh.node_sets.at("tear_rim").size(), 4u);
+}
+
+TEST(EyeDetachment, IsRegularAtEveryN) {
+  for (int n : {8, 14, 28})
+    for (double height : {1.25, 3.0}) {
+      const Mesh mesh = generate(settings(n, true, height));
+      EXPECT_GT(quality(mesh)[region_index(mesh, "retina")].least, height < 2 ? .85 : .7) << "n = " << n;
+    }
+}
+
+TEST(EyeDetachment, IsTheSameEveryTime) {
+  const Mesh again = generate(settings(14, true));
+  EXPECT_EQ(again.points, torn_eye().points);
+  EXPECT_EQ(again.hexes, torn_eye().hexes);
+  EXPECT_EQ(again.surfaces, torn_eye().surfaces);
+  EXPECT_EQ(again.node_sets, torn_eye().node_sets);
+}
+
+TEST(EyeDetachment, LeavesTheZonulesWhereTheyAre) {
+  const std::vector<Bar>&a = attached_eye().bars.at("zonules"), &b = torn_eye().bars.at("zonules");
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(position(attached_eye(), a[i].a), position(torn_eye(), b[i].a));
+    EXPECT_EQ(position(attached_eye(), a[i].b), position(torn_eye(), b[i].b));
+  }
+}
+
+/// The message must hold `word`.
+void expect_refusal(const EyeSettings& s, const std::string& word) {
+  try {
+    generate(s);
+    ADD_FAILURE() << "not refused: " << word;
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+  }
+}
+
+TEST(EyeDetachment, RefusesWhatDoesNotFit) {
+  EyeSettings s = settings(14, false);
+  s.detachment->half_width = -50;
+  expect_refusal(s, "half_width -50");
+  s = settings(14, false, 0);
+  expect_refusal(s, "height 0");
+  s = settings(14, false);
+  s.detachment->center = 100;
+  expect_refusal(s, "beyond the retina");
+  s = settings(14, false, 11.5);
+  expect_refusal(s, "the globe's centre");
+  s = settings(14, false);
+  s.detachment->half_length = s.detachment->half_width = 1;
+  s.detachment->center = 89;
+  expect_refusal(s, "no node");
+  s = settings(14, true);
+  s.detachment->tear->center = 60;
+  expect_refusal(s, "attached");
+  s = settings(14, true);
+  s.detachment->tear->width = 25;
+  expect_refusal(s, "attached");
+  s = settings(14, true);
+  s.detachment->tear->length = -2;
+  expect_refusal(s, "length -2");
+}
+
+TEST(EyeDetachment, RefusesARetinaThatReachesTheLens) {
+  EyeSettings s = settings(14, false);
+  s.shape.lens_diameter = 14, s.shape.lens_depth = 9;
+  EXPECT_NO_THROW(generate(s));
+  s.detachment->height = 7;
+  expect_refusal(s, "the lens");
+}
+
+}  // namespace
+}  // namespace bulbus
