@@ -100,7 +100,7 @@ struct Mumps::Instance {
     known,
     near
   };  // to the last analysis; so near the factorised one that its factors do
-  virtual Taken take(Triplets t, long long n, bool symmetric, double tolerated) = 0;
+  virtual Taken take(Triplets t, long long n, bool symmetric, const KeepFactors& keep) = 0;
   virtual FactorReport& analyse() = 0;
   virtual FactorReport& factorise() = 0;
   virtual bool solve(std::span<const double> b, std::span<double> x) = 0;
@@ -165,13 +165,13 @@ struct Mumps::InstanceOf final : Instance {
     return fail(explain(infog(1), infog(2)));
   }
 
-  Taken take(Triplets t, long long n, bool symmetric, double tolerated) override {
+  Taken take(Triplets t, long long n, bool symmetric, const KeepFactors& keep) override {
     check(t, n, comm);
     convert(t, symmetric);
     const bool comparable = analysed && id.n == n && (id.sym == 2) == symmetric;
     if (comparable && options.joined) join(t);
     const bool same = comm.all(comparable && t.row == row && t.col == col);
-    if (same && factorised && tolerated > 0 && comm.max(largest_change(t)) <= tolerated) return Taken::near;
+    if (same && factorised && keep && keep(comm.max(largest_change(t)))) return Taken::near;
     row = std::move(t.row);
     col = std::move(t.col);
     if constexpr (std::is_same_v<Number, double>)
@@ -312,14 +312,14 @@ Mumps::Mumps(const Comm& comm, MumpsOptions options) {
 Mumps::~Mumps() = default;
 
 FactorReport Mumps::analyse(Triplets matrix, long long n, bool symmetric) {
-  m_->take(std::move(matrix), n, symmetric, 0);
+  m_->take(std::move(matrix), n, symmetric, {});
   return m_->analyse();
 }
 
-FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric) {
-  const auto taken = m_->take(std::move(matrix), n, symmetric, tolerated_);
-  kept_ = taken == Instance::Taken::near;
-  if (kept_) return m_->report;
+FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric, const KeepFactors& keep) {
+  const auto taken = m_->take(std::move(matrix), n, symmetric, keep);
+  m_->report.kept = taken == Instance::Taken::near;
+  if (m_->report.kept) return m_->report;
   if (taken == Instance::Taken::unknown && !m_->analyse().ok) return m_->report;
   if (taken == Instance::Taken::known) m_->report.seconds_analysis = 0;
   return m_->factorise();

@@ -25,19 +25,19 @@ MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settin
       base_(std::make_shared<Mumps>(
           finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
-    levels_.push_back({find_lines(*p),
+    levels_.push_back({std::make_shared<Lines>(find_lines(*p)),
                        projected_term_of(*p->coarser()),
                        std::make_unique<CoupledSystem>(*p->coarser(), settings),
                        {}});
   }
 }
 
-Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings,
-                     Precision smoothing)
-    : visits_(settings.visits) {
+Multigrid::Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan> plan,
+                     const MultigridSettings& settings, Precision smoothing, const KeepFactors& keep)
+    : visits_(settings.visits), plan_(std::move(plan)) {
   std::vector<Interpolation> interpolations;
   const CoupledSystem* fine = &finest;
-  for (auto& level : plan.levels()) {
+  for (auto& level : plan_->levels()) {
     const Problem& problem = fine->problem();
     level.state = problem.coarsened(fine->state());
     Interpolation P =
@@ -51,11 +51,11 @@ Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const Mul
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() +
                      fine->problem().mesh().bytes();
   }
-  base_ = std::make_unique<ExactBlock>(*fine, plan.base());
+  base_ = std::make_unique<ExactBlock>(*fine, plan_->base(), keep);
   fine = &finest;
   for (std::size_t i = 0; i < interpolations.size(); ++i) {
-    auto& level = plan.levels()[i];
-    if (!plan.base()->kept()) level.largest_eigenvalue = 0;
+    auto& level = plan_->levels()[i];
+    if (!keeps_factors()) level.largest_eigenvalue = 0;
     levels_.push_back(
         std::make_unique<Level>(*fine, level, std::move(interpolations[i]), settings, smoothing));
     level.largest_eigenvalue = levels_.back()->smoother->largest_eigenvalue();
@@ -69,7 +69,7 @@ Multigrid::Level::Level(const CoupledSystem& fine, MultigridPlan::Level& plan, I
       coarse(*plan.coarser),
       P(std::move(given)),
       block(fine),
-      jacobi(fine, plan.lines, matrices_of(smoothing)),
+      jacobi(std::make_shared<LineJacobi>(fine, plan.lines, matrices_of(smoothing))),
       smoother(make_smoother(fine, jacobi, settings, smoothing, plan.largest_eigenvalue)),
       correction(fine.layout().primal()),
       coarse_residual(coarse.layout().primal()),
@@ -103,7 +103,7 @@ class Multigrid::From final : public Preconditioner {
   void apply(std::span<const double> b, std::span<double> x) const override {
     multigrid_.cycle(level_, b, x);
   }
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
 
  private:
   const Multigrid& multigrid_;
@@ -128,7 +128,7 @@ void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<d
 std::size_t Multigrid::bytes() const {
   std::size_t total = base_->bytes() + coarse_bytes_;
   for (const auto& l : levels_)
-    total += l->jacobi.bytes() + l->smoother->bytes() + bytes_of(l->correction) +
+    total += l->jacobi->bytes() + l->smoother->bytes() + bytes_of(l->correction) +
              bytes_of(l->coarse_residual) + bytes_of(l->coarse_correction) + bytes_of(l->coarse_nodal) +
              l->P.bytes() + l->fine.problem().prolongation().bytes();
   return total;

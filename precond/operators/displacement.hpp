@@ -3,8 +3,9 @@
 
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
+#include "core/solve/mumps.hpp"
 #include "core/solve/settings.hpp"
-#include "precond/smoothers/line_jacobi.hpp"
+#include "precond/operators/displacement_preconditioner.hpp"
 
 namespace bulbus {
 
@@ -31,14 +32,6 @@ std::string chosen_displacement(const LinearSettings& settings, const Problem& p
 /// Of the smoother and of factors in preconditioners of the displacement block.
 Precision chosen_precision(const LinearSettings& settings);
 
-/// An approximate inverse of the displacement block, on primal vectors, and the lines it smooths with; null
-/// where it has none.
-struct DisplacementInverse {
-  std::shared_ptr<Preconditioner> inverse;
-  const LineJacobi* lines = nullptr;
-  bool factors_kept = false;  ///< those of its coarsest matrix are an earlier linearisation's
-};
-
 /// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one
 /// problem anew.
 class DisplacementFactory {
@@ -46,8 +39,8 @@ class DisplacementFactory {
   explicit DisplacementFactory(const LinearSettings& settings);
   ~DisplacementFactory();
   /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a
-  /// refined mesh. `keep_factors`: where the coarsest matrix has hardly changed.
-  DisplacementInverse make(const CoupledSystem& system, bool keep_factors = false);
+  /// refined mesh. `keep`: the coarsest matrix's factors.
+  std::unique_ptr<DisplacementPreconditioner> make(const CoupledSystem& system, const KeepFactors& keep = {});
 
  private:
   LinearSettings settings_;

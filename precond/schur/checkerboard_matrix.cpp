@@ -157,7 +157,7 @@ std::size_t PatternJacobi::bytes() const { return bytes_of(inverse_); }
 void CheckerboardProduct::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::fill(p_, 0.0);
   patterns_.add_prolonged(x, 1, p_);
-  K_.apply(p_, q_);
+  K_->apply(p_, q_);
   patterns_.restrict_pressures(q_, y);
 }
 

@@ -52,7 +52,7 @@ class PatternJacobi final : public Preconditioner {
   explicit PatternJacobi(const CheckerboardMatrix& matrix);
   int size() const override { return size_; }
   void apply(std::span<const double> r, std::span<double> z) const override;
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override;
 
  private:
@@ -63,8 +63,8 @@ class PatternJacobi final : public Preconditioner {
 /// Pᵀ K P as the product of its factors.
 class CheckerboardProduct final : public LinearOperator {
  public:
-  CheckerboardProduct(const CheckerboardModes& patterns, const LinePressureStiffness& K)
-      : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
+  CheckerboardProduct(const CheckerboardModes& patterns, std::shared_ptr<const LinePressureStiffness> K)
+      : patterns_(patterns), K_(std::move(K)), p_(K_->size()), q_(K_->size()) {}
   int size() const override { return patterns_.size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
@@ -72,7 +72,7 @@ class CheckerboardProduct final : public LinearOperator {
 
  private:
   const CheckerboardModes& patterns_;
-  const LinePressureStiffness& K_;
+  std::shared_ptr<const LinePressureStiffness> K_;
   mutable std::vector<double> p_, q_;
 };
 

@@ -37,7 +37,7 @@ class Diagonal final : public Preconditioner {
   void apply(std::span<const double> r, std::span<double> z) const override {
     std::ranges::transform(values_, r, z.begin(), std::multiplies{});
   }
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override { return bytes_of(values_); }
 
  private:
@@ -61,12 +61,14 @@ constexpr double negligible = 3e-4;
 
 class OnAll final : public SchurCorrection {
  public:
-  OnAll(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree)
-      : rough_(system.problem(), carried_by_lines(system, lines)),
+  OnAll(const CoupledSystem& system, const LineJacobi& lines, std::shared_ptr<const LinePressureStiffness> K,
+        int degree)
+      : K_(std::move(K)),
+        rough_(system.problem(), carried_by_lines(system, lines)),
         scale_(inverse_diagonal(system)),
-        inverse_(K, scale_, degree, smallest_for(degree), system.problem().comm()),
-        given_(K.size()),
-        correction_(K.size()) {}
+        inverse_(*K_, scale_, degree, smallest_for(degree), system.problem().comm()),
+        given_(K_->size()),
+        correction_(K_->size()) {}
   void add(std::span<const double> r, double weight, std::span<double> z) override {
     std::ranges::copy(r, given_.begin());
     rough_.apply(given_);
@@ -79,6 +81,7 @@ class OnAll final : public SchurCorrection {
   }
 
  private:
+  std::shared_ptr<const LinePressureStiffness> K_;
   OscillationFilter rough_;
   Diagonal scale_;
   Chebyshev inverse_;
@@ -119,13 +122,14 @@ class OnPatterns final : public SchurCorrection {
 }  // namespace
 
 std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
-                                            const LinePressureStiffness& K, int degree) {
-  return std::make_unique<OnAll>(system, lines, K,
+                                            std::shared_ptr<const LinePressureStiffness> K, int degree) {
+  return std::make_unique<OnAll>(system, lines, std::move(K),
                                  degree > 0 ? degree : degree_for(system.problem().mesh().all_hexes, 1.6));
 }
 
 std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
-                                                    const LinePressureStiffness& K, int degree) {
+                                                    std::shared_ptr<const LinePressureStiffness> K,
+                                                    int degree) {
   return std::make_unique<OnPatterns<CheckerboardProduct, Diagonal>>(
       system.problem(), 1, degree > 0 ? degree : 16,
       [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },

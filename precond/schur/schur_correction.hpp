@@ -17,14 +17,15 @@ class SchurCorrection {
 };
 
 /// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see OscillationFilter) but
-/// where lines carry alone. K has to outlive it. Degree 0: from the mesh. Collective.
+/// where lines carry alone. Degree 0: from the mesh. Collective.
 std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
-                                            const LinePressureStiffness& K, int degree);
+                                            std::shared_ptr<const LinePressureStiffness> K, int degree);
 
 /// P q(Pᵀ K P) Pᵀ on the checkerboard modes (see CheckerboardModes) of hexahedra that were split once, in the
-/// product of its factors. K has to outlive it. Degree 0: 16. Collective.
+/// product of its factors. Degree 0: 16. Collective.
 std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
-                                                    const LinePressureStiffness& K, int degree);
+                                                    std::shared_ptr<const LinePressureStiffness> K,
+                                                    int degree);
 
 /// P q(Pᵀ K P) Pᵀ with the matrix of the checkerboard modes of hexahedra that were split once or, where there
 /// are such, twice. Keeps nothing of lines. Degree 0: from the mesh. Collective.

@@ -9,11 +9,6 @@
 #include "core/base/memory.hpp"
 
 namespace bulbus {
-namespace {
-
-constexpr double growth = 1.3;  // of the largest eigenvalue, before smoothing suffers
-
-}  // namespace
 
 // The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½). They stand
 // for an indefinite D too: T is then symmetric up to signs, and its eigenvalues may be complex.
@@ -56,22 +51,22 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
 DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest,
                                const Comm& comm, double largest)
     : A_(A), D_(D), part_(lowest), largest_(largest), comm_(comm) {
-  if (largest_ == 0) follow();
+  if (largest_ == 0) refresh();
   own_ = largest_;
 }
 
-bool DampedSpectrum::follow() {
+double DampedSpectrum::refresh() {
   const double estimate = lanczos(A_, D_, 10, comm_).largest;
   largest_ = 1.1 * (estimate > 0 ? estimate : 1);
-  return largest_ < growth * own_;
+  return largest_ / own_;
 }
 
-Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part,
+Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothing_range,
                      const Comm& comm, double largest)
     : A_(A),
       D_(D),
       degree_(degree),
-      spectrum_(A, D, smoothed_part, comm, largest),
+      spectrum_(A, D, smoothing_range, comm, largest),
       r_(A.size()),
       z_(A.size()),
       d_(A.size()) {}

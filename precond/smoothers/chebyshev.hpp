@@ -20,9 +20,9 @@ class DampedSpectrum {
   /// Estimates λ_max by a few Lanczos steps, unless it is given. `A` and `D` must outlive this. Collective.
   DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm,
                  double largest = 0);
-  /// Estimates the largest eigenvalue of the present A; false if it has grown so much that D does not fit any
-  /// more: of stiffness that is new, of a contact, D knows nothing.
-  bool follow();
+  /// Estimates the largest eigenvalue of the present A; returns by how much it has grown since D was made: of
+  /// stiffness that is new, as of a contact, D knows nothing. Collective.
+  double refresh();
   double largest_eigenvalue() const { return largest_; }
 
   /// The polynomial's recurrence: d ← keep d + add D⁻¹ r, x += d, with r = b − A x.
@@ -56,12 +56,13 @@ class DampedSpectrum {
 class Chebyshev final : public Preconditioner {
  public:
   /// `A` and `D` must outlive this. Collective.
-  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part,
+  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothing_range,
             const Comm& comm, double largest = 0);
   int size() const override { return A_.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
-  bool fixed() const override { return true; }
-  bool follow() override { return spectrum_.follow(); }
+  bool is_linear() const override { return true; }
+  /// See DampedSpectrum.
+  double refresh() { return spectrum_.refresh(); }
   std::size_t bytes() const override;
   double largest_eigenvalue() const { return spectrum_.largest_eigenvalue(); }
 

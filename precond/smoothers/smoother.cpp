@@ -13,10 +13,11 @@ namespace {
 
 class FullSmoother final : public Smoother {
  public:
-  FullSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s,
-               double largest)
+  FullSmoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+               const SmootherSettings& s, double largest)
       : A_(system),
-        S_(A_, lines, s.degree, s.smoothed_part, system.problem().comm(), largest),
+        lines_(std::move(lines)),
+        S_(A_, *lines_, s.degree, s.smoothed_part, system.problem().comm(), largest),
         rest_(A_.size()),
         correction_(A_.size()) {}
 
@@ -36,12 +37,13 @@ class FullSmoother final : public Smoother {
     std::ranges::fill(x, 0);
     after(e, x);
   }
-  bool follow() override { return S_.follow(); }
+  double refresh() override { return S_.refresh(); }
   double largest_eigenvalue() const override { return S_.largest_eigenvalue(); }
   std::size_t bytes() const override { return S_.bytes() + bytes_of(rest_) + bytes_of(correction_); }
 
  private:
   DisplacementBlock A_;
+  std::shared_ptr<const LineJacobi> lines_;
   Chebyshev S_;
   mutable std::vector<double> rest_, correction_;
 };
@@ -49,12 +51,12 @@ class FullSmoother final : public Smoother {
 // Held directions are taken out first and solved for as what they are, identity rows.
 class SingleSmoother final : public Smoother {
  public:
-  SingleSmoother(const CoupledSystem& system, const LineJacobi& lines, const SmootherSettings& s,
-                 double largest)
+  SingleSmoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+                 const SmootherSettings& s, double largest)
       : A_(system),
-        lines_(lines),
+        lines_(std::move(lines)),
         degree_(s.degree),
-        spectrum_(A_, lines, s.smoothed_part, system.problem().comm(), largest),
+        spectrum_(A_, *lines_, s.smoothed_part, system.problem().comm(), largest),
         r_(system),
         x_(system) {}
 
@@ -65,7 +67,7 @@ class SingleSmoother final : public Smoother {
     subtract();
     std::ranges::fill(x, 0);
     add(x);
-    dofs().add_held(b, 1 / A_.system().held_scale(), x);
+    dofs().add_held(b, 1 / A_.system().constrained_diagonal(), x);
     for (std::size_t n = 0; n < owned(); ++n)
       for (int c = 0; c < 3; ++c) r[3 * n + c] = r_.nodal[n][c];
     std::ranges::copy(r_.bodies, r.begin() + 3 * owned());
@@ -81,11 +83,11 @@ class SingleSmoother final : public Smoother {
     load(b);
     std::ranges::fill(x, 0);
     after(e, x);
-    dofs().add_held(b, 1 / A_.system().held_scale(), x);
+    dofs().add_held(b, 1 / A_.system().constrained_diagonal(), x);
   }
-  bool follow() override {
-    A_.follow();
-    return spectrum_.follow();
+  double refresh() override {
+    A_.refresh();
+    return spectrum_.refresh();
   }
   double largest_eigenvalue() const override { return spectrum_.largest_eigenvalue(); }
   std::size_t bytes() const override { return A_.bytes() + r_.bytes() + x_.bytes(); }
@@ -125,9 +127,9 @@ class SingleSmoother final : public Smoother {
     for (int k = 0; k < degree_; ++k) {
       if (k > 0) A_.apply();
       const auto [keep, add] = steps.next();
-      lines_.step(static_cast<float>(keep), static_cast<float>(add), r_.nodal, z.nodal, d.nodal, x_.nodal);
+      lines_->step(static_cast<float>(keep), static_cast<float>(add), r_.nodal, z.nodal, d.nodal, x_.nodal);
       subtract_bodies();
-      lines_.bodies().apply(r_.bodies, change);
+      lines_->bodies().apply(r_.bodies, change);
       for (std::size_t i = 0; i < change.size(); ++i)
         x_.bodies[i] += d.bodies[i] = keep * d.bodies[i] + add * change[i];
     }
@@ -142,7 +144,7 @@ class SingleSmoother final : public Smoother {
   }
 
   SingleBlock A_;
-  const LineJacobi& lines_;
+  std::shared_ptr<const LineJacobi> lines_;
   int degree_;
   DampedSpectrum spectrum_;
   mutable NodalSingle r_, x_;
@@ -150,12 +152,12 @@ class SingleSmoother final : public Smoother {
 
 }  // namespace
 
-std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines,
+std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
                                         const SmootherSettings& settings, Precision precision,
                                         double largest_eigenvalue) {
   if (precision == Precision::single)
-    return std::make_unique<SingleSmoother>(system, lines, settings, largest_eigenvalue);
-  return std::make_unique<FullSmoother>(system, lines, settings, largest_eigenvalue);
+    return std::make_unique<SingleSmoother>(system, std::move(lines), settings, largest_eigenvalue);
+  return std::make_unique<FullSmoother>(system, std::move(lines), settings, largest_eigenvalue);
 }
 
 }  // namespace bulbus

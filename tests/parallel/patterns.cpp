@@ -21,9 +21,9 @@ std::vector<double> noise(const CheckerboardModes& patterns) {
 
 void expect_product(const Scene& scene, int refinements) {
   const WithLines l(scene, refinements, 0);
-  const LinePressureStiffness K(l.system, l.jacobi);
+  const auto K = std::make_shared<LinePressureStiffness>(l.system, l.jacobi);
   const CheckerboardModes patterns(l.problem, refinements);
-  const CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
+  const CheckerboardMatrix matrix(l.problem, patterns, *l.jacobi);
   const CheckerboardProduct product(patterns, K);
   const auto c = noise(patterns);
   std::vector<double> found(c.size(), std::nan("")), expected(c.size());
@@ -78,7 +78,7 @@ TEST(OscillationFilter, KeepsAChessboard) {
 
 TEST(CarriedByLines, AFilmIsOnAnyNumberOfRanks) {
   const WithLines l(glued_slab(50, false), 0, 0);
-  const auto carried = carried_by_lines(l.system, l.jacobi);
+  const auto carried = carried_by_lines(l.system, *l.jacobi);
   EXPECT_EQ(std::ranges::count(carried, 1), std::ssize(carried));
 }
 
@@ -95,7 +95,7 @@ TEST(CheckerboardMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8)
 TEST(CheckerboardMatrix, DropsWhatHardlyCouples) {
   const WithLines l(small_eye(8), 1, 0);
   const CheckerboardModes patterns(l.problem, 1);
-  CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
+  CheckerboardMatrix matrix(l.problem, patterns, *l.jacobi);
   const auto c = noise(patterns);
   std::vector<double> whole(c.size()), kept(c.size()), back(c.size());
   matrix.apply(c, whole);

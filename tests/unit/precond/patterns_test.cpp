@@ -68,7 +68,7 @@ TEST(CheckerboardModes, AreNoneOfRigidHexahedra) {
 TEST(PatternJacobi, InvertsDiagonalBlocks) {
   const WithLines l(one_hexahedron(), 2, 0);
   const CheckerboardModes patterns(l.problem, 2);
-  const CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
+  const CheckerboardMatrix matrix(l.problem, patterns, *l.jacobi);
   const PatternJacobi inverse(matrix);
   std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);

@@ -26,7 +26,8 @@ std::vector<double> by_matrices(const Linearised& l, const std::vector<double>& 
   for (int n = 0; n < l.problem.mesh().owned; ++n) {
     const Mat3<double> P = dofs.projector(n);
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) y[3 * n + i] += l.system.held_scale() * ((i == j) - P(i, j)) * x[3 * n + j];
+      for (int j = 0; j < 3; ++j)
+        y[3 * n + i] += l.system.constrained_diagonal() * ((i == j) - P(i, j)) * x[3 * n + j];
   }
   return y;
 }
