@@ -23,8 +23,9 @@ CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings)
              mesh.comm.rank() == 0 ? static_cast<int>(problem.liquids().size()) : 0};
 }
 
-void CoupledSystem::linearize(const State& state, const Residual& r) {
-  state_ = &state;
+void CoupledSystem::linearize(State given, const Residual& r) {
+  state_ = std::move(given);
+  const State& state = state_;
   const bool cache = settings_.op == "cache";
   problem_.linearize(state, settings_.gamma, cache ? StrainSource::cache : StrainSource::recompute);
   body_geometry_.clear();
@@ -48,11 +49,11 @@ void CoupledSystem::compute_liquid_columns() {
   g_.assign(liquids.size(), {});
   for (std::size_t i = 0; i < liquids.size(); ++i) {
     if (!liquids[i].coupled()) continue;
-    std::vector<double> local(state_->x.size());
-    liquids[i].surface().add_gradient(state_->x, 1, local);
+    std::vector<double> local(state_.x.size());
+    liquids[i].surface().add_gradient(state_.x, 1, local);
     problem_.mesh().halo.accumulate_ghosts(local);
     g_[i].resize(layout_.primal());
-    problem_.dofs().reduce(*state_, local, g_[i]);
+    problem_.dofs().reduce(state_, local, g_[i]);
   }
 }
 
@@ -65,8 +66,8 @@ std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal)
 
 void CoupledSystem::add_surface_action(std::span<const double> dx, std::span<double> force) const {
   for (const auto& term : problem_.terms()) term->add_action(dx, force);
-  for (std::size_t i = 0; i < state_->P.size(); ++i)
-    if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force);
+  for (std::size_t i = 0; i < state_.P.size(); ++i)
+    if (state_.P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_.x, -state_.P[i], dx, force);
 }
 
 std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda,
@@ -111,9 +112,9 @@ std::vector<CoupledSystem::Entry> CoupledSystem::body_extra() const {
 void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y) const {
   const DofMap& dofs = problem_.dofs();
   auto& dx = workspace_.increment;
-  dx.resize(state_->x.size());
-  dofs.expand(*state_, x, dx);
-  dofs.reduce(*state_, nodal_action(dx, {}, {}), y);
+  dx.resize(state_.x.size());
+  dofs.expand(state_, x, dx);
+  dofs.reduce(state_, nodal_action(dx, {}, {}), y);
   dofs.add_held(x, constrained_diagonal_, y);
   add_body_geometry(x.subspan(layout_.nodal), y.subspan(layout_.nodal));
 }
@@ -122,9 +123,9 @@ void CoupledSystem::apply_tissue(std::span<const double> xu, std::span<const dou
                                  std::span<double> yl) const {
   const DofMap& dofs = problem_.dofs();
   auto& dx = workspace_.increment;
-  dx.resize(state_->x.size());
-  dofs.expand(*state_, xu, dx);
-  dofs.reduce(*state_, nodal_action(dx, xl, yl), yu);
+  dx.resize(state_.x.size());
+  dofs.expand(state_, xu, dx);
+  dofs.reduce(state_, nodal_action(dx, xl, yl), yu);
   for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
   dofs.add_held(xu, constrained_diagonal_, yu);
   add_body_geometry(xu.subspan(layout_.nodal), yu.subspan(layout_.nodal));
@@ -135,7 +136,7 @@ std::vector<double> CoupledSystem::prescribed_fluxes(std::span<const double> inc
   for (std::size_t i = 0; i < g_.size(); ++i)
     if (problem_.liquids()[i].coupled()) {
       std::vector<double> g(increments.size());
-      problem_.liquids()[i].surface().add_gradient(state_->x, 1, g);
+      problem_.liquids()[i].surface().add_gradient(state_.x, 1, g);
       flux[i] = local_inner_product(g, increments);  // this rank's faces; increments are known on ghosts
     }
   problem_.comm().sum(flux);
@@ -145,13 +146,13 @@ std::vector<double> CoupledSystem::prescribed_fluxes(std::span<const double> inc
 void CoupledSystem::add_pressure_force(std::span<const double> lambda, double factor,
                                        std::span<double> primal) const {
   auto& force = workspace_.force;
-  force.assign(state_->x.size(), 0);
+  force.assign(state_.x.size(), 0);
   problem_.solid().apply_pressure(lambda, force);
   problem_.mesh().halo.accumulate_ghosts(force);
   auto& projected = workspace_.increment;
   projected.resize(std::max<std::size_t>(force.size(), layout_.primal()));
   const auto reduced = std::span(projected).first(layout_.primal());
-  problem_.dofs().reduce(*state_, force, reduced);
+  problem_.dofs().reduce(state_, force, reduced);
   add_scaled(reduced, factor, primal);
 }
 
@@ -171,8 +172,8 @@ std::vector<double> CoupledSystem::inverse_pressure_schur() const {
 std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>>& bodies) const {
   const LocalMesh& mesh = problem_.mesh();
   std::vector<double> blocks(9 * static_cast<std::size_t>(mesh.nodes()));
-  bodies.assign(state_->bodies.size(), {});
-  for_each_condensed_matrix(problem_, *state_, Matrices::augmented,
+  bodies.assign(state_.bodies.size(), {});
+  for_each_condensed_matrix(problem_, state_, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) {
                               const std::size_t n = d.size();
                               for (std::size_t i = 0; i < n;) {

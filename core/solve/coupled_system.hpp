@@ -22,11 +22,11 @@ class CoupledSystem {
  public:
   CoupledSystem(Problem& problem, const LinearSettings& settings);
 
-  /// Takes the tangent at a state; `state` must stay where it is. `r` is its residual. Collective.
-  void linearize(const State& state, const Residual& r);
+  /// Takes the tangent at a state, of which it keeps a copy. `r` is its residual. Collective.
+  void linearize(State state, const Residual& r);
 
   const Problem& problem() const { return problem_; }
-  const State& state() const { return *state_; }
+  const State& state() const { return state_; }
   const Layout& layout() const { return layout_; }
   int size() const { return layout_.size(); }
 
@@ -99,7 +99,7 @@ class CoupledSystem {
   Problem& problem_;
   LinearSettings settings_;
   Layout layout_;
-  const State* state_ = nullptr;
+  State state_;
   std::vector<std::vector<double>> g_;
   std::vector<double> scaling_;
   std::vector<std::array<double, 36>> body_blocks_;

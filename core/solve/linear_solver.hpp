@@ -75,8 +75,7 @@ class LinearSolver {
   virtual void increment_begins() {}
   /// Calls `watcher` after every Krylov iteration of every solve.
   virtual void watch(SolveWatcher /*watcher*/) {}
-  /// Is it cheap to count the negative pivots of a system whose solution has not told them? Its state has to
-  /// be kept for that. Collective.
+  /// Is it cheap to count the negative pivots of a system whose solution has not told them? Collective.
   virtual bool counts_pivots(const CoupledSystem& /*system*/) { return false; }
   /// -1 if they cannot be counted. Collective.
   virtual int negative_pivots(const CoupledSystem& /*system*/) { return -1; }

@@ -93,8 +93,7 @@ class Iteration {
 
   void linearise() {
     const auto scope = profiler_.clock.measure("linearisation");
-    if (solver_.counts_pivots(system_)) linearised_ = state_;
-    system_.linearize(linearised_ ? *linearised_ : state_, *residual_);
+    system_.linearize(state_, *residual_);
   }
 
   // `excess`: by how much the criteria are missed.
@@ -138,8 +137,8 @@ class Iteration {
     return length;
   }
 
-  // Of the last linearisation; its state is kept where that is cheap.
-  int negative_pivots() { return linearised_ ? solver_.negative_pivots(system_) : -1; }
+  // Of the last linearisation; -1 where counting them would be expensive.
+  int negative_pivots() { return solver_.counts_pivots(system_) ? solver_.negative_pivots(system_) : -1; }
 
  private:
   void compute_residual() {
@@ -168,7 +167,6 @@ class Iteration {
   ForcingTerm forcing_;
   double negligible_ = 0;  // prescribed increment, mm
   std::optional<Residual> residual_;
-  std::optional<State> linearised_;
   LiquidAugmentation augmentation_;
   std::vector<double> prescribed_, solution_;
 };

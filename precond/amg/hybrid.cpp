@@ -11,9 +11,9 @@ namespace bulbus {
 Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, std::shared_ptr<RigidPlan> rigid,
                Precision smoothing)
     : block_(displacement_block(system, smoothing)),
-      jacobi_(system),
-      smoother_(*block_, jacobi_, degree, lowest, system.problem().comm()),
-      amg_(std::make_unique<ScalarAmg>(system, scalar_matrices(system), jacobi_)),
+      jacobi_(std::make_shared<BlockJacobi>(system)),
+      smoother_(block_, jacobi_, degree, lowest, system.problem().comm()),
+      amg_(std::make_unique<ScalarAmg>(system, scalar_matrices(system), *jacobi_)),
       residual_(block_->size()),
       correction_(block_->size()) {
   if (!rigid) return;
@@ -32,7 +32,7 @@ void Hybrid::apply(std::span<const double> b, std::span<double> x) const {
 }
 
 std::size_t Hybrid::bytes() const {
-  return jacobi_.bytes() + smoother_.bytes() + amg_->bytes() + (coarse_ ? coarse_->bytes() : 0) +
+  return jacobi_->bytes() + smoother_.bytes() + amg_->bytes() + (coarse_ ? coarse_->bytes() : 0) +
          bytes_of(residual_) + bytes_of(correction_);
 }
 

@@ -25,8 +25,8 @@ class Hybrid final : public DisplacementPreconditioner {
   std::size_t bytes() const override;
 
  private:
-  std::unique_ptr<LinearOperator> block_;
-  BlockJacobi jacobi_;
+  std::shared_ptr<const LinearOperator> block_;
+  std::shared_ptr<const BlockJacobi> jacobi_;
   Chebyshev smoother_;
   std::unique_ptr<ScalarAmg> amg_;
   std::unique_ptr<RigidCoarse> coarse_;

@@ -25,10 +25,8 @@ MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settin
       base_(std::make_shared<Mumps>(
           finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
   for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
-    levels_.push_back({std::make_shared<Lines>(find_lines(*p)),
-                       projected_term_of(*p->coarser()),
-                       std::make_unique<CoupledSystem>(*p->coarser(), settings),
-                       {}});
+    levels_.push_back({std::make_shared<Lines>(find_lines(*p)), projected_term_of(*p->coarser()),
+                       std::make_unique<CoupledSystem>(*p->coarser(), settings)});
   }
 }
 
@@ -39,13 +37,14 @@ Multigrid::Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan>
   const CoupledSystem* fine = &finest;
   for (auto& level : plan_->levels()) {
     const Problem& problem = fine->problem();
-    level.state = problem.coarsened(fine->state());
+    State state = problem.coarsened(fine->state());
     Interpolation P =
-        problem.prolongation().at(level.state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
+        problem.prolongation().at(state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
     level.projected->project(problem, P);
     // only the geometry of rigid bodies asks for the residual
     const bool bodies = !problem.dofs().bodies().empty();
-    level.coarser->linearize(level.state, bodies ? problem.coarser()->residual(level.state) : Residual{});
+    const Residual r = bodies ? problem.coarser()->residual(state) : Residual{};
+    level.coarser->linearize(std::move(state), r);
     interpolations.push_back(std::move(P));
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() +

@@ -24,7 +24,6 @@ class MultigridPlan {
     std::shared_ptr<const Lines> lines;
     std::shared_ptr<ProjectedTerm> projected;  ///< of this level's added terms, on the next coarser one
     std::unique_ptr<CoupledSystem> coarser;
-    State state;                    ///< of `coarser`
     double largest_eigenvalue = 0;  ///< of the smoother
   };
   const Problem& problem() const { return problem_; }

@@ -21,14 +21,15 @@ Vector load_vector(const float* from) {
 
 }  // namespace
 
-CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns,
+CheckerboardMatrix::CheckerboardMatrix(const Problem& problem,
+                                       std::shared_ptr<const CheckerboardModes> patterns,
                                        const LineJacobi& lines)
-    : patterns_(patterns) {
+    : patterns_(std::move(patterns)) {
   Assembly assembly(problem, *this);
   assembly.add_lines(lines);
   in_.resize(assembly.coarser());
   out_.resize(assembly.coarser());
-  exchanged_.resize(patterns.count() * assembly.coarser());
+  exchanged_.resize(patterns_->count() * assembly.coarser());
 }
 
 // A block is one vector, b00 b01 b02 b03 b10 ...; it meets the four numbers of x side by side four times, and
@@ -84,31 +85,31 @@ void CheckerboardMatrix::multiply(std::span<double> x) const {
 
 void CheckerboardMatrix::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::copy(x, exchanged_.begin());
-  halo_->update_ghosts(exchanged_, patterns_.count());
-  if (patterns_.count() == 4)
+  halo_->update_ghosts(exchanged_, patterns_->count());
+  if (patterns_->count() == 4)
     multiply<4>(exchanged_);
   else
     multiply<10>(exchanged_);
-  halo_->accumulate_ghosts(exchanged_, patterns_.count());
+  halo_->accumulate_ghosts(exchanged_, patterns_->count());
   std::copy_n(exchanged_.begin(), size(), y.begin());
 }
 
 std::vector<double> CheckerboardMatrix::diagonal() const {
-  const int numbers = patterns_.count() * patterns_.count();
+  const int numbers = patterns_->count() * patterns_->count();
   std::vector<double> sum(numbers * in_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     if (pairs_[k].row == pairs_[k].column)
       std::copy_n(&blocks_[numbers * k], numbers, &sum[numbers * pairs_[k].row]);
   halo_->accumulate_ghosts(sum, numbers);
-  sum.resize(numbers * patterns_.coarser());
+  sum.resize(numbers * patterns_->coarser());
   return sum;
 }
 
 void CheckerboardMatrix::drop(double part) {
-  const std::size_t numbers = patterns_.count() * patterns_.count();
+  const std::size_t numbers = patterns_->count() * patterns_->count();
   const auto own = diagonal();
   std::vector<double> norm(in_.size());
-  for (int c = 0; c < patterns_.coarser(); ++c)
+  for (int c = 0; c < patterns_->coarser(); ++c)
     norm[c] = Eigen::VectorXd::Map(&own[numbers * c], numbers).norm();
   halo_->update_ghosts(norm, 1);
   std::size_t kept = 0;
@@ -156,9 +157,9 @@ std::size_t PatternJacobi::bytes() const { return bytes_of(inverse_); }
 
 void CheckerboardProduct::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::fill(p_, 0.0);
-  patterns_.add_prolonged(x, 1, p_);
+  patterns_->add_prolonged(x, 1, p_);
   K_->apply(p_, q_);
-  patterns_.restrict_pressures(q_, y);
+  patterns_->restrict_pressures(q_, y);
 }
 
 std::size_t CheckerboardProduct::bytes() const { return bytes_of(p_) + bytes_of(q_); }

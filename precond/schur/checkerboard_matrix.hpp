@@ -13,15 +13,16 @@ namespace bulbus {
 /// Pᵀ K P, blocks of pairs of coarser hexahedra; stored in single precision.
 class CheckerboardMatrix final : public LinearOperator {
  public:
-  /// Collective. Nothing but `patterns` has to outlive it.
-  CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns, const LineJacobi& lines);
-  int size() const override { return patterns_.size(); }
+  /// Keeps nothing of `problem` and `lines`. Collective.
+  CheckerboardMatrix(const Problem& problem, std::shared_ptr<const CheckerboardModes> patterns,
+                     const LineJacobi& lines);
+  int size() const override { return patterns_->size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
   /// Leaves out blocks whose norm is below this part of their two hexahedra's own. Collective.
   void drop(double part);
   /// Of a coarser hexahedron.
-  int patterns() const { return patterns_.count(); }
+  int patterns() const { return patterns_->count(); }
   /// Blocks of every coarser hexahedron with itself. Collective.
   std::vector<double> diagonal() const;
   std::size_t bytes() const;
@@ -37,7 +38,7 @@ class CheckerboardMatrix final : public LinearOperator {
   template <int N>
   void add_products() const;
 
-  const CheckerboardModes& patterns_;
+  std::shared_ptr<const CheckerboardModes> patterns_;
   std::vector<Pair> pairs_;                           // ascending
   std::vector<float> blocks_;                         // of the pairs, by rows
   std::unique_ptr<Halo> halo_;                        // of coarser hexahedra, ghosts behind this rank's
@@ -63,15 +64,16 @@ class PatternJacobi final : public Preconditioner {
 /// Pᵀ K P as the product of its factors.
 class CheckerboardProduct final : public LinearOperator {
  public:
-  CheckerboardProduct(const CheckerboardModes& patterns, std::shared_ptr<const LinePressureStiffness> K)
-      : patterns_(patterns), K_(std::move(K)), p_(K_->size()), q_(K_->size()) {}
-  int size() const override { return patterns_.size(); }
+  CheckerboardProduct(std::shared_ptr<const CheckerboardModes> patterns,
+                      std::shared_ptr<const LinePressureStiffness> K)
+      : patterns_(std::move(patterns)), K_(std::move(K)), p_(K_->size()), q_(K_->size()) {}
+  int size() const override { return patterns_->size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
   std::size_t bytes() const;
 
  private:
-  const CheckerboardModes& patterns_;
+  std::shared_ptr<const CheckerboardModes> patterns_;
   std::shared_ptr<const LinePressureStiffness> K_;
   mutable std::vector<double> p_, q_;
 };

@@ -65,8 +65,8 @@ class OnAll final : public SchurCorrection {
         int degree)
       : K_(std::move(K)),
         rough_(system.problem(), carried_by_lines(system, lines)),
-        scale_(inverse_diagonal(system)),
-        inverse_(*K_, scale_, degree, smallest_for(degree), system.problem().comm()),
+        scale_(std::make_shared<Diagonal>(inverse_diagonal(system))),
+        inverse_(K_, scale_, degree, smallest_for(degree), system.problem().comm()),
         given_(K_->size()),
         correction_(K_->size()) {}
   void add(std::span<const double> r, double weight, std::span<double> z) override {
@@ -77,13 +77,13 @@ class OnAll final : public SchurCorrection {
     for (std::size_t e = 0; e < z.size(); ++e) z[e] += weight * correction_[e];
   }
   std::size_t bytes() const override {
-    return rough_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
+    return rough_.bytes() + scale_->bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
   }
 
  private:
   std::shared_ptr<const LinePressureStiffness> K_;
   OscillationFilter rough_;
-  Diagonal scale_;
+  std::shared_ptr<const Diagonal> scale_;
   Chebyshev inverse_;
   std::vector<double> given_, correction_;
 };
@@ -91,30 +91,30 @@ class OnAll final : public SchurCorrection {
 template <class Product, class Scale>
 class OnPatterns final : public SchurCorrection {
  public:
-  // make_product(P), make_scale(P, product)
+  // make_product(P), make_scale(P, product): shared pointers
   template <class MakeProduct, class MakeScale>
   OnPatterns(const Problem& problem, int refinements, int degree, MakeProduct make_product,
              MakeScale make_scale)
-      : patterns_(problem, refinements),
+      : patterns_(std::make_shared<CheckerboardModes>(problem, refinements)),
         K_(make_product(patterns_)),
-        scale_(make_scale(patterns_, K_)),
+        scale_(make_scale(*patterns_, *K_)),
         inverse_(K_, scale_, degree, smallest_for(degree), problem.comm()),
-        given_(K_.size()),
-        correction_(K_.size()) {}
+        given_(K_->size()),
+        correction_(K_->size()) {}
   void add(std::span<const double> r, double weight, std::span<double> z) override {
-    patterns_.restrict_pressures(r, given_);
+    patterns_->restrict_pressures(r, given_);
     inverse_.apply(given_, correction_);
-    patterns_.add_prolonged(correction_, weight, z);
+    patterns_->add_prolonged(correction_, weight, z);
   }
   std::size_t bytes() const override {
-    return patterns_.bytes() + K_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) +
+    return patterns_->bytes() + K_->bytes() + scale_->bytes() + inverse_.bytes() + bytes_of(given_) +
            bytes_of(correction_);
   }
 
  private:
-  CheckerboardModes patterns_;
-  Product K_;
-  Scale scale_;
+  std::shared_ptr<const CheckerboardModes> patterns_;
+  std::shared_ptr<const Product> K_;
+  std::shared_ptr<const Scale> scale_;
   Chebyshev inverse_;
   std::vector<double> given_, correction_;
 };
@@ -132,9 +132,9 @@ std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
                                                     int degree) {
   return std::make_unique<OnPatterns<CheckerboardProduct, Diagonal>>(
       system.problem(), 1, degree > 0 ? degree : 16,
-      [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },
+      [&](const auto& P) { return std::make_shared<CheckerboardProduct>(P, K); },
       [&](const CheckerboardModes& P, const CheckerboardProduct&) {
-        return Diagonal(inverse_diagonal(system, P));
+        return std::make_shared<Diagonal>(inverse_diagonal(system, P));
       });
 }
 
@@ -145,12 +145,14 @@ std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& syste
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
   return std::make_unique<OnPatterns<CheckerboardMatrix, PatternJacobi>>(
       problem, refinements, degree > 0 ? degree : degree_for(hexes, 2),
-      [&](const CheckerboardModes& P) {
-        CheckerboardMatrix matrix(problem, P, lines);
-        matrix.drop(negligible);
+      [&](const auto& P) {
+        auto matrix = std::make_shared<CheckerboardMatrix>(problem, P, lines);
+        matrix->drop(negligible);
         return matrix;
       },
-      [](const CheckerboardModes&, const CheckerboardMatrix& matrix) { return PatternJacobi(matrix); });
+      [](const CheckerboardModes&, const CheckerboardMatrix& matrix) {
+        return std::make_shared<PatternJacobi>(matrix);
+      });
 }
 
 }  // namespace bulbus

@@ -22,10 +22,10 @@ std::vector<double> noise(const CheckerboardModes& patterns) {
 void expect_product(const Scene& scene, int refinements) {
   const WithLines l(scene, refinements, 0);
   const auto K = std::make_shared<LinePressureStiffness>(l.system, l.jacobi);
-  const CheckerboardModes patterns(l.problem, refinements);
+  const auto patterns = std::make_shared<CheckerboardModes>(l.problem, refinements);
   const CheckerboardMatrix matrix(l.problem, patterns, *l.jacobi);
   const CheckerboardProduct product(patterns, K);
-  const auto c = noise(patterns);
+  const auto c = noise(*patterns);
   std::vector<double> found(c.size(), std::nan("")), expected(c.size());
   matrix.apply(c, found);
   product.apply(c, expected);
@@ -94,9 +94,9 @@ TEST(CheckerboardMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8)
 
 TEST(CheckerboardMatrix, DropsWhatHardlyCouples) {
   const WithLines l(small_eye(8), 1, 0);
-  const CheckerboardModes patterns(l.problem, 1);
+  const auto patterns = std::make_shared<CheckerboardModes>(l.problem, 1);
   CheckerboardMatrix matrix(l.problem, patterns, *l.jacobi);
-  const auto c = noise(patterns);
+  const auto c = noise(*patterns);
   std::vector<double> whole(c.size()), kept(c.size()), back(c.size());
   matrix.apply(c, whole);
   const std::size_t bytes = matrix.bytes();

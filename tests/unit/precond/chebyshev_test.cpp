@@ -34,14 +34,14 @@ TEST(Lanczos, FindsTheSpectrumUnderAnIndefinitePreconditioner) {
 }
 
 TEST(Chebyshev, TellsTheGrowthOfTheLargestEigenvalue) {
-  Diagonal A({1, 2, 3, 4, 5});
-  const Diagonal D({1, 1, 1, 1, 1});
+  const auto A = std::make_shared<Diagonal>(std::vector<double>{1, 2, 3, 4, 5});
+  const auto D = std::make_shared<Diagonal>(std::vector<double>{1, 1, 1, 1, 1});
   const Comm comm(MPI_COMM_SELF);
   Chebyshev smoother(A, D, 4, .1, comm);
-  A.d[4] = 5.5;
+  A->d[4] = 5.5;
   EXPECT_NEAR(smoother.refresh(), 1.1, 1e-9);
   EXPECT_NEAR(smoother.largest_eigenvalue(), 1.1 * 5.5, 1e-9);
-  A.d[2] = 500;
+  A->d[2] = 500;
   EXPECT_NEAR(smoother.refresh(), 100, 1e-6);
 }
 

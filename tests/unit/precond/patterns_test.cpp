@@ -67,10 +67,10 @@ TEST(CheckerboardModes, AreNoneOfRigidHexahedra) {
 
 TEST(PatternJacobi, InvertsDiagonalBlocks) {
   const WithLines l(one_hexahedron(), 2, 0);
-  const CheckerboardModes patterns(l.problem, 2);
+  const auto patterns = std::make_shared<CheckerboardModes>(l.problem, 2);
   const CheckerboardMatrix matrix(l.problem, patterns, *l.jacobi);
   const PatternJacobi inverse(matrix);
-  std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
+  std::vector<double> c(patterns->size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);
   inverse.apply(r, back);
   for (double v : back) EXPECT_NEAR(v, 1, 1e-4);
