@@ -168,14 +168,12 @@ class BlockCollector {
 void add_contributions(const CoupledSystem& system, Matrices matrices, const Numbering& number,
                        Collector& out) {
   std::vector<int> rows;
-  for_each_condensed_matrix(system.problem(), system.state(), matrices,
-                            [&](std::span<const int> d, std::span<const double> K) {
-                              rows.clear();
-                              for (int i : d) rows.push_back(number.dof(i));
-                              for (std::size_t i = 0; i < d.size(); ++i)
-                                for (std::size_t j = 0; j < d.size(); ++j)
-                                  out.add(rows[i], rows[j], K[i * d.size() + j]);
-                            });
+  for_each_condensed_matrix(system, matrices, [&](std::span<const int> d, std::span<const double> K) {
+    rows.clear();
+    for (int i : d) rows.push_back(number.dof(i));
+    for (std::size_t i = 0; i < d.size(); ++i)
+      for (std::size_t j = 0; j < d.size(); ++j) out.add(rows[i], rows[j], K[i * d.size() + j]);
+  });
 }
 
 // add(node, block): identity rows of held directions and of bodies' nodes.
@@ -262,7 +260,7 @@ Triplets assemble_plain(const CoupledSystem& system, Triangle part) {
 Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   const LocalMesh& mesh = system.problem().mesh();
   BlockCollector out(mesh, part);
-  for_each_condensed_matrix(system.problem(), system.state(), Matrices::augmented,
+  for_each_condensed_matrix(system, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) { out.add(d, K); });
   visit_held(system, [&](int n, const std::array<double, 9>& block) { out.add(n, block); });
   return out.take();

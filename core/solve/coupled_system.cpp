@@ -16,8 +16,9 @@ void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings)
-    : problem_(problem), settings_(settings) {
+CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings,
+                             std::vector<std::shared_ptr<const Term>> further)
+    : problem_(problem), settings_(settings), further_(std::move(further)) {
   const LocalMesh& mesh = problem.mesh();
   layout_ = {3 * mesh.owned, problem.dofs().tail_size(), static_cast<int>(mesh.hexes.size()),
              mesh.comm.rank() == 0 ? static_cast<int>(problem.liquids().size()) : 0};
@@ -39,7 +40,7 @@ void CoupledSystem::linearize(State given, const Residual& r) {
   if (settings_.op == "assembled")
     assembled_ = std::make_unique<BlockCsr>(problem_.mesh().nodes(), [&](const ContributionVisitor& v) {
       problem_.solid().visit(v, true);
-      visit_surface(problem_, state, v);
+      visit_surface(v);
     });
   compute_blocks();
 }
@@ -66,6 +67,7 @@ std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal)
 
 void CoupledSystem::add_surface_action(std::span<const double> dx, std::span<double> force) const {
   for (const auto& term : problem_.terms()) term->add_action(dx, force);
+  for (const auto& term : further_) term->add_action(dx, force);
   for (std::size_t i = 0; i < state_.P.size(); ++i)
     if (state_.P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_.x, -state_.P[i], dx, force);
 }
@@ -85,6 +87,13 @@ std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::s
   }
   problem_.mesh().halo.accumulate_ghosts(force);
   return force;
+}
+
+void CoupledSystem::visit_surface(const ContributionVisitor& visitor) const {
+  for (const auto& term : problem_.terms()) term->visit(visitor);
+  for (const auto& term : further_) term->visit(visitor);
+  for (std::size_t i = 0; i < state_.P.size(); ++i)
+    if (state_.P[i] != 0) problem_.liquids()[i].surface().visit(state_.x, -state_.P[i], visitor);
 }
 
 void CoupledSystem::add_body_geometry(std::span<const double> x, std::span<double> y) const {
@@ -173,7 +182,7 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
   const LocalMesh& mesh = problem_.mesh();
   std::vector<double> blocks(9 * static_cast<std::size_t>(mesh.nodes()));
   bodies.assign(state_.bodies.size(), {});
-  for_each_condensed_matrix(problem_, state_, Matrices::augmented,
+  for_each_condensed_matrix(*this, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) {
                               const std::size_t n = d.size();
                               for (std::size_t i = 0; i < n;) {

@@ -20,12 +20,17 @@ struct NodalWorkspace {
 /// CoupledOperator is the matrix that it makes with an augmentation of the liquids.
 class CoupledSystem {
  public:
-  CoupledSystem(Problem& problem, const LinearSettings& settings);
+  /// `further` terms add their tangents to the problem's: on a coarser mesh, what only the finer one has.
+  CoupledSystem(Problem& problem, const LinearSettings& settings,
+                std::vector<std::shared_ptr<const Term>> further = {});
 
   /// Takes the tangent at a state, of which it keeps a copy. `r` is its residual. Collective.
   void linearize(State state, const Residual& r);
 
   const Problem& problem() const { return problem_; }
+  /// On the next coarser mesh; its tangents are at the disposal of this system's preconditioner.
+  Problem* coarser_problem() const { return problem_.coarser(); }
+  std::span<const std::shared_ptr<const Term>> further_terms() const { return further_; }
   const State& state() const { return state_; }
   const Layout& layout() const { return layout_; }
   int size() const { return layout_.size(); }
@@ -39,6 +44,8 @@ class CoupledSystem {
   /// force += what acts besides the solid: terms, and the liquids' pressures as followers. 3 numbers per
   /// local node.
   void add_surface_action(std::span<const double> dx, std::span<double> force) const;
+  /// The contributions of the same to the tangent.
+  void visit_surface(const ContributionVisitor& visitor) const;
   /// The bodies' part of a force += geometry; unknowns that symmetry holds are identity rows. 6 per body on
   /// rank 0.
   void add_body_geometry(std::span<const double> x, std::span<double> y) const;
@@ -98,6 +105,7 @@ class CoupledSystem {
 
   Problem& problem_;
   LinearSettings settings_;
+  std::vector<std::shared_ptr<const Term>> further_;
   Layout layout_;
   State state_;
   std::vector<std::vector<double>> g_;

@@ -19,7 +19,7 @@ Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, std::shar
   if (!rigid) return;
   coarse_ = std::make_unique<RigidCoarse>(system, std::move(rigid));
   for_each_condensed_matrix(
-      system.problem(), system.state(), matrices_of(smoothing),
+      system, matrices_of(smoothing),
       [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
   coarse_->factorise({});
 }

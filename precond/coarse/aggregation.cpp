@@ -21,7 +21,7 @@ std::shared_ptr<const LineJacobi> Aggregation::set_up(const CoupledSystem& syste
                                                       const std::shared_ptr<const Lines>& lines,
                                                       Precision precision, const KeepFactors& keep) {
   LineBlocks blocks(system, *lines);
-  for_each_condensed_matrix(system.problem(), system.state(), matrices_of(precision),
+  for_each_condensed_matrix(system, matrices_of(precision),
                             [&](std::span<const int> dofs, std::span<const double> K) {
                               blocks.add(dofs, K);
                               coarse_.add(dofs, K);

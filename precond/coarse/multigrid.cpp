@@ -6,27 +6,16 @@
 
 namespace bulbus {
 
-namespace {
-
-// A problem has one: solvers of the same problem share it, since each projects the tangent that all of them
-// solve with.
-std::shared_ptr<ProjectedTerm> projected_term_of(Problem& coarser) {
-  for (const auto& term : coarser.added())
-    if (auto projected = std::dynamic_pointer_cast<ProjectedTerm>(term)) return projected;
-  auto projected = std::make_shared<ProjectedTerm>();
-  coarser.add(projected);
-  return projected;
-}
-
-}  // namespace
-
-MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
-    : problem_(finest),
-      base_(std::make_shared<Mumps>(
-          finest.comm(), MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
-  for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
-    levels_.push_back({std::make_shared<Lines>(find_lines(*p)), projected_term_of(*p->coarser()),
-                       std::make_unique<CoupledSystem>(*p->coarser(), settings)});
+MultigridPlan::MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings)
+    : base_(std::make_shared<Mumps>(
+          finest.problem().comm(),
+          MumpsOptions{.precision = chosen_precision(settings), .block = 3, .joined = true})) {
+  for (const CoupledSystem* fine = &finest; Problem* coarser = fine->coarser_problem();
+       fine = levels_.back().coarser.get()) {
+    auto projected = std::make_shared<ProjectedTerm>();
+    levels_.push_back({std::make_shared<Lines>(find_lines(fine->problem())), projected,
+                       std::make_unique<CoupledSystem>(*coarser, settings,
+                                                       std::vector<std::shared_ptr<const Term>>{projected})});
   }
 }
 
@@ -40,7 +29,7 @@ Multigrid::Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan>
     State state = problem.coarsened(fine->state());
     Interpolation P =
         problem.prolongation().at(state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
-    level.projected->project(problem, P);
+    level.projected->project(*fine, P);
     // only the geometry of rigid bodies asks for the residual
     const bool bodies = !problem.dofs().bodies().empty();
     const Residual r = bodies ? problem.coarser()->residual(state) : Residual{};

@@ -17,8 +17,8 @@ namespace bulbus {
 /// eigenvalues: what changes these changes the matrix, too.
 class MultigridPlan {
  public:
-  /// Adds a ProjectedTerm to every coarser problem that has none. Collective.
-  MultigridPlan(const Problem& finest, const LinearSettings& settings);
+  /// Collective.
+  MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings);
 
   struct Level {
     std::shared_ptr<const Lines> lines;
@@ -26,13 +26,11 @@ class MultigridPlan {
     std::unique_ptr<CoupledSystem> coarser;
     double largest_eigenvalue = 0;  ///< of the smoother
   };
-  const Problem& problem() const { return problem_; }
   std::vector<Level>& levels() { return levels_; }
   /// Of the base level.
   std::shared_ptr<Mumps> base() const { return base_; }
 
  private:
-  const Problem& problem_;
   std::vector<Level> levels_;  // finest first; without the base
   std::shared_ptr<Mumps> base_;
 };

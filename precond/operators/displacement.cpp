@@ -37,7 +37,7 @@ Precision fitting_precision(const CoupledSystem& system, const LinearSettings& s
   constexpr double most = 1 - 1e-4;  // of a node's stiffness
   const Problem& problem = system.problem();
   std::vector<double> stiffness(system.state().x.size());
-  visit_surface(problem, system.state(), [&](std::span<const int> nodes, std::span<const double> K) {
+  system.visit_surface([&](std::span<const int> nodes, std::span<const double> K) {
     for (std::size_t i = 0; i < 3 * nodes.size(); ++i)
       stiffness[3 * nodes[i / 3] + i % 3] += K[i * (3 * nodes.size() + 1)];
   });
@@ -89,7 +89,7 @@ std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const Coup
     if (!problem.coarser())
       throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh",
                         "Give mesh.refine, or take 'aggregation'.");
-    if (!plans_->multigrid) plans_->multigrid = std::make_shared<MultigridPlan>(problem, settings_);
+    if (!plans_->multigrid) plans_->multigrid = std::make_shared<MultigridPlan>(system, settings_);
     return std::make_unique<Multigrid>(system, plans_->multigrid, settings_.multigrid, smoothing, keep);
   }
   if (name == "hybrid") {

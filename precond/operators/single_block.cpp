@@ -15,7 +15,7 @@ SingleBlock::SingleBlock(const CoupledSystem& system)
 
 void SingleBlock::refresh() {
   touched_.clear();
-  visit_surface(system_.problem(), system_.state(), [&](std::span<const int> nodes, std::span<const double>) {
+  system_.visit_surface([&](std::span<const int> nodes, std::span<const double>) {
     touched_.insert(touched_.end(), nodes.begin(), nodes.end());
   });
   for (const RigidBody& b : dofs_.bodies())

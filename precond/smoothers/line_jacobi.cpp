@@ -31,8 +31,7 @@ std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
 LineBlocks blocks_of(const CoupledSystem& system, const Lines& lines, Matrices matrices) {
   LineBlocks blocks(system, lines);
   for_each_condensed_matrix(
-      system.problem(), system.state(), matrices,
-      [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
+      system, matrices, [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
   blocks.complete();
   return blocks;
 }

@@ -37,7 +37,7 @@ TEST(CoarseMatrix, IsTheGalerkinProjection) {
     const auto plan = std::make_shared<RigidPlan>(l.system, 20, Precision::full);
     const RigidModes modes = rigid_modes(l.system, plan->groups);
     plan->matrix.clear();
-    for_each_condensed_matrix(l.problem, l.state, Matrices::augmented,
+    for_each_condensed_matrix(l.system, Matrices::augmented,
                               [&](std::span<const int> d, std::span<const double> K) {
                                 plan->matrix.add(plan->groups, modes.of, d, K);
                               });

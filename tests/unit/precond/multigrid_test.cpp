@@ -73,7 +73,7 @@ TEST(LineJacobi, InvertsTheBlockOfEveryLine) {
 TEST(Multigrid, IsSymmetricAndPositive) {
   for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant")}) {
     Linearised l(scene, 1, .002);
-    const auto plan = std::make_shared<MultigridPlan>(l.problem, l.settings);
+    const auto plan = std::make_shared<MultigridPlan>(l.system, l.settings);
     const Multigrid M(l.system, plan, {});
     const auto a = noise_primal(l.problem, 1), b = noise_primal(l.problem, 2);
     std::vector<double> Ma(a.size(), std::nan("")), Mb(a.size(), std::nan(""));
@@ -89,7 +89,7 @@ TEST(Multigrid, BringsTheSpectrumTogether) {
   for (const Scene& scene : {thin_plate(), cylinder()})
     for (int refine : {1, 2}) {
       Linearised l(scene, refine, 0);
-      const auto plan = std::make_shared<MultigridPlan>(l.problem, l.settings);
+      const auto plan = std::make_shared<MultigridPlan>(l.system, l.settings);
       const Multigrid M(l.system, plan, {});
       const Spectrum s = lanczos(DisplacementBlock(l.system), M, 30, Comm());
       EXPECT_GT(s.smallest, .3) << refine;
@@ -101,7 +101,7 @@ TEST(Multigrid, BringsTheSpectrumTogether) {
 TEST(Multigrid, CoarseLevelsAreRediscretised) {
   const Scene scene = filled_shell("half");
   Linearised l(scene, 1, .002);
-  const auto plan = std::make_shared<MultigridPlan>(l.problem, l.settings);
+  const auto plan = std::make_shared<MultigridPlan>(l.system, l.settings);
   const Multigrid M(l.system, plan, {});
   Problem base(scene.mesh, scene.model, Comm());
   State state = l.problem.coarsened(l.state);
@@ -144,7 +144,7 @@ TEST(ProjectedTerm, IsTheGalerkinProjection) {
   const Interpolation P =
       problem.prolongation().at(coarse.mesh().X, problem.mesh().X, coarse.solid().reference_volumes());
   ProjectedTerm projected;
-  projected.project(problem, P);
+  projected.project(CoupledSystem(problem, {}), P);
   std::vector<double> x(problem.coarser()->mesh().X.size()), Px(problem.mesh().X.size()), KPx(Px), want(x),
       got(x), visited(x);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = noise(1, static_cast<int>(i));
