@@ -6,7 +6,7 @@ namespace bulbus {
 /// ω of every liquid: how much of its row is added to the rows of the displacements. Chosen by who knows
 /// gᵀ A⁻¹ g; empty: none.
 struct LiquidAugmentation {
-  std::vector<double> omega;  ///< mN/mm per mm³ of liquid, the same on every rank
+  std::vector<double> omega;  ///< MPa/mm³, the same on every rank
 };
 
 /// The bordered, augmented tangent in one state (docs/formulation.md, section 3), applied without being

@@ -12,6 +12,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/error.hpp"
+#include "core/solve/mumps_messages.hpp"
 
 namespace bulbus {
 namespace {
@@ -23,47 +24,6 @@ enum Job { start = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 }
 
 /// A large count: a negative one is in millions.
 double count(MUMPS_INT value) { return value < 0 ? -1e6 * value : value; }
-
-std::string ordering_name(int infog7) {
-  switch (infog7) {
-    case 0:
-      return "AMD";
-    case 1:
-      return "given";
-    case 2:
-      return "AMF";
-    case 3:
-      return "Scotch";
-    case 4:
-      return "PORD";
-    case 5:
-      return "METIS";
-    case 6:
-      return "QAMD";
-  }
-  return "ordering " + std::to_string(infog7);
-}
-
-std::string explain(int code, int detail) {
-  switch (code) {
-    case -6:
-      return "the matrix is singular in structure, of rank " + std::to_string(detail);
-    case -7:
-    case -13:
-      return "not enough memory";
-    case -8:
-    case -9:
-      return "pivoting needs more workspace than was allowed";
-    case -10:
-      return "the matrix is singular";
-    case -40:
-      return "the matrix is not positive definite";
-    case -51:
-    case -52:
-      return "the graph is too large for the ordering";
-  }
-  return "MUMPS error " + std::to_string(code) + " (" + std::to_string(detail) + ")";
-}
 
 void check(const Triplets& t, long long n, const Comm& comm) {
   if (n > std::numeric_limits<int>::max())
@@ -162,7 +122,7 @@ struct Mumps::InstanceOf final : Instance {
   }
   FactorReport& fail() {
     report.code = infog(1);
-    return fail(explain(infog(1), infog(2)));
+    return fail(explain_mumps(infog(1), infog(2)));
   }
 
   Taken take(Triplets t, long long n, bool symmetric, const KeepFactors& keep) override {
@@ -240,7 +200,7 @@ struct Mumps::InstanceOf final : Instance {
     report.seconds_analysis = Clock::now() - begin;
     if (!analysed) return fail();
     report.ok = true;
-    report.ordering = ordering_name(infog(7));
+    report.ordering = mumps_ordering(infog(7));
     report.estimated_max_mb = infog(16);
     report.estimated_mb = infog(17);
     report.estimated_entries = count(infog(20));

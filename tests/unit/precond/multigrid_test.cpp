@@ -203,6 +203,7 @@ TEST(Multigrid, OfTwoSolversOfOneProblemIsThatOfEachAlone) {
         solvers.back()->solve(CoupledOperator(system, prepared.augmentation), b, found.back(), 1e-6);
     ASSERT_TRUE(report.ok) << report.reason;
   }
+  EXPECT_TRUE(problem.coarser()->added().empty()) << "a preconditioner leaves the problem as it is";
   EXPECT_EQ(found[1], found[0]) << "to the last digit: the preconditioner is the same";
   EXPECT_EQ(found[2], found[0]);
 }
