@@ -31,7 +31,7 @@ class BlockTriangular final : public CoupledPreconditioner {
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool is_linear() const override { return displacement_->is_linear(); }
   std::string setup_error() const override { return displacement_->setup_error(); }
-  /// The pressures' weak patterns.
+  /// The correction for oscillating element pressures.
   bool has_deferred_component() const override { return inverse_schur_.has_deferred_component(); }
   void enable_deferred_component() override { inverse_schur_.enable_deferred_component(); }
   const LiquidAugmentation& augmentation() const override { return augmentation_; }

@@ -25,10 +25,10 @@ void PressureSchur::enable_deferred_component() {
     softened = std::make_shared<const LineJacobi>(system_, lines_->lines(), Matrices::softened);
   const auto lines = softened ? softened : lines_;
   if (refinements != 1) K = std::make_shared<const LinePressureStiffness>(system_, lines);
-  if (refinements == 0) parts.push_back(rough_part(system_, *lines, K, settings_.degree));
-  if (refinements > 1) parts.push_back(fine_patterns_part(system_, K, settings_.degree));
+  if (refinements == 0) parts.push_back(oscillation_correction(system_, *lines, K, settings_.degree));
+  if (refinements > 1) parts.push_back(fine_checkerboard_correction(system_, K, settings_.degree));
   if (refinements > 0)
-    parts.push_back(coarse_patterns_part(system_, *lines, refinements > 1 ? 0 : settings_.degree));
+    parts.push_back(coarse_checkerboard_correction(system_, *lines, refinements > 1 ? 0 : settings_.degree));
   if (!K) softened.reset();
 }
 

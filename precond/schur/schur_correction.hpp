@@ -6,7 +6,8 @@
 
 namespace bulbus {
 
-/// Part of an approximate inverse on the weak patterns of element pressures: a fixed symmetric linear map.
+/// Part of an approximate inverse on oscillating element pressures, checkerboard modes among them: a fixed
+/// symmetric linear map.
 class SchurCorrection {
  public:
   virtual ~SchurCorrection() = default;
@@ -18,18 +19,19 @@ class SchurCorrection {
 
 /// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see OscillationFilter) but
 /// where lines carry alone. Degree 0: from the mesh. Collective.
-std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
-                                            std::shared_ptr<const LinePressureStiffness> K, int degree);
+std::unique_ptr<SchurCorrection> oscillation_correction(const CoupledSystem& system, const LineJacobi& lines,
+                                                        std::shared_ptr<const LinePressureStiffness> K,
+                                                        int degree);
 
 /// P q(Pᵀ K P) Pᵀ on the checkerboard modes (see CheckerboardModes) of hexahedra that were split once, in the
 /// product of its factors. Degree 0: 16. Collective.
-std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
-                                                    std::shared_ptr<const LinePressureStiffness> K,
-                                                    int degree);
+std::unique_ptr<SchurCorrection> fine_checkerboard_correction(const CoupledSystem& system,
+                                                              std::shared_ptr<const LinePressureStiffness> K,
+                                                              int degree);
 
 /// P q(Pᵀ K P) Pᵀ with the matrix of the checkerboard modes of hexahedra that were split once or, where there
 /// are such, twice. Keeps nothing of lines. Degree 0: from the mesh. Collective.
-std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines,
-                                                      int degree);
+std::unique_ptr<SchurCorrection> coarse_checkerboard_correction(const CoupledSystem& system,
+                                                                const LineJacobi& lines, int degree);
 
 }  // namespace bulbus

@@ -132,8 +132,8 @@ TEST(PressureSchur, TakesWeakPatternsOutOfNoise) {
   const int with = iterations(0), without = iterations(1000);
   EXPECT_LE(2 * with, without);
   EXPECT_LE(with, 25);
-  EXPECT_EQ(iterations(6), with) << "so many digits are sure to drag";
-  EXPECT_GT(iterations(10), with) << "waits in vain";
+  EXPECT_EQ(iterations(6), with) << "so many digits are sure to be slow";
+  EXPECT_GT(iterations(10), with) << "waits without effect";
   const int with_hierarchy = iterations(0, 1), without_patterns = iterations(1000, 1);
   EXPECT_LE(2 * with_hierarchy, without_patterns);
   EXPECT_LE(with_hierarchy, 30);

@@ -61,7 +61,7 @@ TEST(Reuse, SolvesThePresentSystemWithEarlierCoarseFactors) {
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 
-// Of a refined mesh with an enclosed liquid: base factors, largest eigenvalues, weak patterns and the
+// Of a refined mesh with an enclosed liquid: base factors, largest eigenvalues, corrections and the
 // liquid's column.
 TEST(Reuse, SolvesThePresentCoupledSystemWithEarlierParts) {
   const auto solved = [](double coarse_change) {
