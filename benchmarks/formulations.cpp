@@ -95,13 +95,13 @@ json solved(const Variant& v, Problem& problem, const State& state, const FirstI
            {"unknowns", unknowns(problem)},
            {"liquid_entries", liquid_entries(system)}};
   row["wet_unknowns"] = std::ranges::count_if(system.liquid_columns()[0], [](double g) { return g != 0; });
-  const LinearReport ready = solver.prepare(system);
+  const Preparation ready = solver.prepare(system);
   row["setup_s"] = solver.setup[0];
   if (ready.factor) add_factor(*ready.factor, row);
   if (!ready.ok) return row["reason"] = ready.reason, row;
   std::vector<double> x(system.size());
-  const LinearReport report =
-      solver.solve(system, system.right_hand_side(start.residual, start.held), x, tolerance);
+  const CoupledOperator A(system, ready.augmentation);
+  const LinearReport report = solver.solve(A, A.right_hand_side(start.residual, start.held), x, tolerance);
   row.update({{"solve_s", solver.solution[0]},
               {"iterations", report.iterations},
               {"reduction", report.reduction},

@@ -72,7 +72,7 @@ class NodalBlocks final : public Preconditioner {
     }
   }
   int size() const override { return size_; }
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   void apply(std::span<const double> x, std::span<double> y) const override {
     std::copy(x.begin(), x.end(), y.begin());
     for (std::size_t n = 0; n < inverse_.size(); ++n)
@@ -154,15 +154,13 @@ std::string make_dump(int n) {
   const auto [r, held] = first_increment(*problem, state);
   CoupledSystem system(*problem, settings.linear);
   system.linearize(state, r);
+  const CoupledOperator A(system);
   const std::string path =
       std::filesystem::temp_directory_path() / ("bulbus_half_eye_" + std::to_string(n) + ".h5");
-  write_system(path,
-               {assemble(system, true),
-                system.right_hand_side(r, held),
-                unknown_kinds(system.layout()),
-                system.scaling(),
-                {{"n", n}}},
-               comm);
+  write_system(
+      path,
+      {assemble(A), A.right_hand_side(r, held), unknown_kinds(system.layout()), system.scaling(), {{"n", n}}},
+      comm);
   return path;
 }
 

@@ -29,13 +29,14 @@ json solve_by(const std::string& method, Problem& problem, const State& state, c
   system.linearize(state, r);
   auto solver = make_solver(settings, profiler);
   const double start = cpu_seconds();
-  const LinearReport ready = solver->prepare(system);
+  const Preparation ready = solver->prepare(system);
   const double prepared = cpu_seconds();
   row["setup_s"] = prepared - start;
   if (!ready.ok) return row["reason"] = ready.reason, row;
-  const auto b = system.right_hand_side(r, held);
+  const CoupledOperator A(system, ready.augmentation);
+  const auto b = A.right_hand_side(r, held);
   std::vector<double> x(system.size());
-  const LinearReport report = solver->solve(system, b, x, tolerance);
+  const LinearReport report = solver->solve(A, b, x, tolerance);
   row["solve_s"] = cpu_seconds() - prepared;
   row["iterations"] = report.iterations;
   row["reduction"] = report.reduction;

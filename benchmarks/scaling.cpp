@@ -36,14 +36,15 @@ json solve(int n, int refine, const Comm& comm) {
   system.linearize(state, r);
   auto solver = make_solver(settings, profiler);
   const double linearised = Clock::now();
-  const LinearReport ready = solver->prepare(system);
+  const Preparation ready = solver->prepare(system);
   if (!ready.ok) return {{"n", n}, {"refine", refine}, {"ranks", comm.size()}, {"reason", ready.reason}};
   const std::vector<double> held(state.x.size());
-  const auto b = system.right_hand_side(r, held);
+  const CoupledOperator A(system, ready.augmentation);
+  const auto b = A.right_hand_side(r, held);
   std::vector<double> x(system.size());
   const double prepared = Clock::now();
   const Traffic before = traffic();
-  const LinearReport report = solver->solve(system, b, x, tolerance);
+  const LinearReport report = solver->solve(A, b, x, tolerance);
   const double solved = Clock::now();
   const int iterations = std::max(report.iterations, 1);
   json row{{"n", n},

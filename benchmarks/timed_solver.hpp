@@ -18,23 +18,23 @@ inline SolverSettings settings_of(const std::string& method, double memory_mb) {
 class TimedSolver final : public LinearSolver {
  public:
   explicit TimedSolver(std::unique_ptr<LinearSolver> inner) : inner_(std::move(inner)) {}
-  LinearReport prepare(CoupledSystem& system) override {
+  Preparation prepare(const CoupledSystem& system) override {
     const double start = cpu_seconds();
-    const LinearReport report = inner_->prepare(system);
+    const Preparation prepared = inner_->prepare(system);
     setup.push_back(cpu_seconds() - start);
-    if (report.factor) factor = report.factor;
-    return report;
+    if (prepared.factor) factor = prepared.factor;
+    return prepared;
   }
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+  LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
     const double start = cpu_seconds();
-    const LinearReport report = inner_->solve(system, std::move(b), x, tolerance);
+    const LinearReport report = inner_->solve(A, std::move(b), x, tolerance);
     solution.push_back(cpu_seconds() - start);
     iterations.push_back(report.iterations);
     reductions.push_back(report.reduction);
     return report;
   }
-  void renew() override { inner_->renew(); }
+  void forget() override { inner_->forget(); }
   void increment_begins() override { inner_->increment_begins(); }
   void watch(SolveWatcher watcher) override { inner_->watch(std::move(watcher)); }
   bool counts_pivots(const CoupledSystem& system) override { return inner_->counts_pivots(system); }

@@ -2,44 +2,47 @@
 
 #include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
+#include "precond/operators/displacement.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 
 namespace bulbus {
 
-BlockTriangular::BlockTriangular(CoupledSystem& system, const DisplacementInverse& displacement,
-                                 const PressureSettings& pressures, Parts& parts)
+BlockTriangular::BlockTriangular(const CoupledSystem& system,
+                                 std::shared_ptr<const DisplacementPreconditioner> displacement,
+                                 const PressureSettings& pressures,
+                                 std::shared_ptr<SchurCorrections> corrections,
+                                 std::shared_ptr<LiquidColumns> columns)
     : system_(system),
-      displacement_(displacement.inverse),
-      inverse_schur_(system, displacement.lines, pressures, parts.weak),
-      Z_(parts.Z),
+      displacement_(std::move(displacement)),
+      inverse_schur_(system, displacement_->lines(), pressures, std::move(corrections)),
+      Z_(columns),
+      column_(system.liquid_columns().size()),
       work_(system.layout().primal()) {
   const auto& g = system.liquid_columns();
   for (int i = 0; i < static_cast<int>(g.size()); ++i)
     if (system.problem().liquids()[i].coupled()) coupled_.push_back(i);
   const int n = static_cast<int>(coupled_.size());
-  if (parts.Z.size() != coupled_.size()) {
-    parts.Z.clear();
-    for (int i : coupled_) displacement_->apply(g[i], parts.Z.emplace_back(g[i].size()));
+  if (columns->size() != coupled_.size()) {
+    columns->clear();
+    for (int i : coupled_) displacement_->apply(g[i], columns->emplace_back(g[i].size()));
   }
-  std::vector<double> omega(g.size());
+  auto& omega = augmentation_.omega;
+  omega.resize(g.size());
   if (n == 0) return;
   Eigen::MatrixXd H(n, n), Omega = Eigen::MatrixXd::Zero(n, n), C = Omega, column = Omega;
   for (int j = 0; j < n; ++j) {
-    const auto products = liquid_products(Z_[j]);
+    const auto products = liquid_products((*Z_)[j]);
     for (int i = 0; i < n; ++i) H(i, j) = products[i];
   }
   for (int i = 0; i < n; ++i) {
     const int k = coupled_[i];
-    if (system.eliminated())
-      omega[k] = 1 / system.compliance(k);
-    else if (H(i, i) > 0)
-      omega[k] = 1 / H(i, i);
+    if (H(i, i) > 0) omega[k] = 1 / H(i, i);
   }
-  system.set_liquid_augmentation(omega);
+  const CoupledOperator A(system, augmentation_);
   for (int i = 0; i < n; ++i) {
-    Omega(i, i) = omega[coupled_[i]];
+    Omega(i, i) = A.omega()[coupled_[i]];
     C(i, i) = system.compliance(coupled_[i]);
-    column(i, i) = system.column_part(coupled_[i]);
+    column(i, i) = column_[coupled_[i]] = A.column_part(coupled_[i]);
   }
   const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
   woodbury_ = Omega * (I + H * Omega).inverse();
@@ -77,7 +80,7 @@ void BlockTriangular::apply(std::span<const double> r, std::span<double> z) cons
     }
     system_.problem().comm().broadcast(P);
     for (int i : coupled_) {
-      const double factor = system_.column_part(i) * P[i];
+      const double factor = column_[i] * P[i];
       const auto& g = system_.liquid_columns()[i];
       for (std::size_t k = 0; k < g.size(); ++k) work_[k] += factor * g[k];
     }
@@ -86,8 +89,10 @@ void BlockTriangular::apply(std::span<const double> r, std::span<double> z) cons
   if (n == 0) return;
   const auto products = liquid_products(zu);
   const Eigen::VectorXd correction = woodbury_ * Eigen::Map<const Eigen::VectorXd>(products.data(), n);
-  for (int i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < Z_[i].size(); ++k) zu[k] -= correction[i] * Z_[i][k];
+  for (int i = 0; i < n; ++i) {
+    const auto& Z = (*Z_)[i];
+    for (std::size_t k = 0; k < Z.size(); ++k) zu[k] -= correction[i] * Z[k];
+  }
 }
 
 std::array<double, 2> BlockTriangular::displacement_spectrum() const {
@@ -97,7 +102,7 @@ std::array<double, 2> BlockTriangular::displacement_spectrum() const {
 
 std::size_t BlockTriangular::bytes() const {
   std::size_t total = displacement_->bytes() + inverse_schur_.bytes() + bytes_of(work_);
-  for (const auto& z : Z_) total += bytes_of(z);
+  for (const auto& z : *Z_) total += bytes_of(z);
   return total;
 }
 

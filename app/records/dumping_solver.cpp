@@ -16,17 +16,18 @@ class DumpingSolver final : public LinearSolver {
         folder_(folder),
         increment_(std::move(increment)) {}
 
-  LinearReport prepare(CoupledSystem& system) override { return solver_->prepare(system); }
-  void renew() override { solver_->renew(); }
+  Preparation prepare(const CoupledSystem& system) override { return solver_->prepare(system); }
+  void forget() override { solver_->forget(); }
   void increment_begins() override { solver_->increment_begins(); }
   void watch(SolveWatcher watcher) override { solver_->watch(std::move(watcher)); }
   bool counts_pivots(const CoupledSystem& system) override { return solver_->counts_pivots(system); }
   int negative_pivots(const CoupledSystem& system) override { return solver_->negative_pivots(system); }
 
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+  LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
+    const CoupledSystem& system = A.system();
     SystemDump dump;
-    dump.matrix = assemble(system, true);
+    dump.matrix = assemble(A);
     dump.rhs = b;
     dump.kind = unknown_kinds(system.layout());
     dump.scaling = system.scaling();
@@ -34,7 +35,7 @@ class DumpingSolver final : public LinearSolver {
     const std::string file = fmt::format("{}/system_{:04d}.h5", name_, ++count_);
     folder_.claim({file});
     write_system(folder_.path() + "/" + file, dump, system.problem().comm());
-    return solver_->solve(system, std::move(b), x, tolerance);
+    return solver_->solve(A, std::move(b), x, tolerance);
   }
 
  private:

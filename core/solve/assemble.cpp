@@ -165,28 +165,28 @@ class BlockCollector {
   std::vector<std::size_t> firsts_;
 };
 
-void add_contributions(const CoupledSystem& system, bool augmented, const Numbering& number, Collector& out) {
+void add_contributions(const CoupledSystem& system, Matrices matrices, const Numbering& number,
+                       Collector& out) {
   std::vector<int> rows;
-  for_each_condensed_matrix(system.problem(), system.state(),
-                            augmented ? Matrices::augmented : Matrices::plain,
-                            [&](std::span<const int> d, std::span<const double> K) {
-                              rows.clear();
-                              for (int i : d) rows.push_back(number.dof(i));
-                              for (std::size_t i = 0; i < d.size(); ++i)
-                                for (std::size_t j = 0; j < d.size(); ++j)
-                                  out.add(rows[i], rows[j], K[i * d.size() + j]);
-                            });
+  for_each_condensed_matrix(system, matrices, [&](std::span<const int> d, std::span<const double> K) {
+    rows.clear();
+    for (int i : d) rows.push_back(number.dof(i));
+    for (std::size_t i = 0; i < d.size(); ++i)
+      for (std::size_t j = 0; j < d.size(); ++j) out.add(rows[i], rows[j], K[i * d.size() + j]);
+  });
 }
 
 // add(node, block): identity rows of held directions and of bodies' nodes.
 template <class Add>
 void visit_held(const CoupledSystem& system, Add add) {
   for (int n = 0; n < system.problem().mesh().owned; ++n)
-    if (system.problem().dofs().held(n)) add(n, system.held_block(n));
+    if (system.problem().dofs().held(n)) add(n, system.constrained_block(n));
 }
 
-// Columns and rows of the liquids, and ω g gᵀ, which needs the whole of g on every rank.
-void add_liquids(const CoupledSystem& system, bool augmented, const Numbering& number, Collector& out) {
+// Columns and rows of the liquids, and ω g gᵀ, which needs the whole of g on every rank; `augmented` may be
+// null.
+void add_liquids(const CoupledSystem& system, const CoupledOperator* augmented, const Numbering& number,
+                 Collector& out) {
   const Comm& comm = system.problem().comm();
   for (int i = 0; i < static_cast<int>(system.liquid_columns().size()); ++i) {
     const int P = number.liquid(i);
@@ -196,12 +196,13 @@ void add_liquids(const CoupledSystem& system, bool augmented, const Numbering& n
     for (std::size_t k = 0; k < system.liquid_columns()[i].size(); ++k)
       if (const double v = system.liquid_columns()[i][k]; v != 0)
         where.push_back(number.primal(static_cast<int>(k))), g.push_back(v);
-    const double column = augmented ? system.column_part(i) : 1, row = augmented ? system.row_part() : 1;
+    const double column = augmented ? augmented->column_part(i) : 1,
+                 row = augmented ? augmented->row_part() : 1;
     for (std::size_t k = 0; k < g.size(); ++k) {
       out.add(static_cast<int>(where[k]), P, -column * g[k]);
       out.add(P, static_cast<int>(where[k]), -row * g[k]);
     }
-    const double omega = augmented ? system.liquid_augmentation()[i] : 0;
+    const double omega = augmented ? augmented->omega()[i] : 0;
     if (omega == 0) continue;
     const auto all = comm.gather(std::span<const long long>(where));
     const auto all_g = comm.gather(std::span<const double>(g));
@@ -210,21 +211,11 @@ void add_liquids(const CoupledSystem& system, bool augmented, const Numbering& n
   }
 }
 
-}  // namespace
-
-long long global_size(const CoupledSystem& system) {
-  const long long n = system.problem().comm().sum(static_cast<long long>(system.size()));
-  if (n > 2147483647LL)
-    throw input_error("more than 2^31 unknowns cannot be assembled",
-                      "Use the iterative solver, or a coarser mesh.");
-  return n;
-}
-
-Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
+Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented, Triangle part) {
   const Numbering number(system);
   const Layout& layout = system.layout();
   Collector out(global_size(system), part);
-  add_contributions(system, augmented, number, out);
+  add_contributions(system, augmented ? Matrices::augmented : Matrices::plain, number, out);
   visit_held(system, [&](int n, const std::array<double, 9>& block) {
     for (int i = 0; i < 9; ++i) out.add(number.dof(3 * n + i / 3), number.dof(3 * n + i % 3), block[i]);
   });
@@ -250,10 +241,26 @@ Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part) {
   return out.take();
 }
 
+}  // namespace
+
+long long global_size(const CoupledSystem& system) {
+  const long long n = system.problem().comm().sum(static_cast<long long>(system.size()));
+  if (n > 2147483647LL)
+    throw input_error("more than 2^31 unknowns cannot be assembled",
+                      "Use the iterative solver, or a coarser mesh.");
+  return n;
+}
+
+Triplets assemble(const CoupledOperator& A, Triangle part) { return assemble(A.system(), &A, part); }
+
+Triplets assemble_plain(const CoupledSystem& system, Triangle part) {
+  return assemble(system, nullptr, part);
+}
+
 Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   const LocalMesh& mesh = system.problem().mesh();
   BlockCollector out(mesh, part);
-  for_each_condensed_matrix(system.problem(), system.state(), Matrices::augmented,
+  for_each_condensed_matrix(system, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) { out.add(d, K); });
   visit_held(system, [&](int n, const std::array<double, 9>& block) { out.add(n, block); });
   return out.take();

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/solve/coupled_system.hpp"
+#include "core/solve/coupled_operator.hpp"
 #include "core/solve/dump.hpp"
 
 namespace bulbus {
@@ -8,9 +8,11 @@ namespace bulbus {
 enum class Triangle { both, upper };
 
 /// The coupled matrix as triplets in the global order of the ranks' unknown vectors: the sum of this rank's
-/// contributions, sorted by row and column. `augmented`: with the γ and ω terms, that is, exactly what
-/// CoupledSystem::apply does.
-Triplets assemble(const CoupledSystem& system, bool augmented, Triangle part = Triangle::both);
+/// contributions, sorted by row and column. Collective.
+Triplets assemble(const CoupledOperator& A, Triangle part = Triangle::both);
+
+/// The same without any augmentation, of hexahedra (γ) or of liquids (ω). Collective.
+Triplets assemble_plain(const CoupledSystem& system, Triangle part = Triangle::both);
 
 /// Entries that the liquids bring, over all ranks, those that fall upon others included: of 3k free wet
 /// displacements 2·3k + 1 bordered, (3k)² + 1 eliminated; in one triangle 3k + 1 and 3k (3k + 1)/2 + 1.

@@ -16,15 +16,17 @@ void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings)
-    : problem_(problem), settings_(settings) {
+CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings,
+                             std::vector<std::shared_ptr<const Term>> further)
+    : problem_(problem), settings_(settings), further_(std::move(further)) {
   const LocalMesh& mesh = problem.mesh();
   layout_ = {3 * mesh.owned, problem.dofs().tail_size(), static_cast<int>(mesh.hexes.size()),
              mesh.comm.rank() == 0 ? static_cast<int>(problem.liquids().size()) : 0};
 }
 
-void CoupledSystem::linearize(const State& state, const Residual& r) {
-  state_ = &state;
+void CoupledSystem::linearize(State given, const Residual& r) {
+  state_ = std::move(given);
+  const State& state = state_;
   const bool cache = settings_.op == TangentStorage::cache;
   problem_.linearize(state, settings_.gamma, cache ? StrainSource::cache : StrainSource::recompute);
   body_geometry_.clear();
@@ -34,31 +36,28 @@ void CoupledSystem::linearize(const State& state, const Residual& r) {
     problem_.comm().sum(std::span(&G(0, 0), 9));
     body_geometry_.push_back(G);
   }
-  take_liquid_columns();
+  compute_liquid_columns();
   if (settings_.op == TangentStorage::assembled)
     assembled_ = std::make_unique<BlockCsr>(problem_.mesh().nodes(), [&](const ContributionVisitor& v) {
       problem_.solid().visit(v, true);
-      visit_surface(problem_, state, v);
+      visit_surface(v);
     });
-  take_blocks();
+  compute_blocks();
 }
 
-void CoupledSystem::take_liquid_columns() {
+void CoupledSystem::compute_liquid_columns() {
   const auto& liquids = problem_.liquids();
   g_.assign(liquids.size(), {});
-  omega_.assign(liquids.size(), 0);
   for (std::size_t i = 0; i < liquids.size(); ++i) {
     if (!liquids[i].coupled()) continue;
-    std::vector<double> local(state_->x.size());
-    liquids[i].surface().add_gradient(state_->x, 1, local);
+    std::vector<double> local(state_.x.size());
+    liquids[i].surface().add_gradient(state_.x, 1, local);
     problem_.mesh().halo.accumulate_ghosts(local);
     g_[i].resize(layout_.primal());
-    problem_.dofs().reduce(*state_, local, g_[i]);
-    if (eliminated()) omega_[i] = 1 / compliance(static_cast<int>(i));
+    problem_.dofs().reduce(state_, local, g_[i]);
   }
 }
 
-// gᵀ Δu of every liquid. Collective.
 std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal) const {
   std::vector<double> flux;
   for (const auto& g : g_) flux.push_back(local_inner_product(g, primal.first(g.size())));
@@ -68,15 +67,14 @@ std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal)
 
 void CoupledSystem::add_surface_action(std::span<const double> dx, std::span<double> force) const {
   for (const auto& term : problem_.terms()) term->add_action(dx, force);
-  for (std::size_t i = 0; i < state_->P.size(); ++i)
-    if (state_->P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_->x, -state_->P[i], dx, force);
+  for (const auto& term : further_) term->add_action(dx, force);
+  for (std::size_t i = 0; i < state_.P.size(); ++i)
+    if (state_.P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_.x, -state_.P[i], dx, force);
 }
 
-// Forces on local nodes, folded, of a nodal increment. `volume` takes the changes of the hexahedra that have
-// an equation; it may be empty.
 std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda,
                                               std::span<double> volume) const {
-  auto& force = room_.force;
+  auto& force = workspace_.force;
   force.assign(dx.size(), 0);
   const Solid& solid = problem_.solid();
   if (assembled_) {
@@ -91,13 +89,20 @@ std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::s
   return force;
 }
 
+void CoupledSystem::visit_surface(const ContributionVisitor& visitor) const {
+  for (const auto& term : problem_.terms()) term->visit(visitor);
+  for (const auto& term : further_) term->visit(visitor);
+  for (std::size_t i = 0; i < state_.P.size(); ++i)
+    if (state_.P[i] != 0) problem_.liquids()[i].surface().visit(state_.x, -state_.P[i], visitor);
+}
+
 void CoupledSystem::add_body_geometry(std::span<const double> x, std::span<double> y) const {
   if (layout_.bodies == 0) return;
   for (std::size_t b = 0; b < body_geometry_.size(); ++b) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) y[6 * b + 3 + i] += body_geometry_[b](i, j) * x[6 * b + 3 + j];
     for (int i = 0; i < 6; ++i)
-      if (!problem_.dofs().bodies()[b].free()[i]) y[6 * b + i] = held_scale_ * x[6 * b + i];
+      if (!problem_.dofs().bodies()[b].free()[i]) y[6 * b + i] = constrained_diagonal_ * x[6 * b + i];
   }
 }
 
@@ -108,99 +113,55 @@ std::vector<CoupledSystem::Entry> CoupledSystem::body_extra() const {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) extra.push_back({6 * b + 3 + i, 6 * b + 3 + j, body_geometry_[b](i, j)});
     for (int i = 0; i < 6; ++i)
-      if (!free[i]) extra.push_back({6 * b + i, 6 * b + i, held_scale_});
+      if (!free[i]) extra.push_back({6 * b + i, 6 * b + i, constrained_diagonal_});
   }
   return extra;
 }
 
 void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y) const {
   const DofMap& dofs = problem_.dofs();
-  auto& dx = room_.dx;
-  dx.resize(state_->x.size());
-  dofs.expand(*state_, x, dx);
-  dofs.reduce(*state_, nodal_action(dx, {}, {}), y);
-  dofs.add_held(x, held_scale_, y);
+  auto& dx = workspace_.increment;
+  dx.resize(state_.x.size());
+  dofs.expand(state_, x, dx);
+  dofs.reduce(state_, nodal_action(dx, {}, {}), y);
+  dofs.add_held(x, constrained_diagonal_, y);
   add_body_geometry(x.subspan(layout_.nodal), y.subspan(layout_.nodal));
 }
 
-void CoupledSystem::apply(std::span<const double> x, std::span<double> y) const {
+void CoupledSystem::apply_tissue(std::span<const double> xu, std::span<const double> xl, std::span<double> yu,
+                                 std::span<double> yl) const {
   const DofMap& dofs = problem_.dofs();
-  const auto xu = layout_.primal(x), xl = layout_.lambda(x);
-  const auto yu = layout_.primal(y), yl = layout_.lambda(y);
-  auto& dx = room_.dx;
-  dx.resize(state_->x.size());
-  dofs.expand(*state_, xu, dx);
-  dofs.reduce(*state_, nodal_action(dx, xl, yl), yu);
+  auto& dx = workspace_.increment;
+  dx.resize(state_.x.size());
+  dofs.expand(state_, xu, dx);
+  dofs.reduce(state_, nodal_action(dx, xl, yl), yu);
   for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
-  dofs.add_held(xu, held_scale_, yu);
+  dofs.add_held(xu, constrained_diagonal_, yu);
   add_body_geometry(xu.subspan(layout_.nodal), yu.subspan(layout_.nodal));
-  const std::size_t liquids = g_.size();
-  if (liquids == 0) return;
-  std::vector<double> dP(liquids);
-  if (layout_.liquids > 0) std::ranges::copy(layout_.pressures(x), dP.begin());
-  problem_.comm().broadcast(dP);
-  const auto flux = liquid_fluxes(xu);
-  for (int i = 0; i < static_cast<int>(liquids); ++i) {
-    add_scaled(g_[i], omega_[i] * flux[i] - column_part(i) * dP[i], yu);
-    if (layout_.liquids > 0) layout_.pressures(y)[i] = -row_part() * flux[i] - compliance(i) * dP[i];
-  }
 }
 
-std::vector<double> CoupledSystem::pressure_increments(std::span<const double> solution) const {
-  std::vector<double> dP(g_.size());
-  if (layout_.liquids > 0) std::ranges::copy(layout_.pressures(solution), dP.begin());
-  problem_.comm().broadcast(dP);
-  if (!eliminated()) return dP;
-  const auto flux = liquid_fluxes(layout_.primal(solution));
-  for (std::size_t i = 0; i < dP.size(); ++i) dP[i] -= omega_[i] * flux[i];
-  return dP;
-}
-
-std::vector<double> CoupledSystem::right_hand_side(const Residual& r, std::span<const double> held) const {
-  const DofMap& dofs = problem_.dofs();
-  std::vector<double> b(layout_.size());
-  const auto bu = layout_.primal(b), bl = layout_.lambda(b);
-  const auto penalty = problem_.solid().penalties();
-  std::vector<double> local(r.force), liquid(r.liquid), bound(r.volume.size()), volume(r.volume.size());
-  // A ū; the tangent's augmentation acts on ū too, and is undone by the element rows it comes from
-  const auto force = nodal_action(held, {}, volume);
-  for (std::size_t i = 0; i < local.size(); ++i) local[i] += force[i];
-  for (std::size_t e = 0; e < bound.size(); ++e) {
-    bl[e] = -(r.volume[e] + volume[e]);
-    bound[e] = penalty[e] * r.volume[e];  // A_γ ū holds γ W bᵀ ū already
-  }
-  std::vector<double> augmentation(local.size());
-  problem_.solid().apply_pressure(bound, augmentation);
-  problem_.mesh().halo.accumulate_ghosts(augmentation);
-  for (std::size_t i = 0; i < local.size(); ++i) local[i] = -(local[i] + augmentation[i]);
-  dofs.reduce(*state_, local, bu);
-  if (g_.empty()) return b;
+std::vector<double> CoupledSystem::prescribed_fluxes(std::span<const double> increments) const {
   std::vector<double> flux(g_.size());
   for (std::size_t i = 0; i < g_.size(); ++i)
     if (problem_.liquids()[i].coupled()) {
-      std::vector<double> g(held.size());
-      problem_.liquids()[i].surface().add_gradient(state_->x, 1, g);
-      flux[i] = local_inner_product(g, held);  // this rank's faces; ū is known on ghosts
+      std::vector<double> g(increments.size());
+      problem_.liquids()[i].surface().add_gradient(state_.x, 1, g);
+      flux[i] = local_inner_product(g, increments);  // this rank's faces; increments are known on ghosts
     }
   problem_.comm().sum(flux);
-  for (std::size_t i = 0; i < g_.size(); ++i) {
-    const double D = liquid[i] + flux[i];
-    add_scaled(g_[i], -omega_[i] * D, bu);
-    if (layout_.liquids > 0) layout_.pressures(b)[i] = D;
-  }
-  return b;
+  return flux;
 }
 
 void CoupledSystem::add_pressure_force(std::span<const double> lambda, double factor,
                                        std::span<double> primal) const {
-  auto& force = room_.force;
-  force.assign(state_->x.size(), 0);
+  auto& force = workspace_.force;
+  force.assign(state_.x.size(), 0);
   problem_.solid().apply_pressure(lambda, force);
   problem_.mesh().halo.accumulate_ghosts(force);
-  auto& projected = room_.dx;
+  auto& projected = workspace_.increment;
   projected.resize(std::max<std::size_t>(force.size(), layout_.primal()));
   const auto reduced = std::span(projected).first(layout_.primal());
-  problem_.dofs().reduce(*state_, force, reduced);
+  problem_.dofs().reduce(state_, force, reduced);
   add_scaled(reduced, factor, primal);
 }
 
@@ -220,8 +181,8 @@ std::vector<double> CoupledSystem::inverse_pressure_schur() const {
 std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>>& bodies) const {
   const LocalMesh& mesh = problem_.mesh();
   std::vector<double> blocks(9 * static_cast<std::size_t>(mesh.nodes()));
-  bodies.assign(state_->bodies.size(), {});
-  for_each_condensed_matrix(problem_, *state_, Matrices::augmented,
+  bodies.assign(state_.bodies.size(), {});
+  for_each_condensed_matrix(*this, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) {
                               const std::size_t n = d.size();
                               for (std::size_t i = 0; i < n;) {
@@ -240,50 +201,50 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
   return blocks;
 }
 
-void CoupledSystem::add_held_blocks(std::span<double> blocks) const {
+void CoupledSystem::add_constrained_blocks(std::span<double> blocks) const {
   for (int n = 0; n < problem_.mesh().owned; ++n)
     if (problem_.dofs().held(n)) {
-      const auto block = held_block(n);
+      const auto block = constrained_block(n);
       for (int i = 0; i < 9; ++i) blocks[9 * static_cast<std::size_t>(n) + i] += block[i];
     }
 }
 
-std::array<double, 9> CoupledSystem::held_block(int node) const {
+std::array<double, 9> CoupledSystem::constrained_block(int node) const {
   const Mat3<double> P = problem_.dofs().projector(node);
   std::array<double, 9> block;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) block[3 * i + j] = held_scale_ * ((i == j) - P(i, j));
+    for (int j = 0; j < 3; ++j) block[3 * i + j] = constrained_diagonal_ * ((i == j) - P(i, j));
   return block;
 }
 
 std::vector<double> CoupledSystem::nodal_blocks() const {
   std::vector<std::array<double, 36>> bodies;
   auto blocks = sum_blocks(bodies);
-  add_held_blocks(blocks);
+  add_constrained_blocks(blocks);
   return blocks;
 }
 
-void CoupledSystem::take_blocks() {
+void CoupledSystem::compute_blocks() {
   const DofMap& dofs = problem_.dofs();
   auto blocks = sum_blocks(body_blocks_);
   double sum = 0, count = 0;
   for (int n = 0; n < problem_.mesh().owned; ++n)
     if (!dofs.held(n)) sum += blocks[9 * n] + blocks[9 * n + 4] + blocks[9 * n + 8], count += 3;
   sum = problem_.comm().sum(sum), count = problem_.comm().sum(count);
-  held_scale_ = count > 0 && sum > 0 ? sum / count : 1;
+  constrained_diagonal_ = count > 0 && sum > 0 ? sum / count : 1;
   for (std::size_t b = 0; b < body_blocks_.size(); ++b) {
     auto& K = body_blocks_[b];
     problem_.comm().sum(K);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) K[6 * (3 + i) + 3 + j] += body_geometry_[b](i, j);
     for (int i = 0; i < 6; ++i)
-      if (!dofs.bodies()[b].free()[i]) K[7 * i] = held_scale_;
+      if (!dofs.bodies()[b].free()[i]) K[7 * i] = constrained_diagonal_;
   }
-  add_held_blocks(blocks);
-  take_scaling(blocks);
+  add_constrained_blocks(blocks);
+  compute_scaling(blocks);
 }
 
-void CoupledSystem::take_scaling(const std::vector<double>& blocks) {
+void CoupledSystem::compute_scaling(const std::vector<double>& blocks) {
   scaling_.assign(layout_.size(), 1);
   for (int n = 0; n < problem_.mesh().owned; ++n) {
     const double* B = &blocks[9 * static_cast<std::size_t>(n)];
@@ -304,7 +265,7 @@ void CoupledSystem::take_scaling(const std::vector<double>& blocks) {
 }
 
 std::size_t CoupledSystem::bytes() const {
-  std::size_t total = bytes_of(scaling_) + bytes_of(room_.dx) + bytes_of(room_.force);
+  std::size_t total = bytes_of(scaling_) + bytes_of(workspace_.increment) + bytes_of(workspace_.force);
   for (const auto& g : g_) total += bytes_of(g);
   return total + (assembled_ ? assembled_->bytes() : 0);
 }

@@ -13,38 +13,30 @@ namespace {
 // copy, both directions of its graph and the ordering's.
 constexpr double bytes_per_entry = 50;
 
-double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
-  double sum = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) sum += std::pow(system.scaling()[i] * v[i], 2);
-  return std::sqrt(system.problem().comm().sum(sum));
-}
-
 class DirectSolver final : public LinearSolver {
  public:
   DirectSolver(const LinearSettings& settings, Profiler& profiler)
       : limit_mb_(settings.allowed_mb()), profiler_(profiler) {}
 
-  LinearReport prepare(CoupledSystem& system) override {
+  Preparation prepare(const CoupledSystem& system) override {
     const auto scope = profiler_.clock.measure("factorisation");
     factor_ = factorised(system);
     profiler_.memory.set("factor", static_cast<std::size_t>(factor_.memory_max_mb * 1e6));
-    LinearReport report = so_far();
-    report.ok = factor_.ok;
-    if (!factor_.ok) report.reason = "MUMPS: " + factor_.reason;
-    return report;
+    Preparation prepared{.ok = factor_.ok, .factor = factor_, .negative_pivots = negative_pivots()};
+    if (!factor_.ok) prepared.reason = "MUMPS: " + factor_.reason;
+    return prepared;
   }
 
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
-                     double) override {
+  LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x, double) override {
     const auto scope = profiler_.clock.measure("linear solve");
-    LinearReport report = so_far();
+    LinearReport report{.negative_pivots = negative_pivots(), .factor = factor_};
     report.ok = mumps_->solve(b, x);
     if (!report.ok) return report.reason = "MUMPS could not solve", report;
     std::vector<double> r(b.size());
-    system.apply(x, r);
+    A.apply(x, r);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
-    const double scale = scaled_norm(system, b);
-    report.reduction = scale > 0 ? scaled_norm(system, r) / scale : 0;
+    const double scale = scaled_norm(A.system(), b);
+    report.reduction = scale > 0 ? scaled_norm(A.system(), r) / scale : 0;
     return report;
   }
 
@@ -64,11 +56,9 @@ class DirectSolver final : public LinearSolver {
     if (!mumps_)
       mumps_ = std::make_unique<Mumps>(
           system.problem().comm(), MumpsOptions{.memory_limit_mb = system.problem().comm().min(limit_mb_)});
-    return mumps_->factorise(assemble(system, true, part), global_size(system), symmetric_);
+    return mumps_->factorise(assemble(CoupledOperator(system), part), global_size(system), symmetric_);
   }
-  LinearReport so_far() const {
-    return {.negative_pivots = symmetric_ ? factor_.negative_pivots : -1, .factor = factor_};
-  }
+  int negative_pivots() const { return symmetric_ ? factor_.negative_pivots : -1; }
 
   double limit_mb_;
   Profiler& profiler_;

@@ -24,24 +24,24 @@ using Teuchos::rcp;
 
 constexpr std::size_t between_safe_points = 8;  // iterations
 
-// Room in double precision for what operators map, one for all that are not applied at once.
-struct Room {
+// In double precision, for what operators map: one for all that are not applied at once.
+struct Workspace {
   std::vector<double> argument, image;
 };
 
 class Wrapped final : public Operator {
  public:
-  Wrapped(const LinearOperator& op, Room& room) : op_(op), room_(room) {}
+  Wrapped(const LinearOperator& op, Workspace& workspace) : op_(op), workspace_(workspace) {}
   void Apply(const Vectors& X, Vectors& Y, Belos::ETrans) const override {
     for (int j = 0; j < X.GetNumberVecs(); ++j) {
-      op_.apply(dynamic_cast<const KrylovVectors&>(X).read(j, room_.argument), room_.image);
-      dynamic_cast<KrylovVectors&>(Y).write(j, room_.image);
+      op_.apply(dynamic_cast<const KrylovVectors&>(X).read(j, workspace_.argument), workspace_.image);
+      dynamic_cast<KrylovVectors&>(Y).write(j, workspace_.image);
     }
   }
 
  private:
   const LinearOperator& op_;
-  Room& room_;
+  Workspace& workspace_;
 };
 
 /// Records the iteration's residual norms, passes its iterates on, and ends it where it is told to.
@@ -56,12 +56,12 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
     std::vector<double> norm(1);
     it->getNativeResiduals(&norm);
     history_.push_back(norm[0]);
-    std::vector<double> room;
-    if (observer_) observer_(static_cast<int>(k), iterate(*it, room));
+    std::vector<double> copy;
+    if (observer_) observer_(static_cast<int>(k), iterate(*it, copy));
     if (k % between_safe_points == between_safe_points - 1)
       if (const int signal = interrupt(comm_)) throw Interruption{signal};
     if (k == 0 || !go_on_ || go_on_(static_cast<int>(k), norm[0])) return Belos::Failed;
-    const auto last = iterate(*it, room);
+    const auto last = iterate(*it, copy);
     last_.assign(last.begin(), last.end());
     return Belos::Passed;
   }
@@ -72,7 +72,7 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
   void print(std::ostream&, int) const override {}
 
  private:
-  std::span<const double> iterate(const Iteration& it, std::vector<double>& room) const {
+  std::span<const double> iterate(const Iteration& it, std::vector<double>& copy) const {
     RCP<Vectors> update = it.getCurrentUpdate();
     auto& problem = const_cast<Problem&>(it.getProblem());  // Belos' getters are not const
     RCP<Vectors> x = rcp(problem.getCurrLHSVec()->CloneCopy());
@@ -80,9 +80,9 @@ class Recorder final : public Belos::StatusTest<double, Vectors, Operator> {
       x->MvAddMv(1, *update, 1, *x);
     else if (update != Teuchos::null)
       x = problem.updateSolution(update, false);
-    const auto values = dynamic_cast<const KrylovVectors&>(*x).read(0, room);
-    if (values.data() != room.data()) room.assign(values.begin(), values.end());  // x goes
-    return room;
+    const auto values = dynamic_cast<const KrylovVectors&>(*x).read(0, copy);
+    if (values.data() != copy.data()) copy.assign(values.begin(), values.end());  // x goes
+    return copy;
   }
 
   std::vector<double>& history_;
@@ -152,10 +152,10 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
   const bool flexible = options.flexible && M != nullptr;
   const auto space = std::make_shared<KrylovSpace>(comm, b.size(), options.basis);
   const auto wrap = [&](double* values) { return rcp(new KrylovVectors(space, {values, b.size()})); };
-  Room room{{}, std::vector<double>(b.size())};
-  auto problem = rcp(new Problem(rcp(new Wrapped(A, room)), wrap(x.data()),
+  Workspace workspace{{}, std::vector<double>(b.size())};
+  auto problem = rcp(new Problem(rcp(new Wrapped(A, workspace)), wrap(x.data()),
                                  wrap(const_cast<double*>(b.data()))));  // Belos only reads b
-  if (M) problem->setRightPrec(rcp(new Wrapped(*M, room)));
+  if (M) problem->setRightPrec(rcp(new Wrapped(*M, workspace)));
   const bool from_zero = norm(x, comm) == 0;
   if (from_zero) problem->setInitResVec(wrap(const_cast<double*>(b.data())));
   problem->setProblem();  // computes b - A x elsewhere

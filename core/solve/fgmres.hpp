@@ -19,7 +19,7 @@ struct KrylovOptions {
   double tolerance = 1e-6;  ///< on ‖b - A x‖ / ‖b‖
   int restart = 40;         ///< basis vectors; the flexible method holds two vectors for each
   int max_iterations = 400;
-  bool flexible = true;               ///< needed unless the preconditioner is fixed(); costs a second basis
+  bool flexible = true;               ///< needed unless the preconditioner is_linear(); costs a second basis
   Precision basis = Precision::full;  ///< single: not below least_of_plain_method
   /// Asked after every iteration 1, 2, ... with its residual norm by the method's recurrence; false ends the
   /// method with that iterate and has to come from every rank.

@@ -9,20 +9,20 @@
 namespace bulbus {
 namespace {
 
-// s A s. `work`: room for a vector, which it may share with its preconditioner.
+// s A s. `work`: a vector to work with, which it may share with its preconditioner.
 class Scaled final : public LinearOperator {
  public:
-  Scaled(const CoupledSystem& system, std::span<double> work) : system_(system), work_(work) {}
-  int size() const override { return system_.size(); }
+  Scaled(const CoupledOperator& A, std::span<double> work) : A_(A), work_(work) {}
+  int size() const override { return A_.size(); }
   void apply(std::span<const double> x, std::span<double> y) const override {
-    const auto& s = system_.scaling();
+    const auto& s = A_.system().scaling();
     for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = s[i] * x[i];
-    system_.apply(work_, y);
+    A_.apply(work_, y);
     for (std::size_t i = 0; i < work_.size(); ++i) y[i] *= s[i];
   }
 
  private:
-  const CoupledSystem& system_;
+  const CoupledOperator& A_;
   std::span<double> work_;
 };
 
@@ -32,7 +32,7 @@ class ScaledPreconditioner final : public Preconditioner {
   ScaledPreconditioner(const CoupledSystem& system, const Preconditioner& inner, std::span<double> work)
       : system_(system), inner_(inner), work_(work) {}
   int size() const override { return system_.size(); }
-  bool fixed() const override { return inner_.fixed(); }
+  bool is_linear() const override { return inner_.is_linear(); }
   void apply(std::span<const double> x, std::span<double> y) const override {
     const auto& s = system_.scaling();
     for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = x[i] / s[i];
@@ -68,11 +68,6 @@ constexpr double per_digit = 1.5;
 // And where a small system is better left to MUMPS.
 constexpr double slow_per_digit = 10;
 
-// Coarse factors are not kept after so many times the Krylov iterations per digit of their own solve, nor
-// after so many in themselves: beside such a solve a set-up is cheap, and near limit points, where a matrix
-// changes its sign, it is needed.
-constexpr double much_slower = 2, hard = 4;
-
 // Does it take more than `most` iterations, at the pace of the last many, until the residual is down to the
 // tolerance?
 bool stagnates(const std::vector<double>& residuals, double tolerance, int most) {
@@ -86,7 +81,8 @@ bool stagnates(const std::vector<double>& residuals, double tolerance, int most)
 
 // xᵀ K x of displacements, K with its augmentation, over the sum of the magnitudes of the products that make
 // it: from the right-hand side and the other unknowns, by the constraints' rows. Collective.
-double curvature(const CoupledSystem& system, std::span<const double> b, std::span<const double> x) {
+double curvature(const CoupledOperator& A, std::span<const double> b, std::span<const double> x) {
+  const CoupledSystem& system = A.system();
   const Layout& layout = system.layout();
   std::array<double, 2> sums{};
   const auto add = [&](double term) { sums[0] += term, sums[1] += std::abs(term); };
@@ -94,7 +90,7 @@ double curvature(const CoupledSystem& system, std::span<const double> b, std::sp
   for (int e = layout.primal(); e < layout.primal() + layout.hexes; ++e) add(-x[e] * b[e]);
   for (int i = 0; i < layout.liquids; ++i)
     if (system.problem().liquids()[i].coupled())
-      add(-system.column_part(i) * layout.pressures(x)[i] *
+      add(-A.column_part(i) * layout.pressures(x)[i] *
           (layout.pressures(b)[i] + system.compliance(i) * layout.pressures(x)[i]));
   system.problem().comm().sum(sums);
   return sums[1] > 0 ? sums[0] / sums[1] : 0;
@@ -114,39 +110,42 @@ KrylovReport joined(KrylovReport first, KrylovReport then) {
 
 class KrylovSolver final : public LinearSolver {
  public:
-  KrylovSolver(const LinearSettings& settings, PreconditionerFactory factory, Profiler& profiler)
+  KrylovSolver(const LinearSettings& settings, std::unique_ptr<PreconditionerFactory> factory,
+               Profiler& profiler)
       : settings_(settings),
         factory_(std::move(factory)),
         profiler_(profiler),
         last_resort_(settings, profiler) {}
 
-  LinearReport prepare(CoupledSystem& system) override {
+  Preparation prepare(const CoupledSystem& system) override {
     if (given_up_) return {.ok = true};
     const auto scope = profiler_.clock.measure("preconditioner set-up");
     preconditioner_.reset();
-    auto made = factory_(system, wanted());
-    preconditioner_ = std::move(made.preconditioner);
-    if (made.how == SetUp::anew) solves_ = 0;
+    preconditioner_ = factory_->make(system);
     profiler_.memory.set("preconditioner", preconditioner_->bytes());
-    const std::string fault = preconditioner_->fault();
-    if (fault.empty() || !last_resort_.available(system)) return {.ok = fault.empty(), .reason = fault};
+    const std::string error = preconditioner_->setup_error();
+    Preparation prepared{
+        .ok = error.empty(), .reason = error, .augmentation = preconditioner_->augmentation()};
+    if (prepared.ok || !last_resort_.available(system)) return prepared;
     give_up();
-    return {.ok = true, .reason = fault};
+    prepared.ok = true;
+    return prepared;
   }
 
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+  LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
-    if (given_up_) return last_resort_.solve(system, b, x, tolerance);
+    const CoupledSystem& system = A.system();
+    if (given_up_) return last_resort_.solve(A, b, x, tolerance);
     LinearReport r;
     {
       const auto scope = profiler_.clock.measure("linear solve");
-      r = solve_by_krylov(system, b, x, tolerance);
+      r = solve_by_krylov(A, b, x, tolerance);
     }
-    r.stale = !r.ok && solves_ > 0;
-    last_ = r.iterations / -std::log10(tolerance);
-    if (solves_++ == 0) first_ = last_;
-    if (r.ok || r.stale || !last_resort_.available(system)) return r;
-    LinearReport direct = last_resort_.solve(system, b, x, tolerance);
+    r.retry = !r.ok && factory_->has_history();
+    factory_->record(r.iterations / -std::log10(tolerance));
+    if (r.retry) factory_->forget();
+    if (r.ok || r.retry || !last_resort_.available(system)) return r;
+    LinearReport direct = last_resort_.solve(A, b, x, tolerance);
     direct.iterations = r.iterations, direct.history = std::move(r.history),
     direct.blocks = std::move(r.blocks);
     if (!direct.ok)
@@ -157,8 +156,8 @@ class KrylovSolver final : public LinearSolver {
     return direct;
   }
 
-  void renew() override { solves_ = 0; }
-  void increment_begins() override { dragged_ = given_up_ = false; }
+  void forget() override { factory_->forget(); }
+  void increment_begins() override { slow_ = given_up_ = false; }
   void watch(SolveWatcher watcher) override { watcher_ = std::move(watcher); }
   bool counts_pivots(const CoupledSystem& system) override {
     return system.problem().symmetric() && last_resort_.cheap(system);
@@ -170,16 +169,17 @@ class KrylovSolver final : public LinearSolver {
   void give_up() {
     given_up_ = true;
     preconditioner_.reset();
-    solves_ = 0;
+    factory_->forget();
   }
 
-  LinearReport solve_by_krylov(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+  LinearReport solve_by_krylov(const CoupledOperator& unscaled, std::vector<double> b, std::span<double> x,
                                double tolerance) {
+    const CoupledSystem& system = unscaled.system();
     const auto& s = system.scaling();
     for (std::size_t i = 0; i < b.size(); ++i) b[i] *= s[i];
     std::fill(x.begin(), x.end(), 0.0);
     std::vector<double> work(b.size());
-    const Scaled A(system, work);
+    const Scaled A(unscaled, work);
     const ScaledPreconditioner M(system, *preconditioner_, work);
     std::vector<std::array<double, 3>> blocks;
     KrylovObserver observer;
@@ -196,24 +196,24 @@ class KrylovSolver final : public LinearSolver {
                    .reduction = k.initial > 0 ? k.final / k.initial : 0};
     r.history = k.history;
     r.blocks = std::move(blocks);
-    if (r.ok) r.curvature = curvature(system, b, x);
+    if (r.ok) r.curvature = curvature(unscaled, b, x);
     if (settings_.record_spectrum) r.spectrum = preconditioner_->displacement_spectrum();
     if (!r.ok) r.reason = "GMRES: " + r.reason;
     return r;
   }
 
-  // As it is, unless the solve before dragged or more digits are asked for than patience can bring; then with
-  // the strengthened preconditioner; where plain GMRES, which needs one basis only, still fails, as near
-  // limit points, the flexible one, anew from where it has come to as long as rounding ends it and each time
-  // gains a digit. Where there is another way, stagnation ends it all.
+  // As it is, unless the solve before was slow or more digits are asked for than the iterations before the
+  // correction can bring; then with the deferred component, too; where plain GMRES, which needs one basis
+  // only, still fails, as near limit points, the flexible one, anew from where it has come to as long as
+  // rounding ends it and each time gains a digit. Where there is another way, stagnation ends it all.
   KrylovReport solve_in_stages(const LinearOperator& A, const Preconditioner& M, std::span<const double> b,
                                std::span<double> x, double tolerance, const CoupledSystem& system,
                                const KrylovObserver& observer) {
     const Comm& comm = system.problem().comm();
     const double scale = norm(b, comm);
-    const bool other_way = solves_ > 0 || last_resort_.available(system);
+    const bool other_way = factory_->has_history() || last_resort_.available(system);
     KrylovReport report;
-    bool flexible = !M.fixed() || tolerance < least_of_plain_method, stagnant = false, slow = false;
+    bool flexible = !M.is_linear() || tolerance < least_of_plain_method, stagnant = false, slow = false;
     // A system so small is factorised in less time; and a residual that falls so slowly says little of the
     // error.
     const bool cheap = last_resort_.cheap(system);
@@ -234,9 +234,9 @@ class KrylovSolver final : public LinearSolver {
                                   goes_on};
       report = joined(std::move(report), fgmres(A, &M, b, x, options, comm, observer));
     };
-    const int patience = std::min(settings_.pressures.after, settings_.max_iterations);
+    const int before_correction = std::min(settings_.pressures.after, settings_.max_iterations);
     if (preconditioner_->has_deferred_component()) {
-      if (!dragged_ && -per_digit * std::log10(tolerance) <= patience) go_on(patience);
+      if (!slow_ && -per_digit * std::log10(tolerance) <= before_correction) go_on(before_correction);
       if (!report.converged) enable_deferred_component();
     }
     go_on(settings_.max_iterations - report.iterations);
@@ -246,16 +246,10 @@ class KrylovSolver final : public LinearSolver {
       before = report.final;
       go_on(settings_.max_iterations - report.iterations);
     } while (!report.converged && report.final < 0.1 * before);
-    dragged_ = report.iterations > patience;
+    slow_ = report.iterations > before_correction;
     if (stagnant && !report.converged)
       report.reason = slow ? "the residual falls slowly" : "the residual stagnates";
     return report;
-  }
-
-  SetUp wanted() const {
-    if (solves_ == 0) return SetUp::anew;
-    if (last_ <= settings_.reuse * first_) return SetUp::kept;
-    return last_ <= std::min(much_slower * first_, hard) ? SetUp::factors_kept : SetUp::anew;
   }
 
   void enable_deferred_component() {
@@ -264,21 +258,20 @@ class KrylovSolver final : public LinearSolver {
   }
 
   LinearSettings settings_;
-  PreconditionerFactory factory_;
+  std::unique_ptr<PreconditionerFactory> factory_;
   Profiler& profiler_;
   LastResort last_resort_;
   SolveWatcher watcher_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
-  bool given_up_ = false;        // until the next increment
-  int solves_ = 0;               // since nothing of the preconditioner was kept
-  bool dragged_ = false;         // did the solve before, of the same increment?
-  double first_ = 0, last_ = 0;  // Krylov iterations per digit of the first and the last of them
+  bool given_up_ = false;  // until the next increment
+  bool slow_ = false;      // was the solve before, of the same increment?
 };
 
 }  // namespace
 
 std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings,
-                                                 PreconditionerFactory factory, Profiler& profiler) {
+                                                 std::unique_ptr<PreconditionerFactory> factory,
+                                                 Profiler& profiler) {
   return std::make_unique<KrylovSolver>(settings, std::move(factory), profiler);
 }
 

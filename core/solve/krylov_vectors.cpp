@@ -190,12 +190,12 @@ void KrylovVectors::MvInit(double value) {
   for (const auto& column : columns_) column->with([&](auto* own) { std::fill_n(own, space_->rows, value); });
 }
 
-std::span<const double> KrylovVectors::read(int column, std::vector<double>& room) const {
+std::span<const double> KrylovVectors::read(int column, std::vector<double>& copy) const {
   const std::size_t n = space_->rows;
   return columns_[column]->with([&](const auto* own) -> std::span<const double> {
     if constexpr (std::is_same_v<decltype(own), const double*>) return {own, n};
-    room.assign(own, own + n);
-    return room;
+    copy.assign(own, own + n);
+    return copy;
   });
 }
 

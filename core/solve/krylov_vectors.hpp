@@ -51,8 +51,8 @@ class KrylovVectors final : public Belos::MultiVec<double> {
   void MvInit(double value) override;
   void MvPrint(std::ostream&) const override {}
 
-  /// The numbers of a column in double precision: its own, or a copy in `room`.
-  std::span<const double> read(int column, std::vector<double>& room) const;
+  /// The numbers of a column in double precision: its own, or `copy`.
+  std::span<const double> read(int column, std::vector<double>& copy) const;
   void write(int column, std::span<const double> values);
 
  private:

@@ -14,12 +14,6 @@ constexpr int refinements = 3;
 // A factorisation then takes some hundredths of a second, as much as a few dozen Krylov iterations.
 constexpr long long few_unknowns = 2000;
 
-double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
-  double sum = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) sum += std::pow(system.scaling()[i] * v[i], 2);
-  return std::sqrt(system.problem().comm().sum(sum));
-}
-
 // The liquids' entries of a vector, on every rank.
 std::vector<double> liquid_part(const CoupledSystem& system, std::span<const double> v) {
   std::vector<double> part(system.liquid_columns().size());
@@ -30,7 +24,8 @@ std::vector<double> liquid_part(const CoupledSystem& system, std::span<const dou
 
 // Right-hand side of the system without augmentation: γ B W times the hexahedra's rows and ω g times the
 // liquids' are taken out again.
-std::vector<double> without_augmentation(const CoupledSystem& system, std::span<const double> b) {
+std::vector<double> without_augmentation(const CoupledOperator& A, std::span<const double> b) {
+  const CoupledSystem& system = A.system();
   std::vector<double> plain(b.begin(), b.end());
   const auto primal = system.layout().primal(std::span(plain));
   const auto penalty = system.problem().solid().penalties();
@@ -41,15 +36,15 @@ std::vector<double> without_augmentation(const CoupledSystem& system, std::span<
   const auto liquid = liquid_part(system, b);
   for (std::size_t i = 0; i < liquid.size(); ++i) {
     const auto& g = system.liquid_columns()[i];
-    for (std::size_t k = 0; k < g.size(); ++k)
-      primal[k] += system.liquid_augmentation()[i] * liquid[i] * g[k];
+    for (std::size_t k = 0; k < g.size(); ++k) primal[k] += A.omega()[i] * liquid[i] * g[k];
   }
   return plain;
 }
 
 // x = A⁻¹ b by the factors of the system without augmentation.
-bool solve_once(const CoupledSystem& system, Mumps& mumps, std::span<const double> b, std::span<double> x) {
-  if (!mumps.solve(without_augmentation(system, b), x)) return false;
+bool solve_once(const CoupledOperator& A, Mumps& mumps, std::span<const double> b, std::span<double> x) {
+  const CoupledSystem& system = A.system();
+  if (!mumps.solve(without_augmentation(A, b), x)) return false;
   if (!system.eliminated()) return true;
   for (int i = 0; i < system.layout().liquids; ++i)  // its unknown is ΔP + gᵀ Δu K/V_i
     if (system.problem().liquids()[i].coupled())
@@ -64,7 +59,7 @@ LastResort::LastResort(const LinearSettings& settings, Profiler& profiler)
       limit_mb_(settings.allowed_mb()),
       profiler_(profiler) {}
 
-double LastResort::room_mb(const CoupledSystem& system) const {
+double LastResort::available_mb(const CoupledSystem& system) const {
   return system.problem().comm().min(limit_mb_) -
          1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
 }
@@ -78,7 +73,7 @@ bool LastResort::available(const CoupledSystem& system) {
     fits_ = 1e-6 * (direct_matrix_bytes(hexes) +
                     direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes),
                                         problem.comm().size())) <
-            room_mb(system);
+            available_mb(system);
   }
   return *fits_;
 }
@@ -91,15 +86,16 @@ FactorReport LastResort::factorise(const CoupledSystem& system, Mumps& mumps) {
   const auto scope = profiler_.clock.measure("factorisation");
   const bool symmetric = system.problem().symmetric();
   const FactorReport factor = mumps.factorise(
-      assemble(system, false, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
+      assemble_plain(system, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
   if (factor.too_large) fits_ = false;
   profiler_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
   return factor;
 }
 
-LinearReport LastResort::solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+LinearReport LastResort::solve(const CoupledOperator& A, std::span<const double> b, std::span<double> x,
                                double tolerance) {
-  Mumps mumps(system.problem().comm(), {.memory_limit_mb = room_mb(system)});
+  const CoupledSystem& system = A.system();
+  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system)});
   const FactorReport factor = factorise(system, mumps);
   LinearReport report{.negative_pivots = system.problem().symmetric() ? factor.negative_pivots : -1,
                       .factor = factor};
@@ -109,9 +105,9 @@ LinearReport LastResort::solve(const CoupledSystem& system, std::span<const doub
   std::ranges::fill(x, 0.0);
   report.reduction = scale > 0 ? 1 : 0;
   for (int i = 0; i <= refinements && report.reduction > tolerance; ++i) {
-    if (!solve_once(system, mumps, r, dx)) return report.reason = "MUMPS could not solve", report;
+    if (!solve_once(A, mumps, r, dx)) return report.reason = "MUMPS could not solve", report;
     for (std::size_t k = 0; k < dx.size(); ++k) dx[k] += x[k];
-    system.apply(dx, r);
+    A.apply(dx, r);
     for (std::size_t k = 0; k < r.size(); ++k) r[k] = b[k] - r[k];
     const double reached = scaled_norm(system, r) / scale;
     if (!(reached < report.reduction) && i > 0) break;
@@ -126,7 +122,7 @@ LinearReport LastResort::solve(const CoupledSystem& system, std::span<const doub
 
 int LastResort::negative_pivots(const CoupledSystem& system) {
   if (!system.problem().symmetric() || !available(system)) return -1;
-  Mumps mumps(system.problem().comm(), {.memory_limit_mb = room_mb(system)});
+  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system)});
   const FactorReport factor = factorise(system, mumps);
   return factor.ok ? factor.negative_pivots : -1;
 }

@@ -13,10 +13,10 @@ class LastResort {
 
   /// Is it allowed, and will it fit into memory beside what is resident now?
   bool available(const CoupledSystem& system);
-  /// Solution of system · x = b, refined to the tolerance in the scaled norm where rounding lets it. Not ok
+  /// Solution of A x = b, refined to the tolerance in the scaled norm where rounding lets it. Not ok
   /// where MUMPS fails or refuses by its own estimate; it is not available any more then, if it was for want
   /// of memory.
-  LinearReport solve(const CoupledSystem& system, std::span<const double> b, std::span<double> x,
+  LinearReport solve(const CoupledOperator& A, std::span<const double> b, std::span<double> x,
                      double tolerance);
   /// Negative eigenvalues of a symmetric system, from its factors; -1 if they cannot be made.
   int negative_pivots(const CoupledSystem& system);
@@ -25,7 +25,7 @@ class LastResort {
 
  private:
   FactorReport factorise(const CoupledSystem& system, Mumps& mumps);
-  double room_mb(const CoupledSystem& system) const;
+  double available_mb(const CoupledSystem& system) const;
 
   bool allowed_;
   double limit_mb_;

@@ -21,14 +21,11 @@ class LinearOperator {
 /// An approximate inverse: y ≈ A⁻¹ x.
 class Preconditioner : public LinearOperator {
  public:
-  /// True if apply is one fixed linear map, be it rounded to single precision: needed by every Krylov method
-  /// that is not flexible.
-  virtual bool fixed() const = 0;
+  /// True if apply is one linear map, the same each time, be it rounded to single precision: needed by every
+  /// Krylov method that is not flexible.
+  virtual bool is_linear() const = 0;
   /// Why it cannot be used, the same on every rank; empty if it can.
-  virtual std::string fault() const { return {}; }
-  /// The operator that it was made for has changed: what it kept of that stays, what it applies on the fly is
-  /// the present one. False if that does not fit together any more. Collective.
-  virtual bool follow() { return true; }
+  virtual std::string setup_error() const { return {}; }
   /// Bytes held on this rank.
   virtual std::size_t bytes() const { return 0; }
 };

@@ -7,7 +7,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/memory.hpp"
-#include "core/solve/coupled_system.hpp"
+#include "core/solve/coupled_operator.hpp"
 #include "core/solve/fgmres.hpp"
 #include "core/solve/mumps.hpp"
 
@@ -17,9 +17,9 @@ namespace bulbus {
 struct LinearReport {
   bool ok = false;
   std::string reason;
-  bool stale = false;        ///< failed with the preconditioner of an earlier linearisation
-  int iterations = 0;        ///< Krylov iterations; 0 of the direct solver
-  double reduction = 0;      ///< ‖s r‖ / ‖s b‖ reached
+  bool retry = false;    ///< failed with parts of an earlier linearisation: the next prepare() makes all anew
+  int iterations = 0;    ///< Krylov iterations; 0 of the direct solver
+  double reduction = 0;  ///< ‖s r‖ / ‖s b‖ reached
   bool by_fallback = false;  ///< MUMPS solved it in place of GMRES, which did not
   int negative_pivots = -1;  ///< of the direct solver's factors
   /// x·Kx of the displacements found, over the sum of the magnitudes it is made of; 0 where GMRES did not
@@ -33,6 +33,15 @@ struct LinearReport {
   std::vector<std::array<double, 3>> blocks;
   /// On request: extreme eigenvalues of the preconditioned displacement block, as Lanczos estimates them.
   std::array<double, 2> spectrum{};
+};
+
+/// What a solver has made of a linearisation.
+struct Preparation {
+  bool ok = false;
+  std::string reason;                  ///< why not ok
+  LiquidAugmentation augmentation;     ///< of the operator that solve() is to be given
+  std::optional<FactorReport> factor;  ///< of the direct solver
+  int negative_pivots = -1;            ///< of its factors
 };
 
 /// How far a linear solve has come.
@@ -54,20 +63,19 @@ struct Profiler {
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  /// After CoupledSystem::linearize. May set the system's liquid augmentation, so right-hand sides come after
-  /// it.
-  virtual LinearReport prepare(CoupledSystem& system) = 0;
-  /// Solution of system · x = b to the relative tolerance in the scaled norm.
-  virtual LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+  /// After CoupledSystem::linearize.
+  virtual Preparation prepare(const CoupledSystem& system) = 0;
+  /// Solution of A x = b to the relative tolerance in the scaled norm; A: of the system and the augmentation
+  /// of the last prepare().
+  virtual LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                              double tolerance) = 0;
-  /// The next prepare keeps nothing of earlier linearisations.
-  virtual void renew() {}
+  /// The next prepare() takes nothing over from earlier linearisations.
+  virtual void forget() {}
   /// The next solve is an increment's first: nothing is known of it from those before.
   virtual void increment_begins() {}
   /// Calls `watcher` after every Krylov iteration of every solve.
   virtual void watch(SolveWatcher /*watcher*/) {}
-  /// Is it cheap to count the negative pivots of a system whose solution has not told them? Its state has to
-  /// be kept for that. Collective.
+  /// Is it cheap to count the negative pivots of a system whose solution has not told them? Collective.
   virtual bool counts_pivots(const CoupledSystem& /*system*/) { return false; }
   /// -1 if they cannot be counted. Collective.
   virtual int negative_pivots(const CoupledSystem& /*system*/) { return -1; }
@@ -76,29 +84,36 @@ class LinearSolver {
 /// A preconditioner of the whole system.
 class CoupledPreconditioner : public Preconditioner {
  public:
-  /// Is there a part that is too dear for easy solves?
+  /// Of the operator that it is made for.
+  virtual const LiquidAugmentation& augmentation() const = 0;
+  /// Is there a part that is too expensive for easy solves?
   virtual bool has_deferred_component() const = 0;
-  /// A solve drags or is bound to: takes that part up, until the next linearisation. Collective.
+  /// A solve is slow or is bound to be: takes that part up, until the next linearisation. Collective.
   virtual void enable_deferred_component() = 0;
   /// Extreme eigenvalues of Â⁻¹ A on displacements, estimated by a few Lanczos steps. Collective.
   virtual std::array<double, 2> displacement_spectrum() const = 0;
 };
 
-/// What a preconditioner takes from the one made before it: nothing, its coarsest matrix's factors if that
-/// matrix has hardly changed, or all that is costly to set up.
-enum class SetUp { anew, factors_kept, kept };
-
-struct MadePreconditioner {
-  std::unique_ptr<CoupledPreconditioner> preconditioner;
-  SetUp how;
+/// Makes preconditioners of one linearisation after the other, and decides by their solves what the next one
+/// takes over.
+class PreconditionerFactory {
+ public:
+  virtual ~PreconditionerFactory() = default;
+  /// Of the present linearisation. The one before it should be gone: two would need the memory of both.
+  /// Collective.
+  virtual std::unique_ptr<CoupledPreconditioner> make(const CoupledSystem& system) = 0;
+  /// A solve took so many Krylov iterations per digit; the same on every rank.
+  virtual void record(double iterations_per_digit) = 0;
+  /// Were there solves since all was made anew, so that a preconditioner made anew may do better?
+  virtual bool has_history() const = 0;
+  /// The next one takes nothing over.
+  virtual void forget() = 0;
 };
-
-/// Where `kept` is asked for, what does not fit the system any more is made anew nevertheless.
-using PreconditionerFactory = std::function<MadePreconditioner(CoupledSystem&, SetUp)>;
 
 /// GMRES on the scaled system s A s, preconditioned by what the factory makes of every linearisation.
 std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings,
-                                                 PreconditionerFactory factory, Profiler& profiler);
+                                                 std::unique_ptr<PreconditionerFactory> factory,
+                                                 Profiler& profiler);
 
 /// MUMPS on the system, augmented by its γ (0 costs nothing and changes no solution). What would not fit into
 /// the settings' memory limit is refused by its estimate.

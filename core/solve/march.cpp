@@ -106,7 +106,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
     if (!place.begun) {
       observer.step_begins(k, steps[k], state);
       problem.begin_step(k, state);
-      solver.renew();
+      solver.forget();
       place.begun = true;
     }
     Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size);
@@ -133,7 +133,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       if (newton.outcome == Outcome::interrupted) return leave();
       if (newton.outcome != Outcome::converged) {
         for (const auto& term : problem.terms()) term->roll_back();
-        solver.renew();
+        solver.forget();
         ++report.cuts;
         observer.increment_cut(newton, done, to);
         // a small system costs nothing

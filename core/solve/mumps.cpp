@@ -12,6 +12,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/error.hpp"
+#include "core/solve/mumps_messages.hpp"
 
 namespace bulbus {
 namespace {
@@ -23,47 +24,6 @@ enum Job { start = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 }
 
 /// A large count: a negative one is in millions.
 double count(MUMPS_INT value) { return value < 0 ? -1e6 * value : value; }
-
-std::string ordering_name(int infog7) {
-  switch (infog7) {
-    case 0:
-      return "AMD";
-    case 1:
-      return "given";
-    case 2:
-      return "AMF";
-    case 3:
-      return "Scotch";
-    case 4:
-      return "PORD";
-    case 5:
-      return "METIS";
-    case 6:
-      return "QAMD";
-  }
-  return "ordering " + std::to_string(infog7);
-}
-
-std::string explain(int code, int detail) {
-  switch (code) {
-    case -6:
-      return "the matrix is singular in structure, of rank " + std::to_string(detail);
-    case -7:
-    case -13:
-      return "not enough memory";
-    case -8:
-    case -9:
-      return "pivoting needs more workspace than was allowed";
-    case -10:
-      return "the matrix is singular";
-    case -40:
-      return "the matrix is not positive definite";
-    case -51:
-    case -52:
-      return "the graph is too large for the ordering";
-  }
-  return "MUMPS error " + std::to_string(code) + " (" + std::to_string(detail) + ")";
-}
 
 void check(const Triplets& t, long long n, const Comm& comm) {
   if (n > std::numeric_limits<int>::max())
@@ -100,7 +60,7 @@ struct Mumps::Instance {
     known,
     near
   };  // to the last analysis; so near the factorised one that its factors do
-  virtual Taken take(Triplets t, long long n, bool symmetric, double tolerated) = 0;
+  virtual Taken take(Triplets t, long long n, bool symmetric, const KeepFactors& keep) = 0;
   virtual FactorReport& analyse() = 0;
   virtual FactorReport& factorise() = 0;
   virtual bool solve(std::span<const double> b, std::span<double> x) = 0;
@@ -162,16 +122,16 @@ struct Mumps::InstanceOf final : Instance {
   }
   FactorReport& fail() {
     report.code = infog(1);
-    return fail(explain(infog(1), infog(2)));
+    return fail(explain_mumps(infog(1), infog(2)));
   }
 
-  Taken take(Triplets t, long long n, bool symmetric, double tolerated) override {
+  Taken take(Triplets t, long long n, bool symmetric, const KeepFactors& keep) override {
     check(t, n, comm);
     convert(t, symmetric);
     const bool comparable = analysed && id.n == n && (id.sym == 2) == symmetric;
     if (comparable && options.joined) join(t);
     const bool same = comm.all(comparable && t.row == row && t.col == col);
-    if (same && factorised && tolerated > 0 && comm.max(largest_change(t)) <= tolerated) return Taken::near;
+    if (same && factorised && keep && keep(comm.max(largest_change(t)))) return Taken::near;
     row = std::move(t.row);
     col = std::move(t.col);
     if constexpr (std::is_same_v<Number, double>)
@@ -240,7 +200,7 @@ struct Mumps::InstanceOf final : Instance {
     report.seconds_analysis = Clock::now() - begin;
     if (!analysed) return fail();
     report.ok = true;
-    report.ordering = ordering_name(infog(7));
+    report.ordering = mumps_ordering(infog(7));
     report.estimated_max_mb = infog(16);
     report.estimated_mb = infog(17);
     report.estimated_entries = count(infog(20));
@@ -312,14 +272,14 @@ Mumps::Mumps(const Comm& comm, MumpsOptions options) {
 Mumps::~Mumps() = default;
 
 FactorReport Mumps::analyse(Triplets matrix, long long n, bool symmetric) {
-  m_->take(std::move(matrix), n, symmetric, 0);
+  m_->take(std::move(matrix), n, symmetric, {});
   return m_->analyse();
 }
 
-FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric) {
-  const auto taken = m_->take(std::move(matrix), n, symmetric, tolerated_);
-  kept_ = taken == Instance::Taken::near;
-  if (kept_) return m_->report;
+FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric, const KeepFactors& keep) {
+  const auto taken = m_->take(std::move(matrix), n, symmetric, keep);
+  m_->report.kept = taken == Instance::Taken::near;
+  if (m_->report.kept) return m_->report;
   if (taken == Instance::Taken::unknown && !m_->analyse().ok) return m_->report;
   if (taken == Instance::Taken::known) m_->report.seconds_analysis = 0;
   return m_->factorise();

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,6 +27,7 @@ struct MumpsOptions {
 /// What analysis foretold and the factorisation found. Memory in MB (10⁶ bytes).
 struct FactorReport {
   bool ok = false;
+  bool kept = false;          ///< they are those of an earlier matrix
   std::string reason;         ///< why not ok
   int code = 0;               ///< INFOG(1)
   bool too_large = false;     ///< refused by its estimate
@@ -40,6 +42,10 @@ struct FactorReport {
   double seconds_analysis = 0, seconds_factorisation = 0;
 };
 
+/// May factors stay for a matrix of the same pattern, no row of which differs from theirs by more than this
+/// part of its magnitude? Empty: never.
+using KeepFactors = std::function<bool(double change)>;
+
 /// The sparse direct solver MUMPS: L D Lᵀ of a symmetric indefinite matrix or L U. All members are
 /// collective.
 class Mumps {
@@ -53,12 +59,8 @@ class Mumps {
   /// Throws InputError if n does not fit into 32 bits, std::invalid_argument if an entry is outside.
   FactorReport analyse(Triplets matrix, long long n, bool symmetric);
   /// The same and the factors. A matrix with the rows and columns of the last one is not analysed anew.
-  FactorReport factorise(Triplets matrix, long long n, bool symmetric);
-  /// From now on factors stay as long as no row of a matrix differs from theirs by more than this part of its
-  /// magnitude; 0: never.
-  void tolerate(double change) { tolerated_ = change; }
-  /// Are the factors those of an earlier matrix than the last one that was given?
-  bool kept() const { return kept_; }
+  /// `keep` is asked on every rank with the same change.
+  FactorReport factorise(Triplets matrix, long long n, bool symmetric, const KeepFactors& keep = {});
   /// A x = b, both distributed by contiguous rows in the order of the ranks. False without factors or if
   /// MUMPS fails; x is then not touched.
   bool solve(std::span<const double> b, std::span<double> x);
@@ -68,8 +70,6 @@ class Mumps {
   template <class Id>
   struct InstanceOf;
   std::unique_ptr<Instance> m_;
-  double tolerated_ = 0;
-  bool kept_ = false;
 };
 
 }  // namespace bulbus

@@ -10,6 +10,8 @@
 #include "core/base/interrupt.hpp"
 #include "core/problem/admissible.hpp"
 #include "core/problem/enclosed_parts.hpp"
+#include "core/solve/cycle_detector.hpp"
+#include "core/solve/forcing_term.hpp"
 
 namespace bulbus {
 namespace {
@@ -21,12 +23,6 @@ constexpr double shortest_step = 1.0 / 64;
 constexpr double least_length = 1.0 / 8;
 constexpr double least_volume =
     0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
-
-double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
-  double sum = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) sum += std::pow(system.scaling()[i] * v[i], 2);
-  return std::sqrt(system.problem().comm().sum(sum));
-}
 
 bool finite(const Balance& b) {
   return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid);
@@ -44,53 +40,6 @@ NewtonSettings tightened(NewtonSettings s) {
   s.liquid = std::min(s.liquid, tight.liquid);
   return s;
 }
-
-// Eisenstat-Walker choice 2 with its safeguard; never tighter than a tenth of what is missing, nor than plain
-// GMRES reaches unless the cap is: where motions are prescribed the first right-hand side is theirs, and the
-// ratio of norms promises more than the next tangent keeps. Where the criteria are nearly met, a tenth of
-// what is missing may lie above the cap: tried once, as a region may need more than all together, and where
-// prescribed motions are done.
-class ForcingTerm {
- public:
-  explicit ForcingTerm(double cap) : cap_(cap), eta_(cap) {}
-  double next(double norm, double excess, bool held) {
-    if (before_ > 0) {
-      const double ratio = norm / before_, guard = eta_ * eta_;
-      eta_ = ratio * ratio;
-      if (guard > 0.1) eta_ = std::max(eta_, guard);
-    }
-    before_ = norm;
-    const double enough = 0.1 / excess;
-    eta_ = std::min(cap_, std::max({eta_, enough, least_of_plain_method}));
-    if (held && enough > cap_ && !std::exchange(tried_, true)) return enough;
-    return std::max(eta_, 1e-13);
-  }
-
- private:
-  double cap_, eta_, before_ = 0;
-  bool tried_ = false;
-};
-
-// Newton's method goes to and fro between two states where a contact pair that is released comes in again,
-// and is in tension again once it is active: what it holds is not stable without it.
-class CycleDetector {
- public:
-  bool found(const Balance& b) {
-    forces_.push_back(b.force);
-    const std::size_t n = forces_.size();
-    if (n < seen + 2) return false;
-    for (std::size_t k = n - seen; k < n; ++k) {
-      const double now = forces_[k], between = forces_[k - 1], before = forces_[k - 2];
-      if (!(std::abs(now - before) < alike * now) || std::abs(now - between) < apart * now) return false;
-    }
-    return true;
-  }
-
- private:
-  static constexpr std::size_t seen = 4;  // returns in a row
-  static constexpr double alike = 1e-2, apart = 0.5;
-  std::vector<double> forces_;
-};
 
 struct Step {
   std::vector<double> dx;  // local nodes
@@ -118,20 +67,123 @@ double guarded(const Problem& problem, const Step& step, State& state) {
   return 0;
 }
 
-// One linear solve to the tolerance that `tolerance` gives for the right-hand side that `make` makes. Where
-// the preconditioner of an earlier linearisation fails, it is done once more with a new one.
-template <class Make, class Tolerance>
-LinearReport solve(CoupledSystem& system, LinearSolver& solver, Make make, std::span<double> solution,
-                   Tolerance tolerance, int spent = 0) {
-  LinearReport report = solver.prepare(system);
-  if (!report.ok) return report;
-  std::vector<double> b = make();
-  const double enough = tolerance(b);
-  report = solver.solve(system, std::move(b), solution, enough);
-  report.iterations += spent;
-  if (!report.stale) return report;
-  solver.renew();
-  return solve(system, solver, make, solution, tolerance, report.iterations);
+// Newton's method from one state to equilibrium, iteration by iteration.
+class Iteration {
+ public:
+  Iteration(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
+            const NewtonSettings& settings, Profiler& profiler)
+      : problem_(problem),
+        system_(system),
+        solver_(solver),
+        state_(state),
+        profiler_(profiler),
+        forcing_(settings.eta_max),
+        solution_(system.size()) {
+    double size = 0;
+    for (double v : problem.mesh().X) size = std::max(size, std::abs(v));
+    negligible_ = 1e-12 * problem.comm().max(size);
+  }
+
+  // Residual and prescribed increments of the present state.
+  void measure(NewtonIteration& now) {
+    compute_residual();
+    now.balance = problem_.balance(*residual_);
+    now.held = compute_prescribed();
+  }
+  bool prescribed_done(const NewtonIteration& now) const { return now.held <= negligible_; }
+
+  void linearise() {
+    const auto scope = profiler_.clock.measure("linearisation");
+    system_.linearize(state_, *residual_);
+  }
+
+  // `excess`: by how much the criteria are missed.
+  LinearReport solve(NewtonIteration& now, double excess) {
+    std::optional<double> tolerance;
+    LinearReport report;
+    int iterations = 0;
+    do {
+      const Preparation prepared = solver_.prepare(system_);
+      if (!prepared.ok)
+        return {.reason = prepared.reason,
+                .iterations = iterations,
+                .negative_pivots = prepared.negative_pivots,
+                .factor = prepared.factor};
+      augmentation_ = prepared.augmentation;
+      const CoupledOperator A(system_, augmentation_);
+      std::vector<double> b = right_hand_side(A);
+      if (!tolerance)
+        tolerance = std::min(forcing_.next(scaled_norm(system_, b), excess, prescribed_done(now)),
+                             problem_.solve_tolerance());
+      now.tolerance = *tolerance;
+      report = solver_.solve(A, std::move(b), solution_, *tolerance);
+      report.iterations = iterations += report.iterations;
+    } while (report.retry);
+    return report;
+  }
+
+  // Moves the state by the solution, as far as no element inverts. Returns the part of the step taken.
+  double step() {
+    const Layout& layout = system_.layout();
+    const std::span<const double> solution(solution_);
+    Step step{std::vector<double>(state_.x.size()), layout.primal(solution), layout.lambda(solution),
+              CoupledOperator(system_, augmentation_).pressure_increments(solution)};
+    problem_.dofs().expand(state_, step.primal, step.dx);
+    compute_prescribed();
+    for (std::size_t i = 0; i < prescribed_.size(); ++i) step.dx[i] += prescribed_[i];
+    const double length = guarded(problem_, step, state_);
+    for (double& v : step.dx) v *= length;
+    problem_.predict(step.dx);
+    problem_.enclosed().settle(state_.lambda);
+    return length;
+  }
+
+  // Of the last linearisation; -1 where counting them would be expensive.
+  int negative_pivots() { return solver_.counts_pivots(system_) ? solver_.negative_pivots(system_) : -1; }
+
+ private:
+  void compute_residual() {
+    const auto scope = profiler_.clock.measure("residual");
+    residual_ = problem_.residual(state_);
+  }
+  // Returns the largest, mm.
+  double compute_prescribed() {
+    prescribed_.resize(state_.x.size());
+    return problem_.dofs().defect(state_, problem_.progress(), prescribed_);
+  }
+  // What it is made of leaves its memory to the solver, and is computed again for a second one.
+  std::vector<double> right_hand_side(const CoupledOperator& A) {
+    if (!residual_) compute_residual(), compute_prescribed();
+    auto b = A.right_hand_side(*residual_, prescribed_);
+    residual_.reset();
+    std::vector<double>().swap(prescribed_);
+    return b;
+  }
+
+  Problem& problem_;
+  CoupledSystem& system_;
+  LinearSolver& solver_;
+  State& state_;
+  Profiler& profiler_;
+  ForcingTerm forcing_;
+  double negligible_ = 0;  // prescribed increment, mm
+  std::optional<Residual> residual_;
+  LiquidAugmentation augmentation_;
+  std::vector<double> prescribed_, solution_;
+};
+
+// Why a state in which Newton's method has converged is not to be accepted; empty: it is.
+std::string refusal(const Problem& problem, const State& state) {
+  std::string why = why_inadmissible(problem, state);
+  return why.empty() ? problem.refusal(state) : why;
+}
+
+// Counts what the last linear solve has not told.
+void judge_stability(Iteration& iteration, NewtonReport& report) {
+  if (report.iterations.empty()) return;
+  if (report.negative_pivots < 0) report.negative_pivots = iteration.negative_pivots();
+  report.negative_curvature =
+      report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
 }
 
 }  // namespace
@@ -164,7 +216,6 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
                     double progress, const NewtonSettings& settings, Profiler& profiler,
                     const NewtonObserver& observer) {
   NewtonReport report;
-  ForcingTerm forcing(settings.eta_max);
   problem.set_progress(progress, state);
   solver.increment_begins();
   const auto fail = [&](Outcome outcome, std::string reason = {}) {
@@ -172,80 +223,38 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     report.reason = reason.empty() ? describe(outcome) : std::move(reason);
     return report;
   };
-  std::vector<double> held, solution(system.size());
-  double size = 0;
-  for (double v : problem.mesh().X) size = std::max(size, std::abs(v));
-  const double held_tolerance = 1e-12 * problem.comm().max(size);
-  std::optional<Residual> r;
-  std::optional<State> linearised;
-  const auto find_residual = [&] {
-    const auto scope = profiler.clock.measure("residual");
-    r = problem.residual(state);
+  const auto observe = [&](const NewtonIteration& now) {
+    if (observer) observer(now);
   };
-  const auto balance = [&] {
-    find_residual();
-    return report.balance = problem.balance(*r);
-  };
-  const auto find_held = [&] {
-    held.resize(state.x.size());
-    return problem.dofs().defect(state, progress, held);
-  };
-  // residual and held increments make room for the solver
-  const auto right_hand_side = [&] {
-    if (!r) find_residual(), find_held();
-    auto b = system.right_hand_side(*r, held);
-    r.reset();
-    std::vector<double>().swap(held);
-    return b;
-  };
-  const auto judge_stability = [&] {
-    if (report.iterations.empty()) return;
-    if (report.negative_pivots < 0 && linearised) report.negative_pivots = solver.negative_pivots(system);
-    report.negative_curvature =
-        report.negative_pivots < 0 && report.iterations.back().linear.curvature < -least_curvature;
-  };
-  int last = settings.max_iterations;
-  double length = 1;
+  Iteration iteration(problem, system, solver, state, settings, profiler);
   CycleDetector cycle;
   NewtonSettings criteria = settings;
+  int last = settings.max_iterations;
+  double length = 1;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
-    now.balance = balance();
-    now.held = find_held();
+    iteration.measure(now);
+    report.balance = now.balance;
     if (!finite(now.balance)) return fail(Outcome::not_finite);
-    double missing = excess(now.balance, criteria);
-    if (missing <= 1 && now.held <= held_tolerance) {
+    if (excess(now.balance, criteria) <= 1 && iteration.prescribed_done(now)) {
       if (!problem.revise(state)) {
-        if (observer) observer(now);
-        if (std::string why = why_inadmissible(problem, state); !why.empty())
+        observe(now);
+        if (std::string why = refusal(problem, state); !why.empty())
           return fail(Outcome::inadmissible, std::move(why));
-        if (std::string why = problem.refusal(state); !why.empty())
-          return fail(Outcome::inadmissible, std::move(why));
-        judge_stability();
+        judge_stability(iteration, report);
         return report;
       }
       last = number + settings.max_iterations;
       criteria = tightened(criteria);
-      now.balance = balance();
-      missing = excess(now.balance, criteria);
+      iteration.measure(now);
+      report.balance = now.balance;
     }
     if (number == last) return fail(Outcome::too_many_iterations);
     if (cycle.found(now.balance)) return fail(Outcome::cycling);
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
-    {
-      const auto scope = profiler.clock.measure("linearisation");
-      if (solver.counts_pivots(system)) linearised = state;
-      system.linearize(linearised ? *linearised : state, *r);
-    }
+    iteration.linearise();
     try {
-      now.linear = solve(system, solver, right_hand_side, solution, [&](std::span<const double> b) {
-        if (now.tolerance == 0) {
-          now.tolerance =
-              forcing.next(scaled_norm(system, b), std::max(missing, 1.0), now.held <= held_tolerance);
-          now.tolerance = std::min(now.tolerance, problem.solve_tolerance());
-        }
-        return now.tolerance;
-      });
+      now.linear = iteration.solve(now, std::max(excess(now.balance, criteria), 1.0));
     } catch (const Interruption&) {
       return fail(Outcome::interrupted);
     }
@@ -253,22 +262,13 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     report.negative_pivots = now.linear.negative_pivots;
     report.direct_solves += now.linear.by_fallback;
     if (!now.linear.ok) {
-      if (observer) observer(now);
+      observe(now);
       const bool too_large = now.linear.factor && now.linear.factor->too_large;
       return fail(too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
     }
-    const Layout& layout = system.layout();
-    Step step{std::vector<double>(state.x.size()), layout.primal(std::span<const double>(solution)),
-              layout.lambda(std::span<const double>(solution)), system.pressure_increments(solution)};
-    problem.dofs().expand(state, step.primal, step.dx);
-    find_held();
-    for (std::size_t i = 0; i < held.size(); ++i) step.dx[i] += held[i];
-    now.step = guarded(problem, step, state);
-    for (double& v : step.dx) v *= now.step;
-    problem.predict(step.dx);
-    problem.enclosed().settle(state.lambda);
+    now.step = iteration.step();
     report.iterations.push_back(now);
-    if (observer) observer(now);
+    observe(now);
     length *= now.step;
     if (length <= least_length) return fail(Outcome::inverted_element);
   }

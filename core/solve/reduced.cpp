@@ -53,8 +53,9 @@ Matrix transformation(const Problem& problem, const State& state, std::span<cons
 
 }  // namespace
 
-void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices,
+void for_each_condensed_matrix(const CoupledSystem& system, Matrices matrices,
                                const ReducedVisitor& visitor) {
+  const Problem& problem = system.problem();
   std::vector<int> dofs;
   const auto reduce = [&](std::span<const int> nodes, std::span<const double> K) {
     if (all_free(problem.dofs(), nodes)) {
@@ -62,7 +63,7 @@ void for_each_condensed_matrix(const Problem& problem, const State& state, Matri
       visitor(dofs, K);
       return;
     }
-    const Matrix T = transformation(problem, state, nodes, dofs);
+    const Matrix T = transformation(problem, system.state(), nodes, dofs);
     const Eigen::Map<const Matrix> full(K.data(), T.rows(), T.rows());
     const Matrix reduced = T.transpose() * full * T;
     visitor(dofs, std::span(reduced.data(), reduced.size()));
@@ -77,13 +78,7 @@ void for_each_condensed_matrix(const Problem& problem, const State& state, Matri
     default:
       problem.solid().visit(reduce, matrices == Matrices::augmented);
   }
-  visit_surface(problem, state, reduce);
-}
-
-void visit_surface(const Problem& problem, const State& state, const ContributionVisitor& visitor) {
-  for (const auto& term : problem.terms()) term->visit(visitor);
-  for (std::size_t i = 0; i < problem.liquids().size(); ++i)
-    if (state.P[i] != 0) problem.liquids()[i].surface().visit(state.x, -state.P[i], visitor);
+  system.visit_surface(reduce);
 }
 
 void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes,

@@ -2,7 +2,7 @@
 #include <functional>
 #include <span>
 
-#include "core/problem/problem.hpp"
+#include "core/solve/coupled_system.hpp"
 
 namespace bulbus {
 
@@ -17,11 +17,7 @@ enum class Matrices { plain, augmented, mean, softened };
 /// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute,
 /// in reduced dofs: held directions projected out, nodes of bodies mapped to their six. Identity parts of
 /// held directions are not among it.
-void for_each_condensed_matrix(const Problem& problem, const State& state, Matrices matrices,
-                               const ReducedVisitor& visitor);
-
-/// Contributions to the tangent besides the solid's: terms, and the liquids' pressures as followers.
-void visit_surface(const Problem& problem, const State& state, const ContributionVisitor& visitor);
+void for_each_condensed_matrix(const CoupledSystem& system, Matrices matrices, const ReducedVisitor& visitor);
 
 /// T of a single column block: for local nodes with their nodal values, the reduced dofs and values (Tᵀ v).
 void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes,

@@ -66,7 +66,7 @@ void AssembledAmg::apply(std::span<const double> x, std::span<double> y) const {
 ExactBlock::ExactBlock(const CoupledSystem& system)
     : ExactBlock(system, std::make_shared<Mumps>(system.problem().comm())) {}
 
-ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps)
+ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps, const KeepFactors& keep)
     : size_(system.layout().primal()),
       nodal_(system.layout().nodal),
       bodies_(system),
@@ -74,8 +74,9 @@ ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps
   const bool symmetric = system.problem().symmetric();
   const FactorReport f =
       mumps_->factorise(assemble_displacement(system, symmetric ? Triangle::upper : Triangle::both),
-                        3 * system.problem().mesh().all_nodes, symmetric);
-  if (!f.ok) fault_ = "displacement block: " + f.reason;
+                        3 * system.problem().mesh().all_nodes, symmetric, keep);
+  keeps_factors_ = f.kept;
+  if (!f.ok) setup_error_ = "displacement block: " + f.reason;
   bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
 

@@ -54,7 +54,7 @@ class BoomerAmg final : public Preconditioner {
   int size() const override;
   /// Without a hierarchy, or if hypre reports an error, y is NaN on this rank.
   void apply(std::span<const double> x, std::span<double> y) const override;
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override;
 
   /// Why there is no hierarchy, the same on every rank; empty if there is one.

@@ -10,20 +10,23 @@ namespace bulbus {
 /// The displacement block without its matrix: Chebyshev with block Jacobi on the tangent as it is applied on
 /// the fly, before and after one cycle of the three scalar AMGs and a correction with the rigid motions of
 /// aggregates. A fixed linear map.
-class Hybrid final : public Preconditioner {
+class Hybrid final : public DisplacementPreconditioner {
  public:
   /// `rigid`: none without the rigid motions. Collective.
-  Hybrid(const CoupledSystem& system, int degree, double lowest, RigidPlan* rigid, Precision smoothing);
+  Hybrid(const CoupledSystem& system, int degree, double lowest, std::shared_ptr<RigidPlan> rigid,
+         Precision smoothing);
   int size() const override { return block_->size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
-  bool fixed() const override { return true; }
-  bool follow() override { return smoother_.follow(); }
-  std::string fault() const override { return amg_->fault() + (coarse_ ? coarse_->fault() : ""); }
+  bool is_linear() const override { return true; }
+  double refresh() override { return smoother_.refresh(); }
+  std::string setup_error() const override {
+    return amg_->setup_error() + (coarse_ ? coarse_->setup_error() : "");
+  }
   std::size_t bytes() const override;
 
  private:
-  std::unique_ptr<LinearOperator> block_;
-  BlockJacobi jacobi_;
+  std::shared_ptr<const LinearOperator> block_;
+  std::shared_ptr<const BlockJacobi> jacobi_;
   Chebyshev smoother_;
   std::unique_ptr<ScalarAmg> amg_;
   std::unique_ptr<RigidCoarse> coarse_;

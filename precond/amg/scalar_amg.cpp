@@ -27,7 +27,7 @@ void ScalarAmg::apply(std::span<const double> x, std::span<double> y) const {
   }
 }
 
-std::string ScalarAmg::fault() const {
+std::string ScalarAmg::setup_error() const {
   for (const auto& a : amg_)
     if (!a->failure().empty()) return "BoomerAMG: " + a->failure();
   return {};

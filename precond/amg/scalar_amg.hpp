@@ -15,8 +15,8 @@ class ScalarAmg final : public Preconditioner {
             const Preconditioner& block_jacobi);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
-  bool fixed() const override { return true; }
-  std::string fault() const override;
+  bool is_linear() const override { return true; }
+  std::string setup_error() const override;
   std::size_t bytes() const override;
 
  private:

@@ -51,7 +51,7 @@ std::array<DistributedCsr, 3> scalar_matrices(const CoupledSystem& system) {
   m[1] = m[2] = m[0];
   for (auto& matrix : m) matrix.values.assign(pattern.columns.size(), 0);
   const int nodal = 3 * mesh.nodes();
-  for_each_condensed_matrix(system.problem(), system.state(), Matrices::augmented,
+  for_each_condensed_matrix(system, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) {
                               const std::size_t n = d.size();
                               for (std::size_t i = 0; i < n && d[i] < nodal; i += 3)
@@ -64,7 +64,8 @@ std::array<DistributedCsr, 3> scalar_matrices(const CoupledSystem& system) {
   for (int n = 0; n < mesh.owned; ++n)
     if (dofs.held(n)) {
       const Mat3<double> P = dofs.projector(n);
-      for (int c = 0; c < 3; ++c) m[c].values[pattern.at(n, n)] += system.held_scale() * (1 - P(c, c));
+      for (int c = 0; c < 3; ++c)
+        m[c].values[pattern.at(n, n)] += system.constrained_diagonal() * (1 - P(c, c));
     }
   return m;
 }

@@ -40,8 +40,8 @@ std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
 // Group of every owned node, counted from 0 on this rank; −1 of those that have none.
 std::vector<int> grow_groups(const DofMap& dofs, const std::vector<std::vector<int>>& strong, int size) {
   const int owned = static_cast<int>(strong.size());
-  constexpr int open = -2;
-  std::vector<int> of(owned, open);
+  constexpr int unassigned = -2;
+  std::vector<int> of(owned, unassigned);
   for (int n = 0; n < owned; ++n)
     if (dofs.held(n) && trace(dofs.projector(n)) < 0.5) of[n] = -1;
   int next = 0;
@@ -54,7 +54,7 @@ std::vector<int> grow_groups(const DofMap& dofs, const std::vector<std::vector<i
       const int n = front.front();
       front.pop_front();
       for (int m : strong[n])
-        if (of[m] == open && members < size) {
+        if (of[m] == unassigned && members < size) {
           of[m] = next;
           ++members;
           front.push_back(m);
@@ -62,22 +62,22 @@ std::vector<int> grow_groups(const DofMap& dofs, const std::vector<std::vector<i
     }
     for (int n : front)
       for (int m : strong[n])
-        if (of[m] == open) seeds.push_back(m);
+        if (of[m] == unassigned) seeds.push_back(m);
     ++next;
   };
   for (int n = 0; n < owned; ++n) {
-    if (of[n] == open) seeds.push_back(n);
+    if (of[n] == unassigned) seeds.push_back(n);
     while (!seeds.empty()) {
       const int seed = seeds.front();
       seeds.pop_front();
-      if (of[seed] == open) grow(seed);
+      if (of[seed] == unassigned) grow(seed);
     }
   }
   return of;
 }
 
-// Crumbs join a neighbour; numbers without gaps again. Returns how many groups there are.
-int join_crumbs(std::vector<int>& of, const std::vector<std::vector<int>>& strong) {
+// Small aggregates join a neighbour; numbers without gaps again. Returns how many groups there are.
+int join_small_aggregates(std::vector<int>& of, const std::vector<std::vector<int>>& strong) {
   constexpr int least = 4;
   std::vector<int> members(of.size());
   for (int a : of)
@@ -102,7 +102,7 @@ Aggregates aggregate(const CoupledSystem& system, int nodes) {
   const auto strong = strong_neighbours(system);
   auto of = grow_groups(system.problem().dofs(), strong, nodes);
   Aggregates a;
-  a.mine = join_crumbs(of, strong);
+  a.mine = join_small_aggregates(of, strong);
   a.bodies = static_cast<int>(system.problem().dofs().bodies().size());
   a.first = a.bodies + static_cast<int>(mesh.comm.offset(a.mine));
   a.total = a.bodies + static_cast<int>(mesh.comm.sum(static_cast<long long>(a.mine)));

@@ -6,26 +6,29 @@
 namespace bulbus {
 
 AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes, Precision precision)
-    : lines(find_lines(system.problem())), rigid(system, nodes, precision) {}
+    : lines(std::make_shared<Lines>(find_lines(system.problem()))),
+      rigid(std::make_shared<RigidPlan>(system, nodes, precision)) {}
 
-Aggregation::Aggregation(const CoupledSystem& system, AggregationPlan& plan,
-                         const AggregationSettings& settings, Precision smoothing)
-    : coarse_(system, plan.rigid),
-      jacobi_(set_up(system, plan.lines, smoothing)),
+Aggregation::Aggregation(const CoupledSystem& system, std::shared_ptr<const AggregationPlan> plan,
+                         const AggregationSettings& settings, Precision smoothing, const KeepFactors& keep)
+    : coarse_(system, plan->rigid),
+      jacobi_(set_up(system, plan->lines, smoothing, keep)),
       smoother_(make_smoother(system, jacobi_, settings, smoothing)),
       correction_(system.layout().primal()) {}
 
 // One sweep over everything that contributes, for lines and coarse matrix.
-LineJacobi Aggregation::set_up(const CoupledSystem& system, const Lines& lines, Precision precision) {
-  LineBlocks blocks(system, lines);
-  for_each_condensed_matrix(system.problem(), system.state(), matrices_of(precision),
+std::shared_ptr<const LineJacobi> Aggregation::set_up(const CoupledSystem& system,
+                                                      const std::shared_ptr<const Lines>& lines,
+                                                      Precision precision, const KeepFactors& keep) {
+  LineBlocks blocks(system, *lines);
+  for_each_condensed_matrix(system, matrices_of(precision),
                             [&](std::span<const int> dofs, std::span<const double> K) {
                               blocks.add(dofs, K);
                               coarse_.add(dofs, K);
                             });
-  coarse_.factorise();
+  coarse_.factorise(keep);
   blocks.complete();
-  return LineJacobi(system, lines, blocks);
+  return std::make_shared<LineJacobi>(system, lines, blocks);
 }
 
 void Aggregation::apply(std::span<const double> b, std::span<double> x) const {
@@ -34,7 +37,7 @@ void Aggregation::apply(std::span<const double> b, std::span<double> x) const {
 }
 
 std::size_t Aggregation::bytes() const {
-  return coarse_.bytes() + jacobi_.bytes() + smoother_->bytes() + bytes_of(correction_);
+  return coarse_.bytes() + jacobi_->bytes() + smoother_->bytes() + bytes_of(correction_);
 }
 
 }  // namespace bulbus

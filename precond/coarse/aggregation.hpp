@@ -1,5 +1,6 @@
 #pragma once
 #include "precond/coarse/rigid_coarse.hpp"
+#include "precond/operators/displacement_preconditioner.hpp"
 #include "precond/smoothers/line_jacobi.hpp"
 #include "precond/smoothers/smoother.hpp"
 
@@ -9,32 +10,36 @@ namespace bulbus {
 struct AggregationPlan {
   /// Collective.
   AggregationPlan(const CoupledSystem& system, int nodes, Precision precision);
-  Lines lines;
-  RigidPlan rigid;
+  std::shared_ptr<const Lines> lines;
+  std::shared_ptr<RigidPlan> rigid;
 };
 
 /// Two grids for meshes of any kind: a correction with the rigid motions of aggregates, then Chebyshev with
 /// line Jacobi on the tangent as it is applied on the fly. The matrix is never formed. A fixed linear map;
 /// not symmetric: GMRES does not ask for it, and smoothing twice as long afterwards takes fewer applications
 /// than smoothing before, too.
-class Aggregation final : public Preconditioner {
+class Aggregation final : public DisplacementPreconditioner {
  public:
   /// Collective.
-  Aggregation(const CoupledSystem& system, AggregationPlan& plan, const AggregationSettings& settings,
-              Precision smoothing = Precision::single);
+  Aggregation(const CoupledSystem& system, std::shared_ptr<const AggregationPlan> plan,
+              const AggregationSettings& settings, Precision smoothing = Precision::single,
+              const KeepFactors& keep = {});
   int size() const override { return static_cast<int>(correction_.size()); }
   void apply(std::span<const double> b, std::span<double> x) const override;
-  bool fixed() const override { return true; }
-  bool follow() override { return smoother_->follow(); }
-  std::string fault() const override { return coarse_.fault(); }
+  bool is_linear() const override { return true; }
+  double refresh() override { return smoother_->refresh(); }
+  bool keeps_factors() const override { return coarse_.keeps_factors(); }
+  std::string setup_error() const override { return coarse_.setup_error(); }
   std::size_t bytes() const override;
-  const LineJacobi& lines() const { return jacobi_; }
+  std::shared_ptr<const LineJacobi> lines() const override { return jacobi_; }
 
  private:
-  LineJacobi set_up(const CoupledSystem& system, const Lines& lines, Precision precision);
+  std::shared_ptr<const LineJacobi> set_up(const CoupledSystem& system,
+                                           const std::shared_ptr<const Lines>& lines, Precision precision,
+                                           const KeepFactors& keep);
 
   RigidCoarse coarse_;
-  LineJacobi jacobi_;
+  std::shared_ptr<const LineJacobi> jacobi_;
   std::unique_ptr<Smoother> smoother_;
   mutable std::vector<double> correction_;
 };

@@ -6,56 +6,44 @@
 
 namespace bulbus {
 
-namespace {
-
-// A problem has one: solvers of the same problem share it, since each projects the tangent that all of them
-// solve with.
-std::shared_ptr<ProjectedTerm> projected_term_of(Problem& coarser) {
-  for (const auto& term : coarser.added())
-    if (auto projected = std::dynamic_pointer_cast<ProjectedTerm>(term)) return projected;
-  auto projected = std::make_shared<ProjectedTerm>();
-  coarser.add(projected);
-  return projected;
-}
-
-}  // namespace
-
-MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
-    : problem_(finest),
-      base_(std::make_shared<Mumps>(
-          finest.comm(), MumpsOptions{.precision = settings.smoothing, .block = 3, .joined = true})) {
-  for (const Problem* p = &finest; p->coarser(); p = p->coarser()) {
-    levels_.push_back({find_lines(*p),
-                       projected_term_of(*p->coarser()),
-                       std::make_unique<CoupledSystem>(*p->coarser(), settings),
-                       {}});
+MultigridPlan::MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings)
+    : base_(std::make_shared<Mumps>(
+          finest.problem().comm(),
+          MumpsOptions{.precision = settings.smoothing, .block = 3, .joined = true})) {
+  for (const CoupledSystem* fine = &finest; Problem* coarser = fine->coarser_problem();
+       fine = levels_.back().coarser.get()) {
+    auto projected = std::make_shared<ProjectedTerm>();
+    levels_.push_back({std::make_shared<Lines>(find_lines(fine->problem())), projected,
+                       std::make_unique<CoupledSystem>(*coarser, settings,
+                                                       std::vector<std::shared_ptr<const Term>>{projected})});
   }
 }
 
-Multigrid::Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings,
-                     Precision smoothing)
-    : visits_(settings.visits) {
+Multigrid::Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan> plan,
+                     const MultigridSettings& settings, Precision smoothing, const KeepFactors& keep)
+    : visits_(settings.visits), plan_(std::move(plan)) {
   std::vector<Interpolation> interpolations;
   const CoupledSystem* fine = &finest;
-  for (auto& level : plan.levels()) {
+  for (auto& level : plan_->levels()) {
     const Problem& problem = fine->problem();
-    level.state = problem.coarsened(fine->state());
+    State state = problem.coarsened(fine->state());
     Interpolation P =
-        problem.prolongation().at(level.state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
-    level.projected->project(problem, P);
+        problem.prolongation().at(state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
+    level.projected->project(*fine, P);
     // only the geometry of rigid bodies asks for the residual
     const bool bodies = !problem.dofs().bodies().empty();
-    level.coarser->linearize(level.state, bodies ? problem.coarser()->residual(level.state) : Residual{});
+    const Residual r = bodies ? problem.coarser()->residual(state) : Residual{};
+    level.coarser->linearize(std::move(state), r);
     interpolations.push_back(std::move(P));
     fine = level.coarser.get();
     coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() +
                      fine->problem().mesh().bytes();
   }
-  base_ = std::make_unique<ExactBlock>(*fine, plan.base());
+  base_ = std::make_unique<ExactBlock>(*fine, plan_->base(), keep);
   fine = &finest;
   for (std::size_t i = 0; i < interpolations.size(); ++i) {
-    auto& level = plan.levels()[i];
-    if (!plan.base()->kept()) level.largest_eigenvalue = 0;
+    auto& level = plan_->levels()[i];
+    if (!keeps_factors()) level.largest_eigenvalue = 0;
     levels_.push_back(
         std::make_unique<Level>(*fine, level, std::move(interpolations[i]), settings, smoothing));
     level.largest_eigenvalue = levels_.back()->smoother->largest_eigenvalue();
@@ -69,7 +57,7 @@ Multigrid::Level::Level(const CoupledSystem& fine, MultigridPlan::Level& plan, I
       coarse(*plan.coarser),
       P(std::move(given)),
       block(fine),
-      jacobi(fine, plan.lines, matrices_of(smoothing)),
+      jacobi(std::make_shared<LineJacobi>(fine, plan.lines, matrices_of(smoothing))),
       smoother(make_smoother(fine, jacobi, settings, smoothing, plan.largest_eigenvalue)),
       correction(fine.layout().primal()),
       coarse_residual(coarse.layout().primal()),
@@ -103,7 +91,7 @@ class Multigrid::From final : public Preconditioner {
   void apply(std::span<const double> b, std::span<double> x) const override {
     multigrid_.cycle(level_, b, x);
   }
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
 
  private:
   const Multigrid& multigrid_;
@@ -128,7 +116,7 @@ void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<d
 std::size_t Multigrid::bytes() const {
   std::size_t total = base_->bytes() + coarse_bytes_;
   for (const auto& l : levels_)
-    total += l->jacobi.bytes() + l->smoother->bytes() + bytes_of(l->correction) +
+    total += l->jacobi->bytes() + l->smoother->bytes() + bytes_of(l->correction) +
              bytes_of(l->coarse_residual) + bytes_of(l->coarse_correction) + bytes_of(l->coarse_nodal) +
              l->P.bytes() + l->fine.problem().prolongation().bytes();
   return total;

@@ -17,23 +17,20 @@ namespace bulbus {
 /// eigenvalues: what changes these changes the matrix, too.
 class MultigridPlan {
  public:
-  /// Adds a ProjectedTerm to every coarser problem that has none. Collective.
-  MultigridPlan(const Problem& finest, const LinearSettings& settings);
+  /// Collective.
+  MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings);
 
   struct Level {
-    Lines lines;
+    std::shared_ptr<const Lines> lines;
     std::shared_ptr<ProjectedTerm> projected;  ///< of this level's added terms, on the next coarser one
     std::unique_ptr<CoupledSystem> coarser;
-    State state;                    ///< of `coarser`
     double largest_eigenvalue = 0;  ///< of the smoother
   };
-  const Problem& problem() const { return problem_; }
   std::vector<Level>& levels() { return levels_; }
   /// Of the base level.
   std::shared_ptr<Mumps> base() const { return base_; }
 
  private:
-  const Problem& problem_;
   std::vector<Level> levels_;  // finest first; without the base
   std::shared_ptr<Mumps> base_;
 };
@@ -41,19 +38,21 @@ class MultigridPlan {
 /// Geometric multigrid on the meshes that the problem's mesh refines: V(1,1) or W(1,1), every refined level
 /// applied on the fly and rediscretised in the injected state, smoothed by Chebyshev with line Jacobi; the
 /// base mesh is solved directly. A fixed linear map, symmetric.
-class Multigrid final : public Preconditioner {
+class Multigrid final : public DisplacementPreconditioner {
  public:
   /// Takes the tangents of all levels. Collective.
-  Multigrid(const CoupledSystem& finest, MultigridPlan& plan, const MultigridSettings& settings,
-            Precision smoothing = Precision::single);
+  Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan> plan,
+            const MultigridSettings& settings, Precision smoothing = Precision::single,
+            const KeepFactors& keep = {});
   int size() const override { return levels_.front()->block.size(); }
   void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
-  bool fixed() const override { return true; }
-  bool follow() override { return levels_.front()->smoother->follow(); }
-  std::string fault() const override { return base_->fault(); }
+  bool is_linear() const override { return true; }
+  double refresh() override { return levels_.front()->smoother->refresh(); }
+  bool keeps_factors() const override { return base_->keeps_factors(); }
+  std::string setup_error() const override { return base_->setup_error(); }
   std::size_t bytes() const override;
   /// Of the finest level.
-  const LineJacobi& lines() const { return levels_.front()->jacobi; }
+  std::shared_ptr<const LineJacobi> lines() const override { return levels_.front()->jacobi; }
 
  private:
   struct Level {
@@ -66,7 +65,7 @@ class Multigrid final : public Preconditioner {
     const CoupledSystem& coarse;
     Interpolation P;
     DisplacementBlock block;
-    LineJacobi jacobi;
+    std::shared_ptr<const LineJacobi> jacobi;
     std::unique_ptr<Smoother> smoother;
     std::vector<double> correction, coarse_residual, coarse_correction, coarse_nodal;
   };
@@ -74,8 +73,9 @@ class Multigrid final : public Preconditioner {
   void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
 
   int visits_;
+  std::shared_ptr<MultigridPlan> plan_;  // has the coarser systems
   std::vector<std::unique_ptr<Level>> levels_;
-  std::unique_ptr<Preconditioner> base_;
+  std::unique_ptr<DisplacementPreconditioner> base_;
   std::size_t coarse_bytes_ = 0;
 };
 

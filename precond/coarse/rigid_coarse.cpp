@@ -11,41 +11,42 @@ RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision
       matrix(system.problem().symmetric()),
       factor(system.problem().comm(), {.precision = precision}) {}
 
-RigidCoarse::RigidCoarse(const CoupledSystem& system, RigidPlan& plan)
-    : system_(system), plan_(plan), modes_(rigid_modes(system, plan.groups)) {
-  plan_.matrix.clear();
-  const int bodies = system.problem().comm().rank() == 0 ? plan.groups.bodies : 0;
-  coarse_.resize(6 * (bodies + plan.groups.mine));
+RigidCoarse::RigidCoarse(const CoupledSystem& system, std::shared_ptr<RigidPlan> plan)
+    : system_(system), plan_(std::move(plan)), modes_(rigid_modes(system, plan_->groups)) {
+  plan_->matrix.clear();
+  const int bodies = system.problem().comm().rank() == 0 ? plan_->groups.bodies : 0;
+  coarse_.resize(6 * (bodies + plan_->groups.mine));
 }
 
-void RigidCoarse::factorise() {
+void RigidCoarse::factorise(const KeepFactors& keep) {
   if (system_.problem().comm().rank() == 0)
     for (const auto& e : system_.body_extra())
-      if (!system_.problem().symmetric() || e.row <= e.column) plan_.matrix.add(e.row, e.column, e.value);
-  for (int k : modes_.missing) plan_.matrix.add(k, k, system_.held_scale());
+      if (!system_.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
+  for (int k : modes_.missing) plan_->matrix.add(k, k, system_.constrained_diagonal());
   const FactorReport f =
-      plan_.factor.factorise(plan_.matrix.triplets(), coarse_size(), system_.problem().symmetric());
-  if (!f.ok) fault_ = "rigid motions of aggregates: " + f.reason;
+      plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), system_.problem().symmetric(), keep);
+  keeps_factors_ = f.kept;
+  if (!f.ok) setup_error_ = "rigid motions of aggregates: " + f.reason;
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
 
 void RigidCoarse::apply(std::span<const double> b, std::span<double> x) const {
   const int owned = system_.problem().mesh().owned;
   const int bodies = system_.layout().bodies;  // six numbers each, on rank 0
-  const auto part = [&](int n) { return bodies + 6 * (plan_.groups.of[n] - plan_.groups.first); };
+  const auto part = [&](int n) { return bodies + 6 * (plan_->groups.of[n] - plan_->groups.first); };
   std::ranges::fill(coarse_, 0);
   std::copy_n(&b[3 * owned], bodies, coarse_.begin());
   for (int n = 0; n < owned; ++n)
-    if (plan_.groups.of[n] >= 0) {
+    if (plan_->groups.of[n] >= 0) {
       double* to = &coarse_[part(n)];
       for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 6; ++k) to[k] += modes_.of[n][i][k] * b[3 * n + i];
     }
-  plan_.factor.solve(coarse_, coarse_);
+  plan_->factor.solve(coarse_, coarse_);
   std::ranges::fill(x, 0);
   std::copy_n(coarse_.begin(), bodies, &x[3 * owned]);
   for (int n = 0; n < owned; ++n)
-    if (plan_.groups.of[n] >= 0) {
+    if (plan_->groups.of[n] >= 0) {
       const double* from = &coarse_[part(n)];
       for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 6; ++k) x[3 * n + i] += modes_.of[n][i][k] * from[k];
@@ -53,7 +54,7 @@ void RigidCoarse::apply(std::span<const double> b, std::span<double> x) const {
 }
 
 std::size_t RigidCoarse::bytes() const {
-  return bytes_of(modes_.of) + bytes_of(plan_.groups.of) + plan_.matrix.bytes() + factor_bytes_ +
+  return bytes_of(modes_.of) + bytes_of(plan_->groups.of) + plan_->matrix.bytes() + factor_bytes_ +
          bytes_of(coarse_);
 }
 

@@ -23,26 +23,29 @@ struct RigidPlan {
 class RigidCoarse final : public Preconditioner {
  public:
   /// Collective.
-  RigidCoarse(const CoupledSystem& system, RigidPlan& plan);
+  RigidCoarse(const CoupledSystem& system, std::shared_ptr<RigidPlan> plan);
   void add(std::span<const int> dofs, std::span<const double> K) {
-    plan_.matrix.add(plan_.groups, modes_.of, dofs, K);
+    plan_->matrix.add(plan_->groups, modes_.of, dofs, K);
   }
   /// Collective.
-  void factorise();
+  void factorise(const KeepFactors& keep);
+  /// Are the factors those of an earlier linearisation?
+  bool keeps_factors() const { return keeps_factors_; }
   int size() const override { return system_.layout().primal(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
-  bool fixed() const override { return true; }
-  std::string fault() const override { return fault_; }
+  bool is_linear() const override { return true; }
+  std::string setup_error() const override { return setup_error_; }
   std::size_t bytes() const override;
   /// Coarse unknowns of all ranks.
-  int coarse_size() const { return 6 * plan_.groups.total; }
+  int coarse_size() const { return 6 * plan_->groups.total; }
 
  private:
   const CoupledSystem& system_;
-  RigidPlan& plan_;
+  std::shared_ptr<RigidPlan> plan_;
   RigidModes modes_;
   mutable std::vector<double> coarse_;
-  std::string fault_;
+  std::string setup_error_;
+  bool keeps_factors_ = false;
   std::size_t factor_bytes_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 namespace bulbus {
 
-/// x += M (b − A x). `residual` and `correction` are room of A's size. Collective.
+/// x += M (b − A x). `residual` and `correction` are workspace of A's size. Collective.
 inline void correct(const LinearOperator& A, const Preconditioner& M, std::span<const double> b,
                     std::span<double> x, std::span<double> residual, std::span<double> correction) {
   A.apply(x, residual);

@@ -1,7 +1,6 @@
 #include "precond/operators/displacement.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/base/error.hpp"
 #include "core/solve/reduced.hpp"
@@ -18,13 +17,13 @@ namespace bulbus {
 namespace {
 
 // The three scalar AMGs alone, with the blocks that they need for bodies.
-class ScalarAmgAlone final : public Preconditioner {
+class ScalarAmgAlone final : public DisplacementPreconditioner {
  public:
   explicit ScalarAmgAlone(const CoupledSystem& system)
       : jacobi_(system), amg_(system, scalar_matrices(system), jacobi_) {}
   int size() const override { return amg_.size(); }
   void apply(std::span<const double> x, std::span<double> y) const override { amg_.apply(x, y); }
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override { return jacobi_.bytes() + amg_.bytes(); }
 
  private:
@@ -32,21 +31,13 @@ class ScalarAmgAlone final : public Preconditioner {
   ScalarAmg amg_;
 };
 
-// `factors`: of the coarsest matrix.
-template <class P>
-DisplacementInverse with_lines(std::unique_ptr<P> inverse, const Mumps& factors) {
-  const LineJacobi* lines = &inverse->lines();
-  return {std::move(inverse), lines, factors.kept()};
-}
-
 // Floats hold a displacement to 6e-8: a contact much stiffer than the hexahedra around it would make noise of
 // what they feel.
 Precision fitting_precision(const CoupledSystem& system, const LinearSettings& settings) {
   constexpr double most = 1 - 1e-4;  // of a node's stiffness
   const Problem& problem = system.problem();
-  auto& stiffness = system.room().force;
-  stiffness.assign(system.state().x.size(), 0);
-  visit_surface(problem, system.state(), [&](std::span<const int> nodes, std::span<const double> K) {
+  std::vector<double> stiffness(system.state().x.size());
+  system.visit_surface([&](std::span<const int> nodes, std::span<const double> K) {
     for (std::size_t i = 0; i < 3 * nodes.size(); ++i)
       stiffness[3 * nodes[i / 3] + i % 3] += K[i * (3 * nodes.size() + 1)];
   });
@@ -66,48 +57,43 @@ std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, 
 
 struct DisplacementFactory::Plans {
   const Problem* problem;
-  std::optional<MultigridPlan> multigrid;
-  std::optional<AggregationPlan> aggregation;
-  std::optional<RigidPlan> rigid;
+  std::shared_ptr<MultigridPlan> multigrid;
+  std::shared_ptr<AggregationPlan> aggregation;
+  std::shared_ptr<RigidPlan> rigid;
 };
 
 DisplacementFactory::DisplacementFactory(const LinearSettings& settings) : settings_(settings) {}
 DisplacementFactory::~DisplacementFactory() = default;
 
-DisplacementInverse DisplacementFactory::make(const CoupledSystem& system, bool keep_factors) {
+std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const CoupledSystem& system,
+                                                                      const KeepFactors& keep) {
   const Problem& problem = system.problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const Displacement name = settings_.displacement_on(problem.coarser());
   const Precision smoothing = fitting_precision(system, settings_);
-  const double tolerated = keep_factors ? settings_.coarse_change : 0;
-  if (name == Displacement::jacobi) return {std::make_unique<BlockJacobi>(system)};
-  if (name == Displacement::scalar_amg) return {std::make_unique<ScalarAmgAlone>(system)};
+  if (name == Displacement::jacobi) return std::make_unique<BlockJacobi>(system);
+  if (name == Displacement::scalar_amg) return std::make_unique<ScalarAmgAlone>(system);
   if (name == Displacement::boomeramg || name == Displacement::boomeramg_nodal)
-    return {std::make_unique<AssembledAmg>(system, name == Displacement::boomeramg_nodal)};
-  if (name == Displacement::exact) return {std::make_unique<ExactBlock>(system)};
+    return std::make_unique<AssembledAmg>(system, name == Displacement::boomeramg_nodal);
+  if (name == Displacement::exact) return std::make_unique<ExactBlock>(system);
   if (name == Displacement::multigrid) {
     if (!problem.coarser())
       throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh",
                         "Give mesh.refine, or take 'aggregation'.");
-    if (!plans_->multigrid) plans_->multigrid.emplace(problem, settings_);
-    Mumps& base = *plans_->multigrid->base();
-    base.tolerate(tolerated);
-    return with_lines(std::make_unique<Multigrid>(system, *plans_->multigrid, settings_.multigrid, smoothing),
-                      base);
+    if (!plans_->multigrid) plans_->multigrid = std::make_shared<MultigridPlan>(system, settings_);
+    return std::make_unique<Multigrid>(system, plans_->multigrid, settings_.multigrid, smoothing, keep);
   }
   if (name == Displacement::hybrid) {
     const int nodes = settings_.aggregates > 0
                           ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates))
                           : 0;
-    if (nodes > 0 && !plans_->rigid) plans_->rigid.emplace(system, nodes, smoothing);
-    return {std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part,
-                                     plans_->rigid ? &*plans_->rigid : nullptr, smoothing)};
+    if (nodes > 0 && !plans_->rigid) plans_->rigid = std::make_shared<RigidPlan>(system, nodes, smoothing);
+    return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid,
+                                    smoothing);
   }
-  if (!plans_->aggregation) plans_->aggregation.emplace(system, settings_.aggregation.nodes, smoothing);
-  Mumps& coarse = plans_->aggregation->rigid.factor;
-  coarse.tolerate(tolerated);
-  return with_lines(
-      std::make_unique<Aggregation>(system, *plans_->aggregation, settings_.aggregation, smoothing), coarse);
+  if (!plans_->aggregation)
+    plans_->aggregation = std::make_shared<AggregationPlan>(system, settings_.aggregation.nodes, smoothing);
+  return std::make_unique<Aggregation>(system, plans_->aggregation, settings_.aggregation, smoothing, keep);
 }
 
 }  // namespace bulbus

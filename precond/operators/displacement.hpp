@@ -3,8 +3,9 @@
 
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
+#include "core/solve/mumps.hpp"
 #include "core/solve/settings.hpp"
-#include "precond/smoothers/line_jacobi.hpp"
+#include "precond/operators/displacement_preconditioner.hpp"
 
 namespace bulbus {
 
@@ -24,14 +25,6 @@ class DisplacementBlock final : public LinearOperator {
 /// The block, or in single precision what smoothers take for it.
 std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision);
 
-/// An approximate inverse of the displacement block, on primal vectors, and the lines it smooths with; null
-/// where it has none.
-struct DisplacementInverse {
-  std::shared_ptr<Preconditioner> inverse;
-  const LineJacobi* lines = nullptr;
-  bool factors_kept = false;  ///< those of its coarsest matrix are an earlier linearisation's
-};
-
 /// Makes the preconditioner of the displacement block that the settings name, of every linearisation of one
 /// problem anew.
 class DisplacementFactory {
@@ -39,8 +32,8 @@ class DisplacementFactory {
   explicit DisplacementFactory(const LinearSettings& settings);
   ~DisplacementFactory();
   /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a
-  /// refined mesh. `keep_factors`: where the coarsest matrix has hardly changed.
-  DisplacementInverse make(const CoupledSystem& system, bool keep_factors = false);
+  /// refined mesh. `keep`: the coarsest matrix's factors.
+  std::unique_ptr<DisplacementPreconditioner> make(const CoupledSystem& system, const KeepFactors& keep = {});
 
  private:
   LinearSettings settings_;

@@ -4,29 +4,30 @@
 
 namespace bulbus {
 
-void ProjectedTerm::project(const Problem& finer, const Interpolation& P) {
+void ProjectedTerm::project(const CoupledSystem& finer, const Interpolation& P) {
   constexpr std::size_t most = 1 << 20;  // blocks before those of one pair are added up
   blocks_.clear();
   std::size_t limit = most;
-  for (const auto& term : finer.added())
-    term->visit([&](std::span<const int> nodes, std::span<const double> K) {
-      const std::size_t n = nodes.size();
-      for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) {
-          const auto rows = P.stencil(nodes[i]), columns = P.stencil(nodes[j]);
-          for (std::size_t a = 0; a < rows.nodes.size(); ++a)
-            for (std::size_t b = 0; b < columns.nodes.size(); ++b) {
-              Block& block = blocks_.emplace_back(Block{{rows.nodes[a], columns.nodes[b]}, {}});
-              const double weight = rows.weights[a] * columns.weights[b];
-              for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 3; ++c)
-                  block.values[3 * r + c] = weight * K[(3 * i + r) * 3 * n + 3 * j + c];
-            }
-        }
-      if (blocks_.size() < limit) return;
-      add_up();
-      limit = blocks_.size() + most;
-    });
+  const ContributionVisitor add = [&](std::span<const int> nodes, std::span<const double> K) {
+    const std::size_t n = nodes.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        const auto rows = P.stencil(nodes[i]), columns = P.stencil(nodes[j]);
+        for (std::size_t a = 0; a < rows.nodes.size(); ++a)
+          for (std::size_t b = 0; b < columns.nodes.size(); ++b) {
+            Block& block = blocks_.emplace_back(Block{{rows.nodes[a], columns.nodes[b]}, {}});
+            const double weight = rows.weights[a] * columns.weights[b];
+            for (int r = 0; r < 3; ++r)
+              for (int c = 0; c < 3; ++c)
+                block.values[3 * r + c] = weight * K[(3 * i + r) * 3 * n + 3 * j + c];
+          }
+      }
+    if (blocks_.size() < limit) return;
+    add_up();
+    limit = blocks_.size() + most;
+  };
+  for (const auto& term : finer.problem().added()) term->visit(add);
+  for (const auto& term : finer.further_terms()) term->visit(add);
   add_up();
 }
 

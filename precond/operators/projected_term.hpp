@@ -2,17 +2,18 @@
 #include <array>
 #include <vector>
 
-#include "core/problem/problem.hpp"
+#include "core/solve/coupled_system.hpp"
 
 namespace bulbus {
 
 /// The tangent of the terms that floors above added to a problem (contact, sutures), on the next coarser
-/// mesh: Pᵀ K P with the prolongation P. Without forces: it belongs to the linear system of a coarse level
-/// only.
+/// mesh, as a further term of its system: Pᵀ K P with the prolongation P. Without forces: it belongs to the
+/// linear system of a coarse level only.
 class ProjectedTerm final : public Term {
  public:
-  /// Takes what the finer problem's added terms contribute as they are linearised.
-  void project(const Problem& finer, const Interpolation& P);
+  /// Takes what the finer problem's added terms, and the further terms of its system, contribute as they are
+  /// linearised.
+  void project(const CoupledSystem& finer, const Interpolation& P);
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
   void linearize(const State&) override {}

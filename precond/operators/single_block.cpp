@@ -10,12 +10,12 @@ namespace bulbus {
 SingleBlock::SingleBlock(const CoupledSystem& system)
     : system_(system), dofs_(system.problem().dofs()), d_(system), z_(system) {
   while (free_ < system.problem().mesh().owned && dofs_.held(free_)) ++free_;
-  follow();
+  refresh();
 }
 
-void SingleBlock::follow() {
+void SingleBlock::refresh() {
   touched_.clear();
-  visit_surface(system_.problem(), system_.state(), [&](std::span<const int> nodes, std::span<const double>) {
+  system_.visit_surface([&](std::span<const int> nodes, std::span<const double>) {
     touched_.insert(touched_.end(), nodes.begin(), nodes.end());
   });
   for (const RigidBody& b : dofs_.bodies())
@@ -27,7 +27,7 @@ void SingleBlock::follow() {
 
 void SingleBlock::apply() const {
   const LocalMesh& mesh = system_.problem().mesh();
-  auto& dx = system_.room().dx;
+  auto& dx = system_.workspace().increment;
   dx.resize(3 * static_cast<std::size_t>(mesh.nodes()));
   mesh.halo.update_ghosts(d_.nodal);
   for (int n : touched_)
@@ -39,7 +39,7 @@ void SingleBlock::apply() const {
 }
 
 void SingleBlock::apply_to(std::span<const double> x) const {
-  auto& dx = system_.room().dx;
+  auto& dx = system_.workspace().increment;
   dx.resize(3 * d_.nodal.size());
   dofs_.expand(system_.state(), x, dx);
   std::ranges::copy(x.subspan(system_.layout().nodal), d_.bodies.begin());
@@ -58,7 +58,7 @@ void SingleBlock::act(std::span<const double> dx) const {
   const int owned = problem.mesh().owned;
   std::fill(z_.nodal.begin() + owned, z_.nodal.end(), NodeSingle{});
   problem.solid().apply_single(d_.nodal, z_.nodal);
-  auto& force = system_.room().force;
+  auto& force = system_.workspace().force;
   force.resize(dx.size());
   for (int n : touched_) std::fill_n(&force[3 * n], 3, 0);
   system_.add_surface_action(dx, force);
@@ -79,7 +79,7 @@ void SingleBlock::apply(std::span<const double> x, std::span<double> y) const {
   for (std::size_t n = 0; n < owned; ++n)
     for (int c = 0; c < 3; ++c) y[3 * n + c] = z_.nodal[n][c];
   std::ranges::copy(z_.bodies, y.begin() + 3 * owned);
-  dofs_.add_held(x, system_.held_scale(), y);
+  dofs_.add_held(x, system_.constrained_diagonal(), y);
   std::ranges::fill(z_.nodal, NodeSingle{});
   std::ranges::fill(z_.bodies, 0);
 }

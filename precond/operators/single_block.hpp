@@ -22,11 +22,11 @@ class SingleBlock final : public LinearOperator {
  public:
   explicit SingleBlock(const CoupledSystem& system);
   int size() const override { return system_.layout().primal(); }
-  /// On primal vectors; held directions are identity rows times held_scale(). A translation of everything
-  /// costs no accuracy. Collective.
+  /// On primal vectors; held directions are identity rows times constrained_diagonal(). A translation of
+  /// everything costs no accuracy. Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
 
-  /// Room for a displacement and the forces that answer it; these are zero between uses.
+  /// Workspace: a displacement and the forces that answer it; these are zero between uses.
   NodalSingle& d() const { return d_; }
   NodalSingle& z() const { return z_; }
   /// z += A d on owned nodes and bodies, where d has free directions only: its ghosts and its nodes of bodies
@@ -36,7 +36,7 @@ class SingleBlock final : public LinearOperator {
   void apply_to(std::span<const double> x) const;
 
   /// The system has another tangent.
-  void follow();
+  void refresh();
   const CoupledSystem& system() const { return system_; }
   std::size_t bytes() const;
 

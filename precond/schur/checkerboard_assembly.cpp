@@ -9,8 +9,8 @@ namespace bulbus {
 CheckerboardMatrix::Assembly::Assembly(const Problem& problem, CheckerboardMatrix& to)
     : problem_(problem),
       to_(to),
-      count_(to.patterns_.count()),
-      coarser_(to.patterns_.coarser()),
+      count_(to.modes_->count()),
+      coarser_(to.modes_->coarser()),
       corners_(problem.mesh().hexes, problem.mesh().nodes()),
       constraints_(problem.mesh().hexes.size()) {
   problem.solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
@@ -26,9 +26,9 @@ CheckerboardMatrix::Assembly::Assembly(const Problem& problem, CheckerboardMatri
 template <class Use>
 void CheckerboardMatrix::Assembly::visit(int node, Use use) const {
   for (const auto c : corners_.at(node))
-    if (const int hex = c.hex(), coarser = to_.patterns_.coarser_of(hex); coarser >= 0)
+    if (const int hex = c.hex(), coarser = to_.modes_->coarser_of(hex); coarser >= 0)
       use(coarser, [&] {
-        return Force(Eigen::Vector3f::Map(&constraints_[hex][3 * c.corner()]) * to_.patterns_.row(hex));
+        return Force(Eigen::Vector3f::Map(&constraints_[hex][3 * c.corner()]) * to_.modes_->row(hex));
       });
   for (auto f = std::ranges::lower_bound(foreign_, node, {}, &NodeForce::node);
        f != foreign_.end() && f->node == node; ++f)
@@ -124,7 +124,7 @@ void CheckerboardMatrix::Assembly::exchange() {
       for (const NodeForce& f : sums(n.receive[place])) {
         sent.push_back(f.coarse);
         out[n.rank].push_back(static_cast<long long>(place));
-        out[n.rank].push_back(to_.patterns_.labels()[f.coarse]);
+        out[n.rank].push_back(to_.modes_->labels()[f.coarse]);
         for (float v : f.force.reshaped()) out[n.rank].push_back(std::bit_cast<int>(v));
       }
     std::ranges::sort(sent);

@@ -17,7 +17,7 @@ class CheckerboardMatrix::Assembly {
 
  private:
   using Force = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::ColMajor, 3, CheckerboardModes::most>;
-  // of a coarser hexahedron's patterns on a node
+  // of a coarser hexahedron's modes on a node
   struct NodeForce {
     int node, coarse;
     Force force;
@@ -34,7 +34,7 @@ class CheckerboardMatrix::Assembly {
 
   const Problem& problem_;
   CheckerboardMatrix& to_;
-  int count_, coarser_;  // patterns, coarser hexahedra
+  int count_, coarser_;  // modes, coarser hexahedra
   Corners corners_;
   std::vector<std::array<float, 24>> constraints_;  // of every hexahedron: ∂V_e/∂u at its corners
   std::vector<NodeForce> foreign_;                  // of other ranks' hexahedra, by nodes

@@ -21,14 +21,14 @@ Vector load_vector(const float* from) {
 
 }  // namespace
 
-CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns,
+CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, std::shared_ptr<const CheckerboardModes> modes,
                                        const LineJacobi& lines)
-    : patterns_(patterns) {
+    : modes_(std::move(modes)) {
   Assembly assembly(problem, *this);
   assembly.add_lines(lines);
   in_.resize(assembly.coarser());
   out_.resize(assembly.coarser());
-  exchanged_.resize(patterns.count() * assembly.coarser());
+  exchanged_.resize(modes_->count() * assembly.coarser());
 }
 
 // A block is one vector, b00 b01 b02 b03 b10 ...; it meets the four numbers of x side by side four times, and
@@ -84,31 +84,31 @@ void CheckerboardMatrix::multiply(std::span<double> x) const {
 
 void CheckerboardMatrix::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::copy(x, exchanged_.begin());
-  halo_->update_ghosts(exchanged_, patterns_.count());
-  if (patterns_.count() == 4)
+  halo_->update_ghosts(exchanged_, modes_->count());
+  if (modes_->count() == 4)
     multiply<4>(exchanged_);
   else
     multiply<10>(exchanged_);
-  halo_->accumulate_ghosts(exchanged_, patterns_.count());
+  halo_->accumulate_ghosts(exchanged_, modes_->count());
   std::copy_n(exchanged_.begin(), size(), y.begin());
 }
 
 std::vector<double> CheckerboardMatrix::diagonal() const {
-  const int numbers = patterns_.count() * patterns_.count();
+  const int numbers = modes_->count() * modes_->count();
   std::vector<double> sum(numbers * in_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     if (pairs_[k].row == pairs_[k].column)
       std::copy_n(&blocks_[numbers * k], numbers, &sum[numbers * pairs_[k].row]);
   halo_->accumulate_ghosts(sum, numbers);
-  sum.resize(numbers * patterns_.coarser());
+  sum.resize(numbers * modes_->coarser());
   return sum;
 }
 
 void CheckerboardMatrix::drop(double part) {
-  const std::size_t numbers = patterns_.count() * patterns_.count();
+  const std::size_t numbers = modes_->count() * modes_->count();
   const auto own = diagonal();
   std::vector<double> norm(in_.size());
-  for (int c = 0; c < patterns_.coarser(); ++c)
+  for (int c = 0; c < modes_->coarser(); ++c)
     norm[c] = Eigen::VectorXd::Map(&own[numbers * c], numbers).norm();
   halo_->update_ghosts(norm, 1);
   std::size_t kept = 0;
@@ -129,21 +129,20 @@ std::size_t CheckerboardMatrix::bytes() const {
   return bytes_of(pairs_) + bytes_of(blocks_) + bytes_of(in_) + bytes_of(out_) + bytes_of(exchanged_);
 }
 
-PatternJacobi::PatternJacobi(const CheckerboardMatrix& matrix)
-    : patterns_(matrix.patterns()), size_(matrix.size()) {
-  const int patterns = patterns_;
+CheckerboardJacobi::CheckerboardJacobi(const CheckerboardMatrix& matrix)
+    : modes_(matrix.modes()), size_(matrix.size()) {
+  const int modes = modes_;
   const auto diagonal = matrix.diagonal();
   inverse_.resize(diagonal.size());
-  for (std::size_t at = 0; at < diagonal.size(); at += patterns * patterns) {
-    const Eigen::MatrixXd block = Eigen::MatrixXd::Map(&diagonal[at], patterns, patterns);
+  for (std::size_t at = 0; at < diagonal.size(); at += modes * modes) {
+    const Eigen::MatrixXd block = Eigen::MatrixXd::Map(&diagonal[at], modes, modes);
     if (block.diagonal().maxCoeff() > 0)
-      Eigen::MatrixXf::Map(&inverse_[at], patterns, patterns) =
-          safe_inverse<Eigen::Dynamic>(block).cast<float>();
+      Eigen::MatrixXf::Map(&inverse_[at], modes, modes) = safe_inverse<Eigen::Dynamic>(block).cast<float>();
   }
 }
 
-void PatternJacobi::apply(std::span<const double> r, std::span<double> z) const {
-  const int n = patterns_;
+void CheckerboardJacobi::apply(std::span<const double> r, std::span<double> z) const {
+  const int n = modes_;
   for (int at = 0; at < size_; at += n)
     for (int i = 0; i < n; ++i) {
       double sum = 0;
@@ -152,13 +151,13 @@ void PatternJacobi::apply(std::span<const double> r, std::span<double> z) const 
     }
 }
 
-std::size_t PatternJacobi::bytes() const { return bytes_of(inverse_); }
+std::size_t CheckerboardJacobi::bytes() const { return bytes_of(inverse_); }
 
 void CheckerboardProduct::apply(std::span<const double> x, std::span<double> y) const {
   std::ranges::fill(p_, 0.0);
-  patterns_.add_prolonged(x, 1, p_);
-  K_.apply(p_, q_);
-  patterns_.restrict_pressures(q_, y);
+  modes_->add_prolonged(x, 1, p_);
+  K_->apply(p_, q_);
+  modes_->restrict_pressures(q_, y);
 }
 
 std::size_t CheckerboardProduct::bytes() const { return bytes_of(p_) + bytes_of(q_); }

@@ -13,15 +13,16 @@ namespace bulbus {
 /// Pᵀ K P, blocks of pairs of coarser hexahedra; stored in single precision.
 class CheckerboardMatrix final : public LinearOperator {
  public:
-  /// Collective. Nothing but `patterns` has to outlive it.
-  CheckerboardMatrix(const Problem& problem, const CheckerboardModes& patterns, const LineJacobi& lines);
-  int size() const override { return patterns_.size(); }
+  /// Keeps nothing of `problem` and `lines`. Collective.
+  CheckerboardMatrix(const Problem& problem, std::shared_ptr<const CheckerboardModes> modes,
+                     const LineJacobi& lines);
+  int size() const override { return modes_->size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
   /// Leaves out blocks whose norm is below this part of their two hexahedra's own. Collective.
   void drop(double part);
   /// Of a coarser hexahedron.
-  int patterns() const { return patterns_.count(); }
+  int modes() const { return modes_->count(); }
   /// Blocks of every coarser hexahedron with itself. Collective.
   std::vector<double> diagonal() const;
   std::size_t bytes() const;
@@ -33,11 +34,11 @@ class CheckerboardMatrix final : public LinearOperator {
   };
   class Assembly;
   template <int N>
-  void multiply(std::span<double> x) const;  // x ← K x without halos, N patterns
+  void multiply(std::span<double> x) const;  // x ← K x without halos, N modes
   template <int N>
   void add_products() const;
 
-  const CheckerboardModes& patterns_;
+  std::shared_ptr<const CheckerboardModes> modes_;
   std::vector<Pair> pairs_;                           // ascending
   std::vector<float> blocks_;                         // of the pairs, by rows
   std::unique_ptr<Halo> halo_;                        // of coarser hexahedra, ghosts behind this rank's
@@ -46,33 +47,34 @@ class CheckerboardMatrix final : public LinearOperator {
 };
 
 /// Inverses of a CheckerboardMatrix's diagonal blocks; zero where nothing moves.
-class PatternJacobi final : public Preconditioner {
+class CheckerboardJacobi final : public Preconditioner {
  public:
   /// Collective.
-  explicit PatternJacobi(const CheckerboardMatrix& matrix);
+  explicit CheckerboardJacobi(const CheckerboardMatrix& matrix);
   int size() const override { return size_; }
   void apply(std::span<const double> r, std::span<double> z) const override;
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override;
 
  private:
-  int patterns_, size_;
+  int modes_, size_;
   std::vector<float> inverse_;
 };
 
 /// Pᵀ K P as the product of its factors.
 class CheckerboardProduct final : public LinearOperator {
  public:
-  CheckerboardProduct(const CheckerboardModes& patterns, const LinePressureStiffness& K)
-      : patterns_(patterns), K_(K), p_(K.size()), q_(K.size()) {}
-  int size() const override { return patterns_.size(); }
+  CheckerboardProduct(std::shared_ptr<const CheckerboardModes> modes,
+                      std::shared_ptr<const LinePressureStiffness> K)
+      : modes_(std::move(modes)), K_(std::move(K)), p_(K_->size()), q_(K_->size()) {}
+  int size() const override { return modes_->size(); }
   /// Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
   std::size_t bytes() const;
 
  private:
-  const CheckerboardModes& patterns_;
-  const LinePressureStiffness& K_;
+  std::shared_ptr<const CheckerboardModes> modes_;
+  std::shared_ptr<const LinePressureStiffness> K_;
   mutable std::vector<double> p_, q_;
 };
 

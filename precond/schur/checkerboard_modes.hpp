@@ -9,7 +9,7 @@ namespace bulbus {
 
 /// Checkerboard modes of the hexahedra that one of a coarser mesh was split into, in its own directions x, y,
 /// z: (−1)^(i+j) f(k), and the same of yz and zx. Whatever f is, Q1/P0 hardly feels them. There are 3m − 2 of
-/// m³ hexahedra: xy, yz, zx and xyz of a mesh refined once, ten of one refined twice. A vector on patterns
+/// m³ hexahedra: xy, yz, zx and xyz of a mesh refined once, ten of one refined twice. A vector on modes
 /// has them one coarser hexahedron after the other; P takes it to element pressures.
 class CheckerboardModes {
  public:
@@ -24,7 +24,7 @@ class CheckerboardModes {
   int size() const { return count() * coarser(); }
   /// Indices in the coarser mesh, ascending.
   const std::vector<int>& labels() const { return label_; }
-  /// Place of the coarser one among labels(); −1 of rigid hexahedra, which have no patterns.
+  /// Place of the coarser one among labels(); −1 of rigid hexahedra, which have no modes.
   int coarser_of(int hex) const { return of_[hex]; }
   /// A row of P: ±1 in every pattern of the coarser hexahedron.
   const Row& row(int hex) const { return rows_[part_[hex]]; }

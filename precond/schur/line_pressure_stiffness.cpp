@@ -6,8 +6,9 @@
 
 namespace bulbus {
 
-LinePressureStiffness::LinePressureStiffness(const CoupledSystem& system, const LineJacobi& lines)
-    : problem_(system.problem()), lines_(lines), nodal_(problem_.mesh().nodes()) {}
+LinePressureStiffness::LinePressureStiffness(const CoupledSystem& system,
+                                             std::shared_ptr<const LineJacobi> lines)
+    : problem_(system.problem()), lines_(std::move(lines)), nodal_(problem_.mesh().nodes()) {}
 
 void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q) const {
   const Solid& solid = problem_.solid();
@@ -16,7 +17,7 @@ void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q
   solid.apply_pressure_single(p, nodal_);
   halo.accumulate_ghosts(nodal_);
   problem_.dofs().project(nodal_);
-  lines_.apply(nodal_);
+  lines_->apply(nodal_);
   halo.update_ghosts(nodal_);
   solid.volume_change_single(nodal_, q);
   for (int h : solid.rigid_hexes()) q[h] = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
@@ -11,7 +12,7 @@ namespace bulbus {
 /// still does not change its volume.
 class LinePressureStiffness final : public LinearOperator {
  public:
-  LinePressureStiffness(const CoupledSystem& system, const LineJacobi& lines);
+  LinePressureStiffness(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines);
   int size() const override { return static_cast<int>(problem_.mesh().hexes.size()); }
   /// Collective.
   void apply(std::span<const double> p, std::span<double> q) const override;
@@ -19,7 +20,7 @@ class LinePressureStiffness final : public LinearOperator {
 
  private:
   const Problem& problem_;
-  const LineJacobi& lines_;
+  std::shared_ptr<const LineJacobi> lines_;
   mutable std::vector<NodeSingle> nodal_;
 };
 

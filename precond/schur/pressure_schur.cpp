@@ -7,40 +7,41 @@
 
 namespace bulbus {
 
-PressureSchur::PressureSchur(const CoupledSystem& system, const LineJacobi* lines,
-                             const PressureSettings& settings, Weak& weak)
+PressureSchur::PressureSchur(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+                             const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections)
     : system_(system),
-      lines_(lines),
+      lines_(std::move(lines)),
       settings_(settings),
       diagonal_(system.inverse_pressure_schur()),
-      weak_(weak) {}
+      corrections_(std::move(corrections)) {}
 
 void PressureSchur::enable_deferred_component() {
   if (!has_deferred_component()) return;
-  strong_ = true;
-  if (!weak_.parts.empty()) return;
+  corrected_ = true;
+  auto& [softened, K, parts] = *corrections_;
+  if (!parts.empty()) return;
   const int refinements = system_.problem().mesh().refinements;
   if (refinements > 0)
-    weak_.softened = std::make_unique<const LineJacobi>(system_, lines_->lines(), Matrices::softened);
-  const LineJacobi& lines = weak_.softened ? *weak_.softened : *lines_;
-  if (refinements != 1) weak_.K = std::make_unique<const LinePressureStiffness>(system_, lines);
-  if (refinements == 0) weak_.parts.push_back(rough_part(system_, lines, *weak_.K, settings_.degree));
-  if (refinements > 1) weak_.parts.push_back(fine_patterns_part(system_, *weak_.K, settings_.degree));
+    softened = std::make_shared<const LineJacobi>(system_, lines_->lines(), Matrices::softened);
+  const auto lines = softened ? softened : lines_;
+  if (refinements != 1) K = std::make_shared<const LinePressureStiffness>(system_, lines);
+  if (refinements == 0) parts.push_back(oscillation_correction(system_, *lines, K, settings_.degree));
+  if (refinements > 1) parts.push_back(fine_checkerboard_correction(system_, K, settings_.degree));
   if (refinements > 0)
-    weak_.parts.push_back(
-        coarse_patterns_part(system_, lines, refinements > 1 ? std::nullopt : settings_.degree));
-  if (!weak_.K) weak_.softened.reset();
+    parts.push_back(
+        coarse_checkerboard_correction(system_, *lines, refinements > 1 ? std::nullopt : settings_.degree));
+  if (!K) softened.reset();
 }
 
 void PressureSchur::apply(std::span<const double> r, std::span<double> z) const {
   std::ranges::transform(diagonal_, r, z.begin(), std::multiplies{});
-  if (!strong_) return;
-  for (const auto& part : weak_.parts) part->add(r, settings_.weight, z);
+  if (!corrected_) return;
+  for (const auto& part : corrections_->parts) part->add(r, settings_.weight, z);
 }
 
-std::size_t PressureSchur::bytes() const { return bytes_of(diagonal_) + weak_.bytes(); }
+std::size_t PressureSchur::bytes() const { return bytes_of(diagonal_) + corrections_->bytes(); }
 
-std::size_t PressureSchur::Weak::bytes() const {
+std::size_t SchurCorrections::bytes() const {
   std::size_t total = (softened ? softened->bytes() : 0) + (K ? K->bytes() : 0);
   for (const auto& part : parts) total += part->bytes();
   return total;

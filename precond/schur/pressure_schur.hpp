@@ -7,6 +7,14 @@
 
 namespace bulbus {
 
+/// The corrections of PressureSchur and what they are made of; empty until they are taken up.
+struct SchurCorrections {
+  std::shared_ptr<const LineJacobi> softened;  ///< these two where a correction needs them
+  std::shared_ptr<const LinePressureStiffness> K;
+  std::vector<std::unique_ptr<SchurCorrection>> parts;
+  std::size_t bytes() const;
+};
+
 /// Approximate inverse of the element pressures' Schur complement Bᵀ A⁻¹ B:
 ///
 ///     Ŝ⁻¹ = (1 + γ) μ_e/V0_e + θ Σ corrections
@@ -18,35 +26,28 @@ namespace bulbus {
 /// meshes K is that of lines with a tenth of the augmentation: lines carry it without the neighbours that
 /// undo it in a checkerboard mode's displacement, and make K up to eleven times too soft. K's least
 /// eigenvalues fall with the square of a hexahedron's size, but a refined mesh knows its checkerboard modes,
-/// and the slow ones among them are few. Taken up when a solve drags, or at once.
+/// and the slow ones among them are few. Taken up when a solve is slow, or at once.
 class PressureSchur final : public Preconditioner {
  public:
-  /// The corrections and what they are made of.
-  struct Weak {
-    std::unique_ptr<const LineJacobi> softened;  // these two where a part needs them
-    std::unique_ptr<const LinePressureStiffness> K;
-    std::vector<std::unique_ptr<SchurCorrection>> parts;
-    std::size_t bytes() const;
-  };
-  /// `lines` may be null: then there is the first part only. `weak` may be an earlier linearisation's; it has
-  /// to outlive this, and on meshes that are not refined `lines` have to outlive it.
-  PressureSchur(const CoupledSystem& system, const LineJacobi* lines, const PressureSettings& settings,
-                Weak& weak);
-  bool has_deferred_component() const { return lines_ && !strong_; }
+  /// `lines` may be null: then there is the first part only. `corrections` are made when they are first taken
+  /// up, unless they are there, of an earlier linearisation.
+  PressureSchur(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+                const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections);
+  bool has_deferred_component() const { return lines_ && !corrected_; }
   /// Takes up the other parts, and makes them if they are not there. Collective.
   void enable_deferred_component();
   int size() const override { return static_cast<int>(diagonal_.size()); }
   void apply(std::span<const double> r, std::span<double> z) const override;
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override;
 
  private:
   const CoupledSystem& system_;
-  const LineJacobi* lines_;
+  std::shared_ptr<const LineJacobi> lines_;
   PressureSettings settings_;
   std::vector<double> diagonal_;
-  Weak& weak_;
-  bool strong_ = false;
+  std::shared_ptr<SchurCorrections> corrections_;
+  bool corrected_ = false;
 };
 
 }  // namespace bulbus

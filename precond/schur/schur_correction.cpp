@@ -19,14 +19,14 @@ std::vector<double> inverse_diagonal(const CoupledSystem& system) {
   return values;
 }
 
-// Of the four patterns of eight hexahedra: an eighth of the mean of theirs, for columns of P are as long as
+// Of the four modes of eight hexahedra: an eighth of the mean of theirs, for columns of P are as long as
 // √8.
-std::vector<double> inverse_diagonal(const CoupledSystem& system, const CheckerboardModes& patterns) {
+std::vector<double> inverse_diagonal(const CoupledSystem& system, const CheckerboardModes& modes) {
   const auto of_hexes = inverse_diagonal(system);
-  std::vector<double> values(patterns.size());
+  std::vector<double> values(modes.size());
   for (std::size_t h = 0; h < of_hexes.size(); ++h)
-    if (const int coarser = patterns.coarser_of(static_cast<int>(h)); coarser >= 0)
-      for (int k = 0; k < patterns.count(); ++k) values[patterns.count() * coarser + k] += of_hexes[h] / 64;
+    if (const int coarser = modes.coarser_of(static_cast<int>(h)); coarser >= 0)
+      for (int k = 0; k < modes.count(); ++k) values[modes.count() * coarser + k] += of_hexes[h] / 64;
   return values;
 }
 
@@ -37,7 +37,7 @@ class Diagonal final : public Preconditioner {
   void apply(std::span<const double> r, std::span<double> z) const override {
     std::ranges::transform(values_, r, z.begin(), std::multiplies{});
   }
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override { return bytes_of(values_); }
 
  private:
@@ -60,95 +60,102 @@ double smallest_for(int degree) { return 0.77 / (static_cast<double>(degree) * d
 // same with 1e-3 and grow by half with 3e-3 (benchmarks/notebook/checkerboard_modes.md).
 constexpr double negligible = 3e-4;
 
-class OnAll final : public SchurCorrection {
+class OscillationCorrection final : public SchurCorrection {
  public:
-  OnAll(const CoupledSystem& system, const LineJacobi& lines, const LinePressureStiffness& K, int degree)
-      : rough_(system.problem(), carried_by_lines(system, lines)),
-        scale_(inverse_diagonal(system)),
-        inverse_(K, scale_, degree, smallest_for(degree), system.problem().comm()),
-        given_(K.size()),
-        correction_(K.size()) {}
+  OscillationCorrection(const CoupledSystem& system, const LineJacobi& lines,
+                        std::shared_ptr<const LinePressureStiffness> K, int degree)
+      : K_(std::move(K)),
+        filter_(system.problem(), carried_by_lines(system, lines)),
+        scale_(std::make_shared<Diagonal>(inverse_diagonal(system))),
+        inverse_(K_, scale_, degree, smallest_for(degree), system.problem().comm()),
+        given_(K_->size()),
+        correction_(K_->size()) {}
   void add(std::span<const double> r, double weight, std::span<double> z) override {
     std::ranges::copy(r, given_.begin());
-    rough_.apply(given_);
+    filter_.apply(given_);
     inverse_.apply(given_, correction_);
-    rough_.apply(correction_);
+    filter_.apply(correction_);
     for (std::size_t e = 0; e < z.size(); ++e) z[e] += weight * correction_[e];
   }
   std::size_t bytes() const override {
-    return rough_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
+    return filter_.bytes() + scale_->bytes() + inverse_.bytes() + bytes_of(given_) + bytes_of(correction_);
   }
 
  private:
-  OscillationFilter rough_;
-  Diagonal scale_;
+  std::shared_ptr<const LinePressureStiffness> K_;
+  OscillationFilter filter_;
+  std::shared_ptr<const Diagonal> scale_;
   Chebyshev inverse_;
   std::vector<double> given_, correction_;
 };
 
 template <class Product, class Scale>
-class OnPatterns final : public SchurCorrection {
+class CheckerboardCorrection final : public SchurCorrection {
  public:
-  // make_product(P), make_scale(P, product)
+  // make_product(P), make_scale(P, product): shared pointers
   template <class MakeProduct, class MakeScale>
-  OnPatterns(const Problem& problem, int refinements, int degree, MakeProduct make_product,
-             MakeScale make_scale)
-      : patterns_(problem, refinements),
-        K_(make_product(patterns_)),
-        scale_(make_scale(patterns_, K_)),
+  CheckerboardCorrection(const Problem& problem, int refinements, int degree, MakeProduct make_product,
+                         MakeScale make_scale)
+      : modes_(std::make_shared<CheckerboardModes>(problem, refinements)),
+        K_(make_product(modes_)),
+        scale_(make_scale(*modes_, *K_)),
         inverse_(K_, scale_, degree, smallest_for(degree), problem.comm()),
-        given_(K_.size()),
-        correction_(K_.size()) {}
+        given_(K_->size()),
+        correction_(K_->size()) {}
   void add(std::span<const double> r, double weight, std::span<double> z) override {
-    patterns_.restrict_pressures(r, given_);
+    modes_->restrict_pressures(r, given_);
     inverse_.apply(given_, correction_);
-    patterns_.add_prolonged(correction_, weight, z);
+    modes_->add_prolonged(correction_, weight, z);
   }
   std::size_t bytes() const override {
-    return patterns_.bytes() + K_.bytes() + scale_.bytes() + inverse_.bytes() + bytes_of(given_) +
+    return modes_->bytes() + K_->bytes() + scale_->bytes() + inverse_.bytes() + bytes_of(given_) +
            bytes_of(correction_);
   }
 
  private:
-  CheckerboardModes patterns_;
-  Product K_;
-  Scale scale_;
+  std::shared_ptr<const CheckerboardModes> modes_;
+  std::shared_ptr<const Product> K_;
+  std::shared_ptr<const Scale> scale_;
   Chebyshev inverse_;
   std::vector<double> given_, correction_;
 };
 
 }  // namespace
 
-std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
-                                            const LinePressureStiffness& K, std::optional<int> degree) {
-  return std::make_unique<OnAll>(system, lines, K,
-                                 degree.value_or(degree_for(system.problem().mesh().all_hexes, 1.6)));
+std::unique_ptr<SchurCorrection> oscillation_correction(const CoupledSystem& system, const LineJacobi& lines,
+                                                        std::shared_ptr<const LinePressureStiffness> K,
+                                                        std::optional<int> degree) {
+  return std::make_unique<OscillationCorrection>(
+      system, lines, std::move(K), degree.value_or(degree_for(system.problem().mesh().all_hexes, 1.6)));
 }
 
-std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
-                                                    const LinePressureStiffness& K,
-                                                    std::optional<int> degree) {
-  return std::make_unique<OnPatterns<CheckerboardProduct, Diagonal>>(
+std::unique_ptr<SchurCorrection> fine_checkerboard_correction(const CoupledSystem& system,
+                                                              std::shared_ptr<const LinePressureStiffness> K,
+                                                              std::optional<int> degree) {
+  return std::make_unique<CheckerboardCorrection<CheckerboardProduct, Diagonal>>(
       system.problem(), 1, degree.value_or(16),
-      [&](const CheckerboardModes& P) { return CheckerboardProduct(P, K); },
+      [&](const auto& P) { return std::make_shared<CheckerboardProduct>(P, K); },
       [&](const CheckerboardModes& P, const CheckerboardProduct&) {
-        return Diagonal(inverse_diagonal(system, P));
+        return std::make_shared<Diagonal>(inverse_diagonal(system, P));
       });
 }
 
-std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines,
-                                                      std::optional<int> degree) {
+std::unique_ptr<SchurCorrection> coarse_checkerboard_correction(const CoupledSystem& system,
+                                                                const LineJacobi& lines,
+                                                                std::optional<int> degree) {
   const Problem& problem = system.problem();
   const int refinements = std::min(2, problem.mesh().refinements);
   const double hexes = static_cast<double>(problem.mesh().all_hexes >> (3 * refinements));
-  return std::make_unique<OnPatterns<CheckerboardMatrix, PatternJacobi>>(
+  return std::make_unique<CheckerboardCorrection<CheckerboardMatrix, CheckerboardJacobi>>(
       problem, refinements, degree.value_or(degree_for(hexes, 2)),
-      [&](const CheckerboardModes& P) {
-        CheckerboardMatrix matrix(problem, P, lines);
-        matrix.drop(negligible);
+      [&](const auto& P) {
+        auto matrix = std::make_shared<CheckerboardMatrix>(problem, P, lines);
+        matrix->drop(negligible);
         return matrix;
       },
-      [](const CheckerboardModes&, const CheckerboardMatrix& matrix) { return PatternJacobi(matrix); });
+      [](const CheckerboardModes&, const CheckerboardMatrix& matrix) {
+        return std::make_shared<CheckerboardJacobi>(matrix);
+      });
 }
 
 }  // namespace bulbus

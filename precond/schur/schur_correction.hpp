@@ -7,7 +7,8 @@
 
 namespace bulbus {
 
-/// Part of an approximate inverse on the weak patterns of element pressures: a fixed symmetric linear map.
+/// Part of an approximate inverse on oscillating element pressures, checkerboard modes among them: a fixed
+/// symmetric linear map.
 class SchurCorrection {
  public:
   virtual ~SchurCorrection() = default;
@@ -18,19 +19,21 @@ class SchurCorrection {
 };
 
 /// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see OscillationFilter) but
-/// where lines carry alone. K has to outlive it. Without a degree: from the mesh. Collective.
-std::unique_ptr<SchurCorrection> rough_part(const CoupledSystem& system, const LineJacobi& lines,
-                                            const LinePressureStiffness& K, std::optional<int> degree);
+/// where lines carry alone. Without a degree: from the mesh. Collective.
+std::unique_ptr<SchurCorrection> oscillation_correction(const CoupledSystem& system, const LineJacobi& lines,
+                                                        std::shared_ptr<const LinePressureStiffness> K,
+                                                        std::optional<int> degree);
 
 /// P q(Pᵀ K P) Pᵀ on the checkerboard modes (see CheckerboardModes) of hexahedra that were split once, in the
-/// product of its factors. K has to outlive it. Without a degree: 16. Collective.
-std::unique_ptr<SchurCorrection> fine_patterns_part(const CoupledSystem& system,
-                                                    const LinePressureStiffness& K,
-                                                    std::optional<int> degree);
+/// product of its factors. Without a degree: 16. Collective.
+std::unique_ptr<SchurCorrection> fine_checkerboard_correction(const CoupledSystem& system,
+                                                              std::shared_ptr<const LinePressureStiffness> K,
+                                                              std::optional<int> degree);
 
 /// P q(Pᵀ K P) Pᵀ with the matrix of the checkerboard modes of hexahedra that were split once or, where there
 /// are such, twice. Keeps nothing of lines. Without a degree: from the mesh. Collective.
-std::unique_ptr<SchurCorrection> coarse_patterns_part(const CoupledSystem& system, const LineJacobi& lines,
-                                                      std::optional<int> degree);
+std::unique_ptr<SchurCorrection> coarse_checkerboard_correction(const CoupledSystem& system,
+                                                                const LineJacobi& lines,
+                                                                std::optional<int> degree);
 
 }  // namespace bulbus

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
-#include "core/solve/linear_operator.hpp"
+#include "precond/operators/displacement_preconditioner.hpp"
 
 namespace bulbus {
 
@@ -33,13 +33,13 @@ class BodyBlocks {
 
 /// Inverses of the 3×3 blocks of the nodes and of the 6×6 blocks of rigid bodies. A block that is not
 /// positive definite is replaced by its diagonal's magnitude, so that the result is symmetric positive.
-class BlockJacobi final : public Preconditioner {
+class BlockJacobi final : public DisplacementPreconditioner {
  public:
   /// Collective.
   explicit BlockJacobi(const CoupledSystem& system);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override;
 
  private:

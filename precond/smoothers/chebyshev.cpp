@@ -9,11 +9,6 @@
 #include "core/base/memory.hpp"
 
 namespace bulbus {
-namespace {
-
-constexpr double growth = 1.3;  // of the largest eigenvalue, before smoothing suffers
-
-}  // namespace
 
 // The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½). They stand
 // for an indefinite D too: T is then symmetric up to signs, and its eigenvalues may be complex.
@@ -53,28 +48,29 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
   return {e.minCoeff(), e.maxCoeff()};
 }
 
-DampedSpectrum::DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest,
-                               const Comm& comm, double largest)
-    : A_(A), D_(D), part_(lowest), largest_(largest), comm_(comm) {
-  if (largest_ == 0) follow();
+DampedSpectrum::DampedSpectrum(std::shared_ptr<const LinearOperator> A,
+                               std::shared_ptr<const Preconditioner> D, double lowest, const Comm& comm,
+                               double largest)
+    : A_(std::move(A)), D_(std::move(D)), part_(lowest), largest_(largest), comm_(comm) {
+  if (largest_ == 0) refresh();
   own_ = largest_;
 }
 
-bool DampedSpectrum::follow() {
-  const double estimate = lanczos(A_, D_, 10, comm_).largest;
+double DampedSpectrum::refresh() {
+  const double estimate = lanczos(*A_, *D_, 10, comm_).largest;
   largest_ = 1.1 * (estimate > 0 ? estimate : 1);
-  return largest_ < growth * own_;
+  return largest_ / own_;
 }
 
-Chebyshev::Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part,
-                     const Comm& comm, double largest)
-    : A_(A),
-      D_(D),
+Chebyshev::Chebyshev(std::shared_ptr<const LinearOperator> A, std::shared_ptr<const Preconditioner> D,
+                     int degree, double smoothing_range, const Comm& comm, double largest)
+    : A_(std::move(A)),
+      D_(std::move(D)),
       degree_(degree),
-      spectrum_(A, D, smoothed_part, comm, largest),
-      r_(A.size()),
-      z_(A.size()),
-      d_(A.size()) {}
+      spectrum_(A_, D_, smoothing_range, comm, largest),
+      r_(A_->size()),
+      z_(A_->size()),
+      d_(A_->size()) {}
 
 void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
   auto steps = spectrum_.steps();
@@ -83,10 +79,10 @@ void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
   std::ranges::fill(d_, 0);
   for (int k = 0; k < degree_; ++k) {
     if (k > 0) {
-      A_.apply(d_, z_);
+      A_->apply(d_, z_);
       for (std::size_t i = 0; i < r_.size(); ++i) r_[i] -= z_[i];
     }
-    D_.apply(r_, z_);
+    D_->apply(r_, z_);
     const auto [keep, add] = steps.next();
     for (std::size_t i = 0; i < d_.size(); ++i) {
       d_[i] = keep * d_[i] + add * z_[i];

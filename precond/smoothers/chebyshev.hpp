@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "core/base/parallel.hpp"
@@ -17,12 +18,12 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
 /// λ_max.
 class DampedSpectrum {
  public:
-  /// Estimates λ_max by a few Lanczos steps, unless it is given. `A` and `D` must outlive this. Collective.
-  DampedSpectrum(const LinearOperator& A, const Preconditioner& D, double lowest, const Comm& comm,
-                 double largest = 0);
-  /// Estimates the largest eigenvalue of the present A; false if it has grown so much that D does not fit any
-  /// more: of stiffness that is new, of a contact, D knows nothing.
-  bool follow();
+  /// Estimates λ_max by a few Lanczos steps, unless it is given. Collective.
+  DampedSpectrum(std::shared_ptr<const LinearOperator> A, std::shared_ptr<const Preconditioner> D,
+                 double lowest, const Comm& comm, double largest = 0);
+  /// Estimates the largest eigenvalue of the present A; returns by how much it has grown since D was made: of
+  /// stiffness that is new, as of a contact, D knows nothing. Collective.
+  double refresh();
   double largest_eigenvalue() const { return largest_; }
 
   /// The polynomial's recurrence: d ← keep d + add D⁻¹ r, x += d, with r = b − A x.
@@ -45,8 +46,8 @@ class DampedSpectrum {
   Steps steps() const { return {part_ * largest_, largest_}; }
 
  private:
-  const LinearOperator& A_;
-  const Preconditioner& D_;
+  std::shared_ptr<const LinearOperator> A_;
+  std::shared_ptr<const Preconditioner> D_;
   double part_, own_ = 0, largest_;
   Comm comm_;
 };
@@ -55,19 +56,20 @@ class DampedSpectrum {
 /// the spectrum.
 class Chebyshev final : public Preconditioner {
  public:
-  /// `A` and `D` must outlive this. Collective.
-  Chebyshev(const LinearOperator& A, const Preconditioner& D, int degree, double smoothed_part,
-            const Comm& comm, double largest = 0);
-  int size() const override { return A_.size(); }
+  /// `smoothing_range`: damped eigenvalues over the largest one, from this on. Collective.
+  Chebyshev(std::shared_ptr<const LinearOperator> A, std::shared_ptr<const Preconditioner> D, int degree,
+            double smoothing_range, const Comm& comm, double largest = 0);
+  int size() const override { return A_->size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
-  bool fixed() const override { return true; }
-  bool follow() override { return spectrum_.follow(); }
+  bool is_linear() const override { return true; }
+  /// See DampedSpectrum.
+  double refresh() { return spectrum_.refresh(); }
   std::size_t bytes() const override;
   double largest_eigenvalue() const { return spectrum_.largest_eigenvalue(); }
 
  private:
-  const LinearOperator& A_;
-  const Preconditioner& D_;
+  std::shared_ptr<const LinearOperator> A_;
+  std::shared_ptr<const Preconditioner> D_;
   int degree_;
   DampedSpectrum spectrum_;
   mutable std::vector<double> r_, z_, d_;

@@ -31,8 +31,7 @@ std::vector<int> followers(const LocalMesh& mesh, const Lines& lines) {
 LineBlocks blocks_of(const CoupledSystem& system, const Lines& lines, Matrices matrices) {
   LineBlocks blocks(system, lines);
   for_each_condensed_matrix(
-      system.problem(), system.state(), matrices,
-      [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
+      system, matrices, [&](std::span<const int> dofs, std::span<const double> K) { blocks.add(dofs, K); });
   blocks.complete();
   return blocks;
 }
@@ -77,32 +76,33 @@ void LineBlocks::add(std::span<const int> d, std::span<const double> K) {
 void LineBlocks::complete() {
   mesh_.halo.accumulate_ghosts(diagonal_, 9);
   mesh_.halo.accumulate_ghosts(ahead_, 9);
-  system_.add_held_blocks(diagonal_);
+  system_.add_constrained_blocks(diagonal_);
 }
 
-LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, const LineBlocks& blocks)
+LineJacobi::LineJacobi(const CoupledSystem& system, std::shared_ptr<const Lines> lines,
+                       const LineBlocks& blocks)
     : size_(system.layout().primal()),
-      lines_(lines),
-      inverse_(lines.nodes.size()),
-      lower_(lines.nodes.size() - lines.count()),
+      lines_(std::move(lines)),
+      inverse_(lines_->nodes.size()),
+      lower_(lines_->nodes.size() - lines_->count()),
       bodies_(system) {
-  for (int k = 0; k < lines.count(); ++k) {
+  for (int k = 0; k < count(); ++k) {
     if (!factorise(k, blocks)) factorise_nodes(k, blocks);
     longest_ = std::max(longest_, nodes(k).size());
   }
   on_lines_.resize(at_once * longest_);
 }
 
-LineJacobi::LineJacobi(const CoupledSystem& system, const Lines& lines, Matrices matrices)
-    : LineJacobi(system, lines, blocks_of(system, lines, matrices)) {}
+LineJacobi::LineJacobi(const CoupledSystem& system, std::shared_ptr<const Lines> lines, Matrices matrices)
+    : LineJacobi(system, lines, blocks_of(system, *lines, matrices)) {}
 
 bool LineJacobi::factorise(int line, const LineBlocks& blocks) {
   Block inverse;
-  for (int i = lines_.start[line]; i < lines_.start[line + 1]; ++i) {
-    const Block given = block_at(blocks.diagonal(), lines_.nodes[i]);
+  for (int i = lines_->start[line]; i < lines_->start[line + 1]; ++i) {
+    const Block given = block_at(blocks.diagonal(), lines_->nodes[i]);
     Block D = 0.5 * (given + given.transpose());
-    if (i > lines_.start[line]) {
-      const Block A = block_at(blocks.ahead(), lines_.nodes[i - 1]).transpose();
+    if (i > lines_->start[line]) {
+      const Block A = block_at(blocks.ahead(), lines_->nodes[i - 1]).transpose();
       const Block L = A * inverse;
       D -= L * A.transpose();
       Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(lower_[i - line - 1].data()) = L.cast<float>();
@@ -116,16 +116,16 @@ bool LineJacobi::factorise(int line, const LineBlocks& blocks) {
 }
 
 void LineJacobi::factorise_nodes(int line, const LineBlocks& blocks) {
-  for (int i = lines_.start[line]; i < lines_.start[line + 1]; ++i) {
-    inverse_[i] = packed(safe_inverse<3>(Eigen::Matrix3d(block_at(blocks.diagonal(), lines_.nodes[i]))));
-    if (i > lines_.start[line]) lower_[i - line - 1].fill(0);
+  for (int i = lines_->start[line]; i < lines_->start[line + 1]; ++i) {
+    inverse_[i] = packed(safe_inverse<3>(Eigen::Matrix3d(block_at(blocks.diagonal(), lines_->nodes[i]))));
+    if (i > lines_->start[line]) lower_[i - line - 1].fill(0);
   }
 }
 
 // use(first line, how many): neighbours of one length at once, or one line alone.
 template <class Use>
 void LineJacobi::for_each_group(Use use) const {
-  const auto size = [&](int line) { return lines_.start[line + 1] - lines_.start[line]; };
+  const auto size = [&](int line) { return lines_->start[line + 1] - lines_->start[line]; };
   for (int k = 0; k < count();) {
     int same = 1;
     while (same < at_once && k + same < count() && size(k + same) == size(k)) ++same;
@@ -139,13 +139,13 @@ void LineJacobi::for_each_group(Use use) const {
 // before; several lines do not wait for each other.
 template <int Many, class Number>
 void LineJacobi::solve(int first, Number* y, int stride) const {
-  const int count = lines_.start[first + 1] - lines_.start[first];
+  const int count = lines_->start[first + 1] - lines_->start[first];
   const std::array<float, 9>* L[Many];
   const std::array<float, 6>* D[Many];
   Number* of[Many];
   for (int m = 0; m < Many; ++m) {
-    L[m] = lower_.data() + lines_.start[first + m] - (first + m);
-    D[m] = inverse_.data() + lines_.start[first + m];
+    L[m] = lower_.data() + lines_->start[first + m] - (first + m);
+    D[m] = inverse_.data() + lines_->start[first + m];
     of[m] = y + static_cast<std::ptrdiff_t>(stride) * count * m;
   }
   for (int i = 1; i < count; ++i)
@@ -187,7 +187,7 @@ void LineJacobi::apply(std::span<const double> x, std::span<double> y) const {
     for (std::size_t i = 0; i < group.size(); ++i)
       std::copy_n(&on_lines[3 * i], 3, &y[3 * static_cast<std::size_t>(group[i])]);
   });
-  const std::size_t nodal = 3 * lines_.nodes.size();
+  const std::size_t nodal = 3 * lines_->nodes.size();
   bodies_.apply(x.subspan(nodal), y.subspan(nodal));
 }
 
@@ -203,11 +203,11 @@ void LineJacobi::apply(std::span<NodeSingle> v) const {
 void LineJacobi::step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z,
                       std::span<NodeSingle> d, std::span<NodeSingle> x) const {
   constexpr std::size_t ahead = 12;  // nodes, whose numbers are soon to be asked for
-  const std::size_t last = lines_.nodes.size() - 1;
+  const std::size_t last = lines_->nodes.size() - 1;
   for_each_group([&](int k, int many) {
     const auto group = nodes(k, many);
     for (std::size_t i = 0; i < group.size(); ++i) {
-      const int n = group[i], soon = lines_.nodes[std::min(lines_.start[k] + i + ahead, last)];
+      const int n = group[i], soon = lines_->nodes[std::min(lines_->start[k] + i + ahead, last)];
       for (const auto& v : {r, z, d, x}) __builtin_prefetch(&v[soon], 1);
       on_lines_[i] = r[n] -= z[n];
       z[n] = NodeSingle{};
@@ -222,7 +222,7 @@ void LineJacobi::step(float keep, float add, std::span<NodeSingle> r, std::span<
 }
 
 Eigen::MatrixXf LineJacobi::energy(int line, Rows& F) const {
-  const int first = lines_.start[line], last = lines_.start[line + 1] - 1;
+  const int first = lines_->start[line], last = lines_->start[line + 1] - 1;
   Rows scaled(F.rows(), F.cols());
   for (int i = first; i <= last; ++i) {
     auto rows = F.middleRows<3>(3 * (i - first));
@@ -237,8 +237,8 @@ Eigen::MatrixXf LineJacobi::energy(int line, Rows& F) const {
 }
 
 std::size_t LineJacobi::bytes() const {
-  return bytes_of(inverse_) + bytes_of(lower_) + bodies_.bytes() + bytes_of(lines_.nodes) +
-         bytes_of(lines_.start);
+  return bytes_of(inverse_) + bytes_of(lower_) + bodies_.bytes() + bytes_of(lines_->nodes) +
+         bytes_of(lines_->start);
 }
 
 }  // namespace bulbus

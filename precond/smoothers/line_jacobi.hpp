@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <memory>
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
@@ -17,7 +18,7 @@ class LineBlocks {
   LineBlocks(const CoupledSystem& system, const Lines& lines);
   /// A contribution to the reduced displacement block (see for_each_condensed_matrix).
   void add(std::span<const int> dofs, std::span<const double> K);
-  /// Folds what other ranks have and puts held directions on held_scale(). Collective.
+  /// Folds what other ranks have and puts held directions on constrained_diagonal(). Collective.
   void complete();
   /// A_(n, n) and A_(n, next) of every local node n with the next one on its line; 9 numbers by rows.
   std::span<const double> diagonal() const { return diagonal_; }
@@ -42,9 +43,10 @@ inline Matrices matrices_of(Precision precision) {
 class LineJacobi final : public Preconditioner {
  public:
   /// Collective.
-  LineJacobi(const CoupledSystem& system, const Lines& lines, Matrices matrices = Matrices::augmented);
+  LineJacobi(const CoupledSystem& system, std::shared_ptr<const Lines> lines,
+             Matrices matrices = Matrices::augmented);
   /// Of complete blocks.
-  LineJacobi(const CoupledSystem& system, const Lines& lines, const LineBlocks& blocks);
+  LineJacobi(const CoupledSystem& system, std::shared_ptr<const Lines> lines, const LineBlocks& blocks);
   int size() const override { return size_; }
   void apply(std::span<const double> x, std::span<double> y) const override;
   /// The nodes' part, in place, on owned nodes.
@@ -55,18 +57,18 @@ class LineJacobi final : public Preconditioner {
   void step(float keep, float add, std::span<NodeSingle> r, std::span<NodeSingle> z, std::span<NodeSingle> d,
             std::span<NodeSingle> x) const;
   const BodyBlocks& bodies() const { return bodies_; }
-  const Lines& lines() const { return lines_; }
-  int count() const { return lines_.count(); }
+  const std::shared_ptr<const Lines>& lines() const { return lines_; }
+  int count() const { return lines_->count(); }
   /// Of one line, or of several one after the other.
   std::span<const int> nodes(int line, int many = 1) const {
-    return std::span(lines_.nodes)
-        .subspan(lines_.start[line], lines_.start[line + many] - lines_.start[line]);
+    return std::span(lines_->nodes)
+        .subspan(lines_->start[line], lines_->start[line + many] - lines_->start[line]);
   }
   /// Three rows per node of a line.
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   /// Fᵀ A⁻¹ F, A: the part on one line. F is used up.
   Eigen::MatrixXf energy(int line, Rows& F) const;
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   std::size_t bytes() const override;
 
  private:
@@ -81,7 +83,7 @@ class LineJacobi final : public Preconditioner {
   void for_each_group(Use use) const;
 
   int size_;
-  const Lines& lines_;
+  std::shared_ptr<const Lines> lines_;
   // Per position on a line: D_k⁻¹ (upper triangle) and, unless it is the first, L_k = A_(k,k−1) D_(k−1)⁻¹ by
   // rows.
   std::vector<std::array<float, 6>> inverse_;

@@ -51,7 +51,7 @@ std::vector<Edge> edges_of(const Problem& problem) {
 }
 
 // What a node has besides its two strongest edges: the strength of the third.
-std::vector<double> thirds(const std::vector<Edge>& edges, int owned) {
+std::vector<double> third_strongest(const std::vector<Edge>& edges, int owned) {
   std::vector<std::array<double, 3>> top(owned, {0, 0, 0});
   for (const Edge& e : edges)
     for (int n : {e.a, e.b}) {
@@ -76,7 +76,7 @@ std::vector<std::array<int, 2>> link(std::vector<Edge> edges, const LocalMesh& m
   constexpr double strong = 2;
   const int owned = mesh.owned;
   const Corners corners(mesh.hexes, mesh.nodes());
-  const auto third = thirds(edges, owned);
+  const auto third = third_strongest(edges, owned);
   for (Edge& e : edges) e.strength /= std::max(1e-300, std::min(third[e.a], third[e.b]));
   std::erase_if(edges, [](const Edge& e) { return e.strength < strong; });
   std::ranges::stable_sort(edges, [](const Edge& p, const Edge& q) { return p.strength > q.strength; });

@@ -20,15 +20,15 @@ class Smoother {
   virtual void after(std::span<const double> e, std::span<double> x) const = 0;
   /// x = e + S (b − A e). Collective.
   virtual void improve(std::span<const double> b, std::span<const double> e, std::span<double> x) const = 0;
-  /// As Preconditioner::follow. Collective.
-  virtual bool follow() = 0;
+  /// See DisplacementPreconditioner. Collective.
+  virtual double refresh() = 0;
   /// See DampedSpectrum.
   virtual double largest_eigenvalue() const = 0;
   virtual std::size_t bytes() const = 0;
 };
 
-/// `system` and `lines` must outlive it. `largest_eigenvalue`: 0 if it is not known. Collective.
-std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, const LineJacobi& lines,
+/// Of the present linearisation of `system`. `largest_eigenvalue`: 0 if it is not known. Collective.
+std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
                                         const SmootherSettings& settings, Precision precision,
                                         double largest_eigenvalue = 0);
 

@@ -24,10 +24,12 @@ Solved solve(const Scene& scene, const Comm& comm) {
   system.linearize(state, r);
   Profiler profiler;
   auto solver = make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler);
-  EXPECT_TRUE(solver->prepare(system).ok);
+  const Preparation prepared = solver->prepare(system);
+  EXPECT_TRUE(prepared.ok);
+  const CoupledOperator A(system, prepared.augmentation);
   std::vector<double> held(state.x.size()), x(system.size()), dx(state.x.size());
   problem.dofs().defect(state, .5, held);
-  const LinearReport report = solver->solve(system, system.right_hand_side(r, held), x, 1e-8);
+  const LinearReport report = solver->solve(A, A.right_hand_side(r, held), x, 1e-8);
   EXPECT_TRUE(report.ok) << report.reason;
   problem.dofs().expand(state, system.layout().primal(std::span<const double>(x)), dx);
   const LocalMesh& mesh = problem.mesh();

@@ -1,4 +1,4 @@
-// Parts of the weak pressure patterns are the same whichever ranks their hexahedra are on.
+// Corrections for oscillating pressures are the same whichever ranks their hexahedra are on.
 #include <gtest/gtest.h>
 
 #include "precond/schur/checkerboard_matrix.hpp"
@@ -13,20 +13,19 @@ namespace {
 // Of a hexahedron of the whole mesh: the same on all ranks.
 double noise(int hex, int k) { return std::sin(12.9898 * hex + 78.233 * k); }
 
-std::vector<double> noise(const CheckerboardModes& patterns) {
-  std::vector<double> c(patterns.size());
-  for (int i = 0; i < patterns.size(); ++i)
-    c[i] = noise(patterns.labels()[i / patterns.count()], i % patterns.count());
+std::vector<double> noise(const CheckerboardModes& modes) {
+  std::vector<double> c(modes.size());
+  for (int i = 0; i < modes.size(); ++i) c[i] = noise(modes.labels()[i / modes.count()], i % modes.count());
   return c;
 }
 
 void expect_product(const Scene& scene, int refinements) {
   const WithLines l(scene, refinements, 0);
-  const LinePressureStiffness K(l.system, l.jacobi);
-  const CheckerboardModes patterns(l.problem, refinements);
-  const CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
-  const CheckerboardProduct product(patterns, K);
-  const auto c = noise(patterns);
+  const auto K = std::make_shared<LinePressureStiffness>(l.system, l.jacobi);
+  const auto modes = std::make_shared<CheckerboardModes>(l.problem, refinements);
+  const CheckerboardMatrix matrix(l.problem, modes, *l.jacobi);
+  const CheckerboardProduct product(modes, K);
+  const auto c = noise(*modes);
   std::vector<double> found(c.size(), std::nan("")), expected(c.size());
   matrix.apply(c, found);
   product.apply(c, expected);
@@ -80,7 +79,7 @@ TEST(OscillationFilter, KeepsAChessboard) {
 
 TEST(CarriedByLines, AFilmIsOnAnyNumberOfRanks) {
   const WithLines l(glued_slab(50, false), 0, 0);
-  const auto carried = carried_by_lines(l.system, l.jacobi);
+  const auto carried = carried_by_lines(l.system, *l.jacobi);
   EXPECT_EQ(std::ranges::count(carried, 1), std::ssize(carried));
 }
 
@@ -96,9 +95,9 @@ TEST(CheckerboardMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8)
 
 TEST(CheckerboardMatrix, DropsWhatHardlyCouples) {
   const WithLines l(small_eye(8), 1, 0);
-  const CheckerboardModes patterns(l.problem, 1);
-  CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
-  const auto c = noise(patterns);
+  const auto modes = std::make_shared<CheckerboardModes>(l.problem, 1);
+  CheckerboardMatrix matrix(l.problem, modes, *l.jacobi);
+  const auto c = noise(*modes);
   std::vector<double> whole(c.size()), kept(c.size()), back(c.size());
   matrix.apply(c, whole);
   const std::size_t bytes = matrix.bytes();
@@ -111,7 +110,7 @@ TEST(CheckerboardMatrix, DropsWhatHardlyCouples) {
   EXPECT_LT(Comm().sum(error), 1e-6 * Comm().sum(size));
   matrix.drop(10);  // all but the diagonal's
   matrix.apply(c, kept);
-  PatternJacobi(matrix).apply(kept, back);
+  CheckerboardJacobi(matrix).apply(kept, back);
   for (std::size_t i = 0; i < c.size(); ++i) EXPECT_NEAR(back[i], c[i], 1e-3);
 }
 

@@ -35,8 +35,8 @@ struct Linearised {
 
 // With the lines of its displacement block.
 struct WithLines : Linearised {
-  Lines lines = find_lines(problem);
-  LineJacobi jacobi{system, lines};
+  std::shared_ptr<const LineJacobi> jacobi =
+      std::make_shared<LineJacobi>(system, std::make_shared<Lines>(find_lines(problem)));
   WithLines(const Scene& scene, int refine, double shake) : Linearised(scene, refine, shake) {}
 };
 
@@ -61,10 +61,12 @@ inline int iterations(const Scene& scene, int refine, Displacement displacement)
   Profiler profiler;
   auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, profiler), profiler);
   const Residual r = l.problem.residual(l.state);
-  EXPECT_TRUE(solver->prepare(l.system).ok);
+  const Preparation prepared = solver->prepare(l.system);
+  EXPECT_TRUE(prepared.ok);
+  const CoupledOperator A(l.system, prepared.augmentation);
   std::vector<double> held(l.state.x.size()), x(l.system.size());
   l.problem.dofs().defect(l.state, .1, held);
-  const LinearReport report = solver->solve(l.system, l.system.right_hand_side(r, held), x, 1e-6);
+  const LinearReport report = solver->solve(A, A.right_hand_side(r, held), x, 1e-6);
   EXPECT_TRUE(report.ok) << report.reason;
   return report.iterations;
 }

@@ -29,6 +29,7 @@ struct Linearised {
   Problem problem;
   State state;
   CoupledSystem system;
+  std::optional<CoupledOperator> A;
   std::vector<double> x, y;
 
   explicit Linearised(const Scene& scene)
@@ -39,9 +40,10 @@ struct Linearised {
     }
     system.linearize(state, problem.residual(state));
     x.assign(system.size(), 1e-3), y.assign(system.size(), 0);
+    A.emplace(system);
     apply(), apply_displacement();  // work space is made once
   }
-  void apply() { system.apply(x, y); }
+  void apply() { A->apply(x, y); }
   void apply_displacement() {
     const int primal = system.layout().primal();
     system.apply_displacement(std::span(x).first(primal), std::span(y).first(primal));

@@ -15,15 +15,15 @@ Scene one_hexahedron() {
 TEST(CheckerboardModes, AreOrthogonal) {
   for (int refinements : {1, 2}) {
     const Linearised l(one_hexahedron(), refinements, 0);
-    const CheckerboardModes patterns(l.problem, refinements);
-    ASSERT_EQ(patterns.coarser(), 1);
-    const int hexes = 1 << (3 * refinements), n = patterns.count();
+    const CheckerboardModes modes(l.problem, refinements);
+    ASSERT_EQ(modes.coarser(), 1);
+    const int hexes = 1 << (3 * refinements), n = modes.count();
     EXPECT_EQ(n, refinements == 1 ? 4 : 10);
     for (int k = 0; k < n; ++k) {
       std::vector<double> c(n), p(hexes), back(n);
       c[k] = 1;
-      patterns.add_prolonged(c, 1, p);
-      patterns.restrict_pressures(p, back);
+      modes.add_prolonged(c, 1, p);
+      modes.restrict_pressures(p, back);
       for (int j = 0; j < n; ++j) EXPECT_EQ(back[j], j == k ? hexes : 0);
     }
   }
@@ -33,13 +33,13 @@ TEST(CheckerboardModes, AreOrthogonal) {
 TEST(CheckerboardModes, PushNoNodeWithinTheHexahedron) {
   for (int refinements : {1, 2}) {
     const Linearised l(one_hexahedron(), refinements, 0);
-    const CheckerboardModes patterns(l.problem, refinements);
+    const CheckerboardModes modes(l.problem, refinements);
     const auto& X = l.problem.mesh().X;
-    for (int k = 0; k < patterns.count(); ++k) {
-      std::vector<double> c(patterns.size()), p(l.problem.mesh().hexes.size()),
+    for (int k = 0; k < modes.count(); ++k) {
+      std::vector<double> c(modes.size()), p(l.problem.mesh().hexes.size()),
           force(l.system.layout().primal());
       c[k] = 1;
-      patterns.add_prolonged(c, 1, p);
+      modes.add_prolonged(c, 1, p);
       l.system.add_pressure_force(p, 1, force);
       double within = 0, all = 0;
       for (int n = 0; n < l.problem.mesh().owned; ++n) {
@@ -57,20 +57,20 @@ TEST(CheckerboardModes, PushNoNodeWithinTheHexahedron) {
 
 TEST(CheckerboardModes, AreNoneOfRigidHexahedra) {
   const Linearised l(filled_shell("half"), 1, 0);
-  const CheckerboardModes patterns(l.problem, 1);
+  const CheckerboardModes modes(l.problem, 1);
   ASSERT_FALSE(l.problem.solid().rigid_hexes().empty());
-  for (int h : l.problem.solid().rigid_hexes()) EXPECT_EQ(patterns.coarser_of(h), -1);
-  std::vector<double> c(patterns.size(), 1), p(l.problem.mesh().hexes.size());
-  patterns.add_prolonged(c, 1, p);
+  for (int h : l.problem.solid().rigid_hexes()) EXPECT_EQ(modes.coarser_of(h), -1);
+  std::vector<double> c(modes.size(), 1), p(l.problem.mesh().hexes.size());
+  modes.add_prolonged(c, 1, p);
   for (int h : l.problem.solid().rigid_hexes()) EXPECT_EQ(p[h], 0);
 }
 
-TEST(PatternJacobi, InvertsDiagonalBlocks) {
+TEST(CheckerboardJacobi, InvertsDiagonalBlocks) {
   const WithLines l(one_hexahedron(), 2, 0);
-  const CheckerboardModes patterns(l.problem, 2);
-  const CheckerboardMatrix matrix(l.problem, patterns, l.jacobi);
-  const PatternJacobi inverse(matrix);
-  std::vector<double> c(patterns.size(), 1), r(c.size()), back(c.size());
+  const auto modes = std::make_shared<CheckerboardModes>(l.problem, 2);
+  const CheckerboardMatrix matrix(l.problem, modes, *l.jacobi);
+  const CheckerboardJacobi inverse(matrix);
+  std::vector<double> c(modes->size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);
   inverse.apply(r, back);
   for (double v : back) EXPECT_NEAR(v, 1, 1e-4);

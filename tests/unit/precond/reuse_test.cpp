@@ -1,4 +1,5 @@
 #include "precond/make_preconditioner.hpp"
+#include "precond/preconditioner_cache.hpp"
 #include "tests/support/linearised.hpp"
 #include "tests/support/small_eye.hpp"
 
@@ -7,13 +8,15 @@ namespace {
 
 // Solves the present Newton step to 1e-6 in the norm of the solver.
 LinearReport solve(Linearised& l, LinearSolver& solver) {
-  EXPECT_TRUE(solver.prepare(l.system).ok);
+  const Preparation prepared = solver.prepare(l.system);
+  EXPECT_TRUE(prepared.ok);
+  const CoupledOperator A(l.system, prepared.augmentation);
   std::vector<double> held(l.state.x.size()), x(l.system.size()), Ax(x);
   l.problem.dofs().defect(l.state, .1, held);
-  const auto b = l.system.right_hand_side(l.problem.residual(l.state), held);
-  const LinearReport report = solver.solve(l.system, b, x, 1e-6);
+  const auto b = A.right_hand_side(l.problem.residual(l.state), held);
+  const LinearReport report = solver.solve(A, b, x, 1e-6);
   EXPECT_TRUE(report.ok) << report.reason;
-  l.system.apply(x, Ax);
+  A.apply(x, Ax);
   const auto& s = l.system.scaling();
   double left = 0, all = 0;
   for (std::size_t i = 0; i < b.size(); ++i)
@@ -75,7 +78,7 @@ TEST(Reuse, SolvesThePresentSystemWithEarlierCoarseFactors) {
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 
-// Of a refined mesh with an enclosed liquid: base factors, largest eigenvalues, weak patterns and the
+// Of a refined mesh with an enclosed liquid: base factors, largest eigenvalues, corrections and the
 // liquid's column.
 TEST(Reuse, SolvesThePresentCoupledSystemWithEarlierParts) {
   const auto solved = [](double coarse_change) {
@@ -90,31 +93,43 @@ TEST(Reuse, SolvesThePresentCoupledSystemWithEarlierParts) {
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 
+// What the next preconditioner takes over; its solve is easy.
+Reuse reused(PreconditionerCache& cache, const CoupledSystem& system) {
+  cache.make(system);
+  cache.record(1);
+  return cache.reused();
+}
+
 TEST(Reuse, KeepsCoarseFactorsWhileTheirMatrixHardlyChanges) {
   for (int refinements : {0, 1}) {
     Linearised l(small_eye(4), refinements, 0);
     widen(l);
     Profiler profiler;
-    const auto make = make_preconditioner_factory(l.settings, profiler);
-    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::anew);  // there are none yet
-    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::factors_kept);
-    EXPECT_EQ(make(l.system, SetUp::anew).how, SetUp::anew);
+    PreconditionerCache cache(l.settings, profiler);
+    const Reuse factors{.coarse_factors = true, .corrections = refinements > 0};
+    EXPECT_EQ(reused(cache, l.system), Reuse{});  // there are none yet
+    EXPECT_EQ(reused(cache, l.system), factors);
+    cache.forget();
+    EXPECT_EQ(reused(cache, l.system), Reuse{});
     widen(l, .001);
-    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::factors_kept);
+    EXPECT_EQ(reused(cache, l.system), factors);
     widen(l, .3);
-    EXPECT_EQ(make(l.system, SetUp::factors_kept).how, SetUp::anew);
+    EXPECT_EQ(reused(cache, l.system), Reuse{});
   }
 }
 
 TEST(Reuse, KeepsOnlyWhatFits) {
   Linearised l(small_eye(8), 0, 0);
   Profiler profiler;
-  const auto make = make_preconditioner_factory(l.settings, profiler);
-  EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::anew);  // there is none yet
-  EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::kept);
+  l.settings.reuse = 1;
+  PreconditionerCache cache(l.settings, profiler);
+  const Reuse all{.displacement = true, .coarse_factors = true, .corrections = true};
+  EXPECT_EQ(reused(cache, l.system), Reuse{});  // there is none yet
+  EXPECT_EQ(reused(cache, l.system), all);
   widen(l);
-  EXPECT_EQ(make(l.system, SetUp::kept).how, SetUp::kept);
-  EXPECT_EQ(make(l.system, SetUp::anew).how, SetUp::anew);
+  EXPECT_EQ(reused(cache, l.system), all);
+  cache.forget();
+  EXPECT_EQ(reused(cache, l.system), Reuse{});
 }
 
 }  // namespace

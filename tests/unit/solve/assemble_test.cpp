@@ -31,7 +31,7 @@ TEST_F(AssembleTest, GlobalSizeCountsNodesBodiesHexahedraAndLiquids) {
 }
 
 TEST_F(AssembleTest, EveryRowHasADiagonalEntry) {
-  const Triplets t = assemble(system, false);
+  const Triplets t = assemble_plain(system);
   std::vector<double> has(global_size(system));
   for (std::size_t k = 0; k < t.row.size(); ++k) {
     ASSERT_GE(t.row[k], 0);
@@ -43,7 +43,7 @@ TEST_F(AssembleTest, EveryRowHasADiagonalEntry) {
 }
 
 TEST_F(AssembleTest, LiquidAddsTwiceItsWetUnknownsAndOne) {
-  const Triplets t = assemble(system, false);
+  const Triplets t = assemble_plain(system);
   const long long last = comm.size() == 1 ? global_size(system) - 1 : -1;
   if (last < 0) return;
   std::size_t in_row = 0, in_column = 0;
@@ -58,7 +58,8 @@ TEST_F(AssembleTest, InertiaIsOneNegativePerHexahedronAndLiquid) {
   still.P = state.P;
   system.linearize(still, problem.residual(still));
   for (bool augmented : {false, true}) {
-    const Eigen::MatrixXd A = gathered(assemble(system, augmented), global_size(system), comm);
+    const Eigen::MatrixXd A = gathered(augmented ? assemble(CoupledOperator(system)) : assemble_plain(system),
+                                       global_size(system), comm);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A, Eigen::EigenvaluesOnly);
     EXPECT_EQ((eigen.eigenvalues().array() < 0).count(), problem.mesh().all_hexes + 1);
   }
@@ -73,8 +74,9 @@ TEST_F(AssembleTest, MatrixIsTheSameHoweverManyRanks) {
   alone.begin_step(1, whole);
   CoupledSystem other(alone, {.op = TangentStorage::recompute, .gamma = 10});
   other.linearize(whole, alone.residual(whole));
-  const double here = gathered(assemble(system, true), global_size(system), comm).norm();
-  EXPECT_NEAR(here, gathered(assemble(other, true), global_size(other), self).norm(), 1e-11 * here);
+  const double here = gathered(assemble(CoupledOperator(system)), global_size(system), comm).norm();
+  EXPECT_NEAR(here, gathered(assemble(CoupledOperator(other)), global_size(other), self).norm(),
+              1e-11 * here);
 }
 
 /// The matrix of a liquid-filled shell of n cells across an octant, by one formulation.
@@ -96,12 +98,12 @@ struct Counted {
     CoupledSystem system(problem, {.formulation = formulation, .op = TangentStorage::recompute, .gamma = 0});
     problem.begin_step(0, state), problem.set_progress(1, state);
     system.linearize(state, problem.residual(state));
-    dry_entries = static_cast<long long>(assemble(system, true).row.size());
+    dry_entries = static_cast<long long>(assemble(CoupledOperator(system)).row.size());
     problem.end_step();
     problem.begin_step(1, state), problem.set_progress(1, state);
     system.linearize(state, problem.residual(state));
     const auto& g = system.liquid_columns()[0];
-    const Triplets t = assemble(system, true);
+    const Triplets t = assemble(CoupledOperator(system));
     entries = static_cast<long long>(t.row.size());
     const auto is_wet = [&](int i) { return i < static_cast<int>(g.size()) && g[i] != 0; };
     for (std::size_t k = 0; k < t.row.size(); ++k) among_wet += is_wet(t.row[k]) && is_wet(t.col[k]);
@@ -114,7 +116,8 @@ struct Counted {
     EXPECT_EQ(liquid_entries(system), formulation == Formulation::bordered ? 2 * wet + 1 : wet * wet + 1);
     EXPECT_EQ(liquid_entries(system, Triangle::upper),
               formulation == Formulation::bordered ? wet + 1 : wet * (wet + 1) / 2 + 1);
-    EXPECT_EQ(assemble(system, true, Triangle::upper).row.size(), (t.row.size() + system.size()) / 2);
+    EXPECT_EQ(assemble(CoupledOperator(system), Triangle::upper).row.size(),
+              (t.row.size() + system.size()) / 2);
   }
 };
 

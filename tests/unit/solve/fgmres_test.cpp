@@ -35,7 +35,7 @@ class Scaling : public Preconditioner {
  public:
   Scaling(int size, double factor) : size_(size), factor_(factor) {}
   int size() const override { return size_; }
-  bool fixed() const override { return true; }
+  bool is_linear() const override { return true; }
   void apply(std::span<const double> x, std::span<double> y) const override {
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = factor_ * x[i];
   }
@@ -50,7 +50,7 @@ class InnerSolve : public Preconditioner {
  public:
   InnerSolve(const LinearOperator& A, const Comm& comm) : A_(A), comm_(comm) {}
   int size() const override { return A_.size(); }
-  bool fixed() const override { return false; }
+  bool is_linear() const override { return false; }
   void apply(std::span<const double> x, std::span<double> y) const override {
     std::fill(y.begin(), y.end(), 0.0);
     fgmres(A_, nullptr, x, y, {.tolerance = 1e-1, .restart = 60, .max_iterations = 60}, comm_);

@@ -111,11 +111,11 @@ struct Hungry : LinearSolver {
   std::unique_ptr<LinearSolver> inner;
   int left;
   Hungry(std::unique_ptr<LinearSolver> solver, int solves) : inner(std::move(solver)), left(solves) {}
-  LinearReport prepare(CoupledSystem& system) override { return inner->prepare(system); }
-  LinearReport solve(const CoupledSystem& system, std::vector<double> b, std::span<double> x,
+  Preparation prepare(const CoupledSystem& system) override { return inner->prepare(system); }
+  LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
     if (left-- <= 0) throw std::bad_alloc();
-    return inner->solve(system, std::move(b), x, tolerance);
+    return inner->solve(A, std::move(b), x, tolerance);
   }
 };
 
