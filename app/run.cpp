@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -175,10 +177,13 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   const MarchReport report = march(problem, system, *solver, state, scene.solver, profiler, recorder, place);
 
   recorder.finish(state);
-  for (const std::string& deep : deep_contacts(*prepared.interactions, recorder.contacts())) {
-    prepared.warnings.push_back(deep);
-    log.warn(deep);
-  }
+  for (const auto& told : {deep_contacts(*prepared.interactions, recorder.contacts()),
+                           soft_contacts(problem, *prepared.interactions, state)})
+    for (const std::string& warning : told) {
+      prepared.warnings.push_back(warning);
+      log.warn(warning);
+    }
+  std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
   measure_memory(problem, system, profiler);
   const double seconds = Clock::now() - start;
   auto summary = summary_of(scene.title, prepared, recorder, report, profiler, seconds);

@@ -49,6 +49,25 @@ std::vector<std::string> deep_contacts(const Interactions& interactions,
   return sentences;
 }
 
+std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
+                                       const State& state) {
+  constexpr double soft = 0.05;
+  const double tissue = problem.comm().sum(problem.solid().energy(state.x));
+  std::vector<std::string> sentences;
+  for (const auto& contact : interactions.contacts()) {
+    if (contact.spec.tolerance > 0) continue;
+    const double own = problem.comm().sum(contact.term->potential(state)), part = own / (own + tissue);
+    if (part > soft)
+      sentences.push_back(fmt::format(
+          "the penalty of contact '{}' holds {:.0f} % of the energy, {:.3g} of {:.3g} N mm: forces of bodies "
+          "that "
+          "are pressed together are too small by as much. Give a `penalty` larger than {:.3g} MPa/mm{}",
+          contact.spec.name, 100 * part, own, own + tissue, contact.penalty,
+          contact.spec.two_way ? "" : ", or a `tolerance`"));
+  }
+  return sentences;
+}
+
 json bodies_summary(const Problem& problem, const Interactions& interactions,
                     const std::vector<ContactStanding>& standings) {
   json all = json::object();

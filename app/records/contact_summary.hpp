@@ -19,4 +19,10 @@ nlohmann::json bodies_summary(const Problem& problem, const Interactions& intera
 std::vector<std::string> deep_contacts(const Interactions& interactions,
                                        const std::vector<ContactStanding>& standings);
 
+/// A sentence for every contact without multipliers whose penetration holds more than a twentieth of the
+/// energy, its own and that of the tissue: of bodies in series its force is too small by that part.
+/// Collective.
+std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
+                                       const State& state);
+
 }  // namespace bulbus

@@ -80,18 +80,22 @@ void ProgressLog::increment_cut(const NewtonReport& report, double from, double 
                         report.iterations.size(), report.reason));
 }
 
+std::string snap_sentence(const Increment& i) {
+  return fmt::format(
+      "the surfaces snap in step '{}': from {:.4g} of its way on no equilibrium was found near by, and the "
+      "next "
+      "one is that of {:.4g}. The tissue passes such a point dynamically: judge the figures after it with "
+      "care.",
+      i.step_name, i.start, i.progress);
+}
+
 void ProgressLog::increment_done(const Increment& i, const State&) {
   const double left = forecast_.after(i, model_.steps, Clock::now() - since_);
   since_ = Clock::now();
   log_.info(fmt::format("  increment {} converged: {} Newton and {} Krylov iterations in {}{}", i.number,
                         i.newton.iterations.size(), i.newton.krylov_iterations, duration(i.seconds),
                         left < worth_telling ? "" : "; about " + duration(left) + " to go"));
-  if (i.leap)
-    log_.warn(fmt::format(
-        "the surfaces snap in step '{}': from {:.4g} of its way on no equilibrium was found near by, and the "
-        "next one is that of {:.4g}. The tissue passes such a point dynamically: judge the figures after it "
-        "with care.",
-        i.step_name, i.start, i.progress));
+  if (i.leap) log_.warn(snap_sentence(i));
   const long long surplus = i.newton.negative_pivots - stable_pivots_;
   if (i.newton.negative_pivots >= 0 && surplus != 0)
     log_.warn(fmt::format(

@@ -40,6 +40,9 @@ class ProgressLog final : public MarchObserver {
   double told_ = start_;                          // of the last line while increments are at work
 };
 
+/// What is told of an increment that has leapt over states without an equilibrium near by.
+std::string snap_sentence(const Increment& leap);
+
 /// "12 s", "4 min 10 s", "2 h 05 min".
 std::string duration(double seconds);
 

@@ -106,6 +106,7 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   count(increment.newton);
   ++steps_.back().increments;
   unstable_increments_ += progress_.unstable(increment.newton);
+  if (increment.leap) snaps_.push_back(snap_sentence(increment));
   increments_ = increment.number;
   witness_.increment_done(increment, state);
   Snapshot snapshot(problem_, state);

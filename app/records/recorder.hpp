@@ -54,6 +54,8 @@ class Recorder final : public MarchObserver, public Remembering {
   int direct_solves() const { return direct_solves_; }
   /// Converged increments whose equilibrium is not stable, as far as pivots or curvature tell.
   int unstable_increments() const { return unstable_increments_; }
+  /// A sentence for every increment of this run that has leapt.
+  const std::vector<std::string>& snaps() const { return snaps_; }
   /// Of the direct solver's last factorisation, and the largest residual that its solutions left, ‖s r‖ / ‖s
   /// b‖.
   const std::optional<FactorReport>& factor() const { return factor_; }
@@ -71,6 +73,7 @@ class Recorder final : public MarchObserver, public Remembering {
   Profiler& profiler_;
   ProgressLog progress_;
   Witness witness_;
+  std::vector<std::string> snaps_;
   ProbeSet probes_;
   ProbeRecord record_;
   ResultFiles results_;

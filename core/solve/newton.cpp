@@ -18,9 +18,11 @@ namespace {
 
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 constexpr double shortest_step = 1.0 / 64;
-// Of all Newton steps together, where each would have inverted an element: the increment is too long for the
-// mesh, and two of half the length cost less than what is to come.
+// Of the first Newton steps together, where they would have inverted an element: the increment is too long
+// for the mesh, and two of half the length cost less than what is to come. Later a few short ones are
+// allowed.
 constexpr double least_length = 1.0 / 8;
+constexpr int first_steps = 4, most_shortened = 8;
 constexpr double least_volume =
     0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 
@@ -231,6 +233,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   NewtonSettings criteria = settings;
   int last = settings.max_iterations;
   double length = 1;
+  int shortened = 0;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
     iteration.measure(now);
@@ -269,8 +272,10 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
     now.step = iteration.step();
     report.iterations.push_back(now);
     observe(now);
-    length *= now.step;
-    if (length <= least_length) return fail(Outcome::inverted_element);
+    if (number < first_steps) length *= now.step;
+    shortened += now.step < 1;
+    if (now.step == 0 || shortened == most_shortened || length < least_length)
+      return fail(Outcome::inverted_element);
   }
 }
 

@@ -31,10 +31,10 @@ void widen(Linearised& l, double part = .01) {
   l.system.linearize(l.state, l.problem.residual(l.state));
 }
 
-// Iterations of a solve, and what its set-up took from the one before.
+// Iterations of a solve, and what its preconditioner took over from the one before.
 struct Solved {
   int iterations;
-  SetUp how;
+  Reuse reused;
 };
 
 // A solve a little way off, by what was set up before or for it.
@@ -43,20 +43,14 @@ Solved solved_after(Linearised& l, double reuse, double coarse_change) {
   l.settings.reuse = reuse;
   l.settings.coarse_change = coarse_change;
   Profiler profiler;
-  std::vector<SetUp> set_ups;
-  const auto recorded = [&, make = make_preconditioner_factory(l.settings, profiler)](CoupledSystem& system,
-                                                                                      SetUp wanted) {
-    MadePreconditioner made = make(system, wanted);
-    set_ups.push_back(made.how);
-    return made;
-  };
-  const auto solver = make_krylov_solver(l.settings, recorded, profiler);
+  auto factory = std::make_unique<PreconditionerCache>(l.settings, profiler);
+  const PreconditionerCache& cache = *factory;
+  const auto solver = make_krylov_solver(l.settings, std::move(factory), profiler);
   solve(l, *solver);
+  EXPECT_EQ(cache.reused(), Reuse{});
   widen(l);
   const int iterations = solve(l, *solver).iterations;
-  EXPECT_EQ(set_ups.size(), 2u);
-  EXPECT_EQ(set_ups.front(), SetUp::anew);
-  return {iterations, set_ups.back()};
+  return {iterations, cache.reused()};
 }
 
 Solved unrefined_solved_after(double reuse, double coarse_change) {
@@ -66,15 +60,15 @@ Solved unrefined_solved_after(double reuse, double coarse_change) {
 
 TEST(Reuse, SolvesThePresentSystemWithAnEarlierPreconditioner) {
   const Solved own = unrefined_solved_after(0, 0), kept = unrefined_solved_after(2, 0);
-  EXPECT_EQ(own.how, SetUp::anew);
-  EXPECT_EQ(kept.how, SetUp::kept);
+  EXPECT_EQ(own.reused, Reuse{});
+  EXPECT_EQ(kept.reused, (Reuse{.displacement = true, .coarse_factors = true, .corrections = true}));
   EXPECT_LE(kept.iterations, 1.5 * own.iterations);
 }
 
 TEST(Reuse, SolvesThePresentSystemWithEarlierCoarseFactors) {
   const Solved own = unrefined_solved_after(0, 0), kept = unrefined_solved_after(0, .5);
-  EXPECT_EQ(own.how, SetUp::anew);
-  EXPECT_EQ(kept.how, SetUp::factors_kept);
+  EXPECT_EQ(own.reused, Reuse{});
+  EXPECT_EQ(kept.reused, (Reuse{.coarse_factors = true}));
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 
@@ -88,8 +82,8 @@ TEST(Reuse, SolvesThePresentCoupledSystemWithEarlierParts) {
     return solved_after(l, 0, coarse_change);
   };
   const Solved own = solved(0), kept = solved(.5);
-  EXPECT_EQ(own.how, SetUp::anew);
-  EXPECT_EQ(kept.how, SetUp::factors_kept);
+  EXPECT_EQ(own.reused, Reuse{});
+  EXPECT_EQ(kept.reused, (Reuse{.coarse_factors = true, .corrections = true}));
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 

@@ -1,4 +1,5 @@
 #include "core/problem/validate.hpp"
+#include "core/problem/region_material.hpp"
 
 #include <gtest/gtest.h>
 
@@ -129,14 +130,15 @@ TEST(Validate, ProbesNeedTheirLiquidAndSet) {
   expect_refused(s, "probes.0.set", "zmaxx");
 }
 
-TEST(TermsOf, JoinsNamedAndFreeTerms) {
+// W = c10 (Ī1 − 3) + c11 (Ī1 − 3)(Ī2 − 3) + c (Ī2 − 3)³ at a stretch of 1.5
+TEST(MaterialOf, JoinsNamedAndFreeTerms) {
   RegionSpec r = neo_hooke(1);
   r.c11 = 2;
-  r.terms = {{4, 0, 3}};
-  const auto terms = terms_of(r);
-  ASSERT_EQ(terms.size(), 3u);
-  EXPECT_EQ(terms[1].r + terms[1].s, 2);
-  EXPECT_EQ(terms[2].c, 3);
+  r.terms = {{0, 3, 3}};
+  const double l = 1.5, I1 = l * l + 2 / l - 3, I2 = 2 * l + 1 / (l * l) - 3;
+  const Sym3<double> b{l * l, 1 / l, 1 / l, 0, 0, 0};
+  const double W = std::visit([&](const auto& law) { return law.energy(b); }, material_of(r));
+  EXPECT_NEAR(W, r.c10 * I1 + 2 * I1 * I2 + 3 * I2 * I2 * I2, 1e-13);
 }
 
 }  // namespace
