@@ -156,18 +156,38 @@ TEST(NarrowRod, IsRefusedWhereTheFacesCannotFollowIt) {
       << "points would slip around the rod";
 }
 
+// How many warnings of a run say so.
+int said(const Ran& run, const std::string& words) {
+  const auto warnings = run.summary()["warnings"];
+  return static_cast<int>(std::ranges::count_if(warnings, [&](const auto& w) {
+    return w.template get<std::string>().find(words) != std::string::npos;
+  }));
+}
+
 TEST(NarrowRod, ThatIsLetInDeepIsToldOf) {
-  const auto warnings = [](const char* way) {
-    const Ran run = run_case("narrow_rod", {"contacts.0.divisions=8",
-                                            std::string("steps.0.move.0.translate=[0, 0, ") + way + "]"});
+  for (const bool deep : {false, true}) {
+    const Ran run =
+        run_case("narrow_rod", {"contacts.0.divisions=8", std::string("steps.0.move.0.translate=[0, 0, ") +
+                                                              (deep ? "-0.3" : "-0.13") + "]"});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_GT(probe(run, "push"), 10);
-    return run.summary()["warnings"];
+    EXPECT_EQ(said(run, "of the thinner layer"), deep);
+    EXPECT_EQ(said(run, "larger than 3 MPa/mm"), deep ? 2 : 1) << "of the depth, and of the energy";
+  }
+}
+
+// Of two blocks in series the force is too small by the part of the energy that the penalty holds.
+TEST(Penalty, ThatHoldsMuchOfTheEnergyIsToldOf) {
+  const auto force_and_warnings = [](const char* penalty) {
+    const Ran run =
+        run_case("matching_nodes", {"contacts.0.tolerance=0", std::string("contacts.0.penalty=") + penalty});
+    return std::pair(std::abs(probe(run, "push")), said(run, "of the energy"));
   };
-  EXPECT_TRUE(warnings("-0.13").empty());
-  const auto deep = warnings("-0.3");
-  ASSERT_EQ(deep.size(), 1);
-  EXPECT_NE(deep[0].get<std::string>().find("larger than 3 MPa/mm"), std::string::npos) << deep;
+  const auto [soft, told] = force_and_warnings("1");
+  const auto [hard, untold] = force_and_warnings("100");
+  EXPECT_LT(soft, .9 * hard);
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(untold, 0);
 }
 
 }  // namespace
