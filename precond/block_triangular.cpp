@@ -79,20 +79,13 @@ void BlockTriangular::apply(std::span<const double> r, std::span<double> z) cons
       std::copy(zP.begin(), zP.end(), P.begin());
     }
     system_.problem().comm().broadcast(P);
-    for (int i : coupled_) {
-      const double factor = column_[i] * P[i];
-      const auto& g = system_.liquid_columns()[i];
-      for (std::size_t k = 0; k < g.size(); ++k) work_[k] += factor * g[k];
-    }
+    for (int i : coupled_) add_scaled(system_.liquid_columns()[i], column_[i] * P[i], work_);
   }
   displacement_->apply(work_, zu);
   if (n == 0) return;
   const auto products = liquid_products(zu);
   const Eigen::VectorXd correction = woodbury_ * Eigen::Map<const Eigen::VectorXd>(products.data(), n);
-  for (int i = 0; i < n; ++i) {
-    const auto& Z = (*Z_)[i];
-    for (std::size_t k = 0; k < Z.size(); ++k) zu[k] -= correction[i] * Z[k];
-  }
+  for (int i = 0; i < n; ++i) add_scaled((*Z_)[i], -correction[i], zu);
 }
 
 std::array<double, 2> BlockTriangular::displacement_spectrum() const {

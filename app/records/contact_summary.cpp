@@ -13,6 +13,11 @@ void add(Wrench& sum, const Wrench& w) {
   for (int c = 0; c < 3; ++c) sum.force[c] += w.force[c], sum.moment[c] += w.moment[c];
 }
 
+std::string remedy_for(const Interactions::Contact& contact) {
+  return fmt::format("Give a `penalty` larger than {:.3g} MPa/mm{}", contact.penalty,
+                     contact.spec.two_way ? "" : ", or a `tolerance`");
+}
+
 }  // namespace
 
 json contacts_summary(const Interactions& interactions, const std::vector<ContactStanding>& standings) {
@@ -39,12 +44,11 @@ std::vector<std::string> deep_contacts(const Interactions& interactions,
   for (std::size_t k = 0; k < standings.size(); ++k) {
     const auto& contact = interactions.contacts()[k];
     if (standings[k].penetration > deep * contact.thickness)
-      sentences.push_back(fmt::format(
-          "the slave of contact '{}' penetrates by {:.3g} mm, {:.0f} % of the thinner layer: its force "
-          "depends on "
-          "the penalty. Give a `penalty` larger than {:.3g} MPa/mm{}",
-          contact.spec.name, standings[k].penetration, 100 * standings[k].penetration / contact.thickness,
-          contact.penalty, contact.spec.two_way ? "" : ", or a `tolerance`"));
+      sentences.push_back(
+          fmt::format("the slave of contact '{}' penetrates by {:.3g} mm, {:.0f} % of the thinner layer: its "
+                      "force depends on the penalty. {}",
+                      contact.spec.name, standings[k].penetration,
+                      100 * standings[k].penetration / contact.thickness, remedy_for(contact)));
   }
   return sentences;
 }
@@ -52,18 +56,20 @@ std::vector<std::string> deep_contacts(const Interactions& interactions,
 std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
                                        const State& state) {
   constexpr double soft = 0.05;
-  const double tissue = problem.comm().sum(problem.solid().energy(state.x));
   std::vector<std::string> sentences;
+  if (interactions.contacts().empty()) return sentences;
+  const Comm& comm = problem.comm();
+  const double tissue = comm.sum(problem.solid().energy(state.x));
   for (const auto& contact : interactions.contacts()) {
     if (contact.spec.tolerance > 0) continue;
-    const double own = problem.comm().sum(contact.term->potential(state)), part = own / (own + tissue);
-    if (part > soft)
+    double own = contact.term->potential(state);
+    if (contact.exchanged) own += contact.exchanged->potential(state);
+    own = comm.sum(own);
+    if (const double part = own / (own + tissue); part > soft)
       sentences.push_back(fmt::format(
-          "the penalty of contact '{}' holds {:.0f} % of the energy, {:.3g} of {:.3g} N mm: forces of bodies "
-          "that "
-          "are pressed together are too small by as much. Give a `penalty` larger than {:.3g} MPa/mm{}",
-          contact.spec.name, 100 * part, own, own + tissue, contact.penalty,
-          contact.spec.two_way ? "" : ", or a `tolerance`"));
+          "the penalty of contact '{}' holds {:.0f} % of the energy, {:.3g} of {:.3g} N mm: forces of "
+          "bodies that are pressed together are too small by as much. {}",
+          contact.spec.name, 100 * part, own, own + tissue, remedy_for(contact)));
   }
   return sentences;
 }

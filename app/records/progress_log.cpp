@@ -83,9 +83,8 @@ void ProgressLog::increment_cut(const NewtonReport& report, double from, double 
 std::string snap_sentence(const Increment& i) {
   return fmt::format(
       "the surfaces snap in step '{}': from {:.4g} of its way on no equilibrium was found near by, and the "
-      "next "
-      "one is that of {:.4g}. The tissue passes such a point dynamically: judge the figures after it with "
-      "care.",
+      "next one is that of {:.4g}. The tissue passes such a point dynamically: judge the figures after it "
+      "with care.",
       i.step_name, i.start, i.progress);
 }
 

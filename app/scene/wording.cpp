@@ -1,7 +1,5 @@
 #include "app/scene/wording.hpp"
 
-#include "core/base/require_one.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>

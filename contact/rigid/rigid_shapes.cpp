@@ -18,15 +18,16 @@ Vec3<double> mean_of(const std::vector<double>& points) {
   return (3. / static_cast<double>(points.size())) * mean;
 }
 
+// The centre is the mean of the corners.
 void append(RigidSurface& body, const Skin& skin, std::vector<std::array<int, 3>>& triangles,
-            const Vec3<double>& inwards, const Vec3<double>& center) {
+            const Vec3<double>& inwards) {
   RigidSurface::Part part;
   part.first_point = static_cast<int>(body.reference.size() / 3);
   part.points = skin.size();
   part.first_triangle = static_cast<int>(triangles.size());
   part.triangles = static_cast<int>(skin.triangles.size());
   part.inwards = inwards;
-  part.center = center;
+  part.center = mean_of(skin.points);
   body.reference.insert(body.reference.end(), skin.points.begin(), skin.points.end());
   for (const auto& [a, b, c] : skin.triangles)
     triangles.push_back({a + part.first_point, b + part.first_point, c + part.first_point});
@@ -48,9 +49,7 @@ struct ArcSection {
 
 template <class Shape>
 ArcSection rounded(const Shape& shape, const std::string& key) {
-  const auto at = [shape, key](double inset) {
-    return section_of(inset == 0 ? shape : made_smaller(shape, inset), key);
-  };
+  const auto at = [shape, key](double inset) { return section_of(made_smaller(shape, inset), key); };
   return {at, shape.edge_radius, shape.radius, static_cast<int>(std::ceil(end_facets * shape.edge_facets))};
 }
 
@@ -62,6 +61,7 @@ std::vector<Station> stations_of(const Section& section, int facets, double from
 
 struct Ends {
   bool first = false, last = false;
+  int count() const { return first + last; }
 };
 
 // One part between two azimuths (degrees), an end rounded as its edges are: a ball of the edges' radius rolls
@@ -102,20 +102,23 @@ void append_arcs(RigidSurface& body, const ArcSection& section, const ArcSpec& a
     throw scene_error(key + ".facets", "a facet spans " + std::to_string(step / arc.facets) + " degrees",
                       "Let facets span less than 90.");
   const bool round = section.edge_radius > 0 && arc.caps && opening < 360 - 1e-9;
-  if (round && 2 * section.edge_radius >= step * std::numbers::pi / 180 * section.radius)
-    throw scene_error(
-        key + ".edge_radius", "the rounded ends do not fit into the arc",
-        "Keep edge_radius below half the length of a part, or leave its ends open: `caps: false`.");
+  const double length = step * std::numbers::pi / 180 * section.radius;
   const MeridianFrame frame(arc.meridians, key);
   for (int p = 0; p < arc.parts; ++p) {
     const double from = arc.from + step * p, to = from + step;
     const bool radial = norm(direction) == 0 && step < 360 - 1e-9;  // a whole ring has no middle
     const Ends ends{round && p == 0 && !goes_on(frame, from, symmetry),
                     round && p == arc.parts - 1 && !goes_on(frame, to, symmetry)};
-    const auto sharp = stations_of(section.at(0), arc.facets, from, to);
+    if (ends.count() * section.edge_radius >= length)
+      throw scene_error(
+          key + ".edge_radius", "the rounded ends do not fit into the arc",
+          "Keep edge_radius below the length of a part, or below half of it where both of its ends "
+          "are free; or leave the ends open: `caps: false`.");
     append(body, sweep(stations_of(section, arc, from, to, ends), frame, arc.caps), triangles,
-           radial ? -1 * frame.radius(from + step / 2) : direction,
-           mean_of(sweep(sharp, frame, arc.caps).points));
+           radial ? -1 * frame.radius(from + step / 2) : direction);
+    if (ends.count() > 0)  // as if they were not rounded, so that it lies on the middle's radius
+      body.parts.back().center =
+          mean_of(sweep(stations_of(section.at(0), arc.facets, from, to), frame, arc.caps).points);
   }
 }
 
@@ -128,14 +131,12 @@ RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& sp
   body.name = name;
   std::vector<std::array<int, 3>> triangles;
   const Vec3<double> given = norm(spec.direction) > 0 ? unit(spec.direction) : spec.direction;
-  const auto add = [&](const Skin& skin, const Vec3<double>& inwards) {
-    append(body, skin, triangles, inwards, mean_of(skin.points));
-  };
   if (spec.plane)
-    add(skin_of(*spec.plane, key + ".plane"), norm(given) > 0 ? given : unit(spec.plane->normal));
-  if (spec.sphere) add(skin_of(*spec.sphere), given);
-  if (spec.cylinder) add(skin_of(*spec.cylinder, key + ".cylinder"), given);
-  if (spec.file) add(skin_of(*spec.file, key + ".file"), given);
+    append(body, skin_of(*spec.plane, key + ".plane"), triangles,
+           norm(given) > 0 ? given : unit(spec.plane->normal));
+  if (spec.sphere) append(body, skin_of(*spec.sphere), triangles, given);
+  if (spec.cylinder) append(body, skin_of(*spec.cylinder, key + ".cylinder"), triangles, given);
+  if (spec.file) append(body, skin_of(*spec.file, key + ".file"), triangles, given);
   if (spec.swept) {
     const Section section = section_of(*spec.swept, key + ".swept");
     append_arcs(body, {[&](double) { return section; }}, spec.swept->arc, given, symmetry, triangles,

@@ -59,8 +59,7 @@ class SutureTerm final : public Term {
   };
   struct Bite {
     Patch owned;  // the force acts on these
-    Patch near;   // the tangent on these, on one rank: where ghosts of all the others reach it is exact, else
-                  // symmetric still
+    Patch near;   // the tangent on these, on one rank: exact where ghosts of all the others reach it
     std::array<bool, 3> on_plane{};
     double share = 1;
   };

@@ -32,6 +32,11 @@ double inner_product(const A& a, const B& b, const Comm& comm) {
   return comm.sum(local_inner_product(a, b));
 }
 
+/// y += factor · a, over the entries of a.
+inline void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
+  for (std::size_t i = 0; i < a.size(); ++i) y[i] += factor * a[i];
+}
+
 /// Euclidean norm over all ranks. Collective.
 template <class A>
 double norm(const A& a, const Comm& comm) {

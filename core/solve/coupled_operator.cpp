@@ -6,21 +6,13 @@
 #include "core/base/inner_product.hpp"
 
 namespace bulbus {
-namespace {
 
-void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
-  for (std::size_t i = 0; i < a.size(); ++i) y[i] += factor * a[i];
-}
-
-// The liquids' part of an unknown vector, on every rank.
 std::vector<double> shared_pressures(const CoupledSystem& system, std::span<const double> x) {
   std::vector<double> P(system.liquid_columns().size());
   if (system.layout().liquids > 0) std::ranges::copy(system.layout().pressures(x), P.begin());
   system.problem().comm().broadcast(P);
   return P;
 }
-
-}  // namespace
 
 CoupledOperator::CoupledOperator(const CoupledSystem& system, const LiquidAugmentation& augmentation)
     : system_(system), omega_(augmentation.omega) {

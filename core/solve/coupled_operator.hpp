@@ -47,6 +47,9 @@ class CoupledOperator final : public LinearOperator {
   std::vector<double> omega_;
 };
 
+/// The liquids' entries of an unknown vector, on every rank. Collective.
+std::vector<double> shared_pressures(const CoupledSystem& system, std::span<const double> x);
+
 /// ‖s v‖ over all ranks with the system's scaling s: the one norm of tolerances, free of units. Collective.
 double scaled_norm(const CoupledSystem& system, std::span<const double> v);
 

@@ -8,14 +8,6 @@
 #include "core/solve/reduced.hpp"
 
 namespace bulbus {
-namespace {
-
-void add_scaled(std::span<const double> a, double factor, std::span<double> y) {
-  for (std::size_t i = 0; i < a.size(); ++i) y[i] += factor * a[i];
-}
-
-}  // namespace
-
 CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings,
                              std::vector<std::shared_ptr<const Term>> further)
     : problem_(problem), settings_(settings), further_(std::move(further)) {

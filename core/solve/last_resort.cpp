@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
 #include "core/solve/assemble.hpp"
 #include "core/solve/direct_memory.hpp"
@@ -13,14 +14,6 @@ namespace {
 constexpr int refinements = 3;
 // A factorisation then takes some hundredths of a second, as much as a few dozen Krylov iterations.
 constexpr long long few_unknowns = 2000;
-
-// The liquids' entries of a vector, on every rank.
-std::vector<double> liquid_part(const CoupledSystem& system, std::span<const double> v) {
-  std::vector<double> part(system.liquid_columns().size());
-  if (system.layout().liquids > 0) std::ranges::copy(system.layout().pressures(v), part.begin());
-  system.problem().comm().broadcast(part);
-  return part;
-}
 
 // Right-hand side of the system without augmentation: γ B W times the hexahedra's rows and ω g times the
 // liquids' are taken out again.
@@ -33,11 +26,9 @@ std::vector<double> without_augmentation(const CoupledOperator& A, std::span<con
   std::vector<double> bound(hexes.size());
   for (std::size_t e = 0; e < bound.size(); ++e) bound[e] = penalty[e] * hexes[e];
   system.add_pressure_force(bound, -1, primal);
-  const auto liquid = liquid_part(system, b);
-  for (std::size_t i = 0; i < liquid.size(); ++i) {
-    const auto& g = system.liquid_columns()[i];
-    for (std::size_t k = 0; k < g.size(); ++k) primal[k] += A.omega()[i] * liquid[i] * g[k];
-  }
+  const auto liquid = shared_pressures(system, b);
+  for (std::size_t i = 0; i < liquid.size(); ++i)
+    add_scaled(system.liquid_columns()[i], A.omega()[i] * liquid[i], primal);
   return plain;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -52,11 +53,10 @@ class Increments {
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
 // iterations. First steps that are too long for the mesh are so with exact solves, too.
 constexpr double careful_eta = 1e-8;
-constexpr std::size_t first_steps = 4;
 
 bool by_loose_solves(const NewtonReport& failed) {
   return failed.outcome != Outcome::linear_solver_failed &&
-         !(failed.outcome == Outcome::inverted_element && failed.iterations.size() <= first_steps);
+         !(failed.outcome == Outcome::inverted_element && std::ssize(failed.iterations) <= first_steps);
 }
 
 NewtonSettings tolerances_at(double progress, bool careful, NewtonSettings settings) {
@@ -142,10 +142,13 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         if (again) continue;
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments
         const bool snaps = increments.leaping() || newton.outcome == Outcome::cycling;
-        if (snaps && increments.leap(done)) continue;
+        if (curable && snaps && increments.leap(done)) continue;
         if (curable && !increments.leaping() && increments.cut()) continue;
-        report.reason = fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done,
-                                    newton.reason, curable ? " (smallest increment reached)" : "");
+        report.reason =
+            fmt::format("step '{}' stopped at {:.4g} of its way: {}{}", steps[k].name, done, newton.reason,
+                        !curable               ? ""
+                        : increments.leaping() ? " (shorter and longer increments tried)"
+                                               : " (smallest increment reached)");
         problem.set_progress(done, state);
         for (const auto& term : problem.terms()) term->roll_back();
         observer.rests(place, state, true);

@@ -18,11 +18,10 @@ namespace {
 
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 constexpr double shortest_step = 1.0 / 64;
-// Of the first Newton steps together, where they would have inverted an element: the increment is too long
-// for the mesh, and two of half the length cost less than what is to come. Later a few short ones are
-// allowed.
+// Of the first Newton steps together: two increments of half the length cost less than what is to come.
+// Later a few short steps are allowed.
 constexpr double least_length = 1.0 / 8;
-constexpr int first_steps = 4, most_shortened = 8;
+constexpr int most_shortened = 8;
 constexpr double least_volume =
     0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 

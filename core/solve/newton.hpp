@@ -18,6 +18,10 @@ enum class Outcome {
   interrupted
 };
 
+/// Newton steps that tell whether an increment is too long for the mesh: where less than an eighth is left of
+/// them together, since they would invert an element, it is given up.
+inline constexpr int first_steps = 4;
+
 /// In words, for logs and summaries.
 std::string describe(Outcome outcome);
 

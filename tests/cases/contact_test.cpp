@@ -173,6 +173,7 @@ TEST(NarrowRod, ThatIsLetInDeepIsToldOf) {
     EXPECT_GT(probe(run, "push"), 10);
     EXPECT_EQ(said(run, "of the thinner layer"), deep);
     EXPECT_EQ(said(run, "larger than 3 MPa/mm"), deep ? 2 : 1) << "of the depth, and of the energy";
+    EXPECT_EQ(run.summary()["warnings"].size(), deep ? 2 : 1);
   }
 }
 

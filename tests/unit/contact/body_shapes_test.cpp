@@ -212,6 +212,17 @@ TEST(Shapes, EndsOfArcsAreRoundedAsTheEdgesAre) {
   EXPECT_THROW(body({.tire = tire}), InputError);
 }
 
+// Only the ends of the whole arc are rounded: parts shorter than an edge is round fit where those are not
+// free.
+TEST(Shapes, ShortPartsFitWhereNoEndIsRounded) {
+  BandShape band;
+  band.arc = {.from = 0, .to = 180, .parts = 360, .facets = 1};
+  const std::vector<std::string> x{"x"};
+  EXPECT_EQ(make_rigid_surface("b", {.band = band}, "", x).parts.size(), 360u);
+  band.edge_radius = .3;
+  EXPECT_THROW(body({.band = band}), InputError);
+}
+
 TEST(Shapes, AnEndInAPlaneOfSymmetryIsNotRounded) {
   TireShape tire;
   tire.arc = {.from = 0, .to = 45, .facets = 10};
