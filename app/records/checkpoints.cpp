@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "app/records/problem_mark.hpp"
 #include "core/base/memory.hpp"
@@ -10,11 +11,20 @@
 namespace bulbus {
 namespace {
 
-void serialize(Archive& archive, State& start, State& now) {
-  for (auto [name, state] : {std::pair{"start", &start}, {"now", &now}}) {
+using NamedStates = std::vector<std::pair<const char*, State*>>;
+
+void serialize(Archive& archive, const NamedStates& states) {
+  for (const auto& [name, state] : states) {
     const Archive::Group group(archive, name);
     state->serialize(archive);
   }
+}
+
+// `previous` exists between two increments of a step alone.
+NamedStates states_of(MarchPlace& place, State& start, State& now) {
+  NamedStates states{{"start", &start}, {"now", &now}};
+  if (place.last > 0) states.emplace_back("previous", &place.previous);
+  return states;
 }
 
 void refuse_missing(const std::string& path, const Comm& comm) {
@@ -39,7 +49,8 @@ Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepar
 
 Resumed Checkpoint::resume(Problem& problem, Remembering& records) {
   Resumed r{place_, problem.initial_state(), problem.initial_state()};
-  serialize(*kept_, r.start, r.state);
+  if (place_.last > 0) r.place.previous = problem.initial_state();
+  serialize(*kept_, states_of(r.place, r.start, r.state));
   problem.resume(place_.step, r.start, place_.done, r.state, *kept_);
   records.serialize(*kept_, place_);
   return r;
@@ -47,14 +58,14 @@ Resumed Checkpoint::resume(Problem& problem, Remembering& records) {
 
 void Checkpoints::step_begins(const State& start) { start_ = start; }
 
-void Checkpoints::rests(MarchPlace place, State& state, bool last) {
+void Checkpoints::rests(const MarchPlace& place, State& state, bool last) {
   const int number = place.report.increments;
   if (every_ == 0 || number == 0 || number == written_ || !(last || number % every_ == 0)) return;
   write(place, state);
   written_ = number;
 }
 
-void Checkpoints::interrupted(MarchPlace place, State& state) {
+void Checkpoints::interrupted(const MarchPlace& place, State& state) {
   if (written_ == place.report.increments) return;
   write(place, state);
   written_ = place.report.increments;
@@ -67,13 +78,13 @@ void Checkpoints::resumed(const Resumed& from) {
 
 std::size_t Checkpoints::bytes() const { return bytes_of(start_.x) + bytes_of(start_.lambda); }
 
-void Checkpoints::write(MarchPlace& place, State& state) {
+void Checkpoints::write(MarchPlace place, State& state) {
   ProblemMark mark = mark_of(scene_, inputs_, problem_, place.step);
   folder_.claim({checkpoint_file});
   write_checkpoint(checkpoint_in(folder_.path()), problem_.mesh(), [&](Archive& archive) {
     place.serialize(archive);
     mark.serialize(archive);
-    serialize(archive, start_, state);
+    serialize(archive, states_of(place, start_, state));
     problem_.serialize(archive);
     records_.serialize(archive, place);
   });

@@ -54,14 +54,14 @@ class Checkpoints {
   /// Keeps where a step begins.
   void step_begins(const State& start);
   /// Writes if it is this increment's turn, or the last chance. Collective. Throws std::runtime_error.
-  void rests(MarchPlace place, State& state, bool last);
+  void rests(const MarchPlace& place, State& state, bool last);
   /// Writes unless this state is written. Collective. Throws std::runtime_error.
-  void interrupted(MarchPlace place, State& state);
+  void interrupted(const MarchPlace& place, State& state);
   void resumed(const Resumed& from);
   std::size_t bytes() const;
 
  private:
-  void write(MarchPlace& place, State& state);
+  void write(MarchPlace place, State& state);
 
   const Scene& scene_;
   std::vector<InputFile> inputs_;

@@ -220,6 +220,17 @@ void DofMap::move(State& state, std::span<const double> dx, std::span<const doub
   }
 }
 
+std::vector<double> DofMap::motion(std::span<const Pose> from, std::span<const Pose> to,
+                                   double factor) const {
+  std::vector<double> q;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Vec3<double> turn = spin(times_transposed(to[b].rotation, from[b].rotation));
+    for (int c = 0; c < 3; ++c) q.push_back(factor * (to[b].shift[c] - from[b].shift[c]));
+    for (double v : turn) q.push_back(factor * v);
+  }
+  return q;
+}
+
 long long DofMap::free_unknowns() const {
   long long held = 0;
   for (const Node& h : nodes_)

@@ -66,6 +66,10 @@ class DofMap {
   /// x += step · dx for nodes and poses; rigid nodes are placed again. Collective.
   void move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const;
 
+  /// `factor` times the motions of the rigid bodies from one place to another: a primal vector's tail on
+  /// every rank.
+  std::vector<double> motion(std::span<const Pose> from, std::span<const Pose> to, double factor) const;
+
   /// 3×3 matrix of P for a local node (identity where nothing is held; zero for a rigid node).
   Mat3<double> projector(int node) const;
   bool held(int node) const { return slot_[node] >= 0 || body_of_[node] >= 0; }

@@ -14,6 +14,13 @@ Mat3<double> rotation(const Vec3<double>& w) {
   return R;
 }
 
+Vec3<double> spin(const Mat3<double>& R) {
+  const Vec3<double> axis{R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)};  // 2 sin θ times the axis
+  const double sine = norm(axis) / 2, cosine = (R(0, 0) + R(1, 1) + R(2, 2) - 1) / 2;
+  const double a = sine > 1e-12 ? std::atan2(sine, cosine) / (2 * sine) : 0.5;
+  return {a * axis[0], a * axis[1], a * axis[2]};
+}
+
 Vec3<double> RigidBody::arm(const Pose& pose, std::span<const double> x, int n) const {
   Vec3<double> r;
   for (int c = 0; c < 3; ++c) r[c] = x[3 * n + c] - center_[c] - pose.shift[c];

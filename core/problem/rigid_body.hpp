@@ -45,5 +45,7 @@ class RigidBody {
 
 /// exp of the spin vector (Rodrigues).
 Mat3<double> rotation(const Vec3<double>& spin);
+/// Its inverse, for rotations by less than half a turn.
+Vec3<double> spin(const Mat3<double>& rotation);
 
 }  // namespace bulbus

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/interrupt.hpp"
+#include "core/solve/state_increment.hpp"
 
 namespace bulbus {
 namespace {
@@ -89,8 +90,16 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings) {
   return static_cast<int>(std::ceil(step.increments * settings.increments - 1e-9));
 }
 
+void MarchPlace::next_step() {
+  begun = careful = false;
+  done = last = 0;
+  size = 1;
+  previous = {};
+}
+
 void MarchPlace::serialize(Archive& archive) {
   if (!archive.reading() || archive.knows("careful")) archive.scalars("careful", careful);
+  if (!archive.reading() || archive.knows("last")) archive.scalars("last", last);
   archive.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations,
                   report.krylov_iterations);
 }
@@ -101,8 +110,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
   MarchReport& report = place.report;
   double& done = place.done;
   const auto& steps = problem.model().steps;
-  for (int& k = place.step; k < static_cast<int>(steps.size());
-       ++k, place.begun = place.careful = false, done = 0, place.size = 1) {
+  for (int& k = place.step; k < static_cast<int>(steps.size()); ++k, place.next_step()) {
     if (!place.begun) {
       observer.step_begins(k, steps[k], state);
       problem.begin_step(k, state);
@@ -123,6 +131,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       const double to = increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = state;
+      if (place.last > 0) extrapolate(problem, place.previous, (to - done) / place.last, trial);
       NewtonReport newton = within_memory(problem.comm(), [&] {
         return bulbus::newton(problem, system, solver, trial, to,
                               tolerances_at(to, place.careful, settings.newton), profiler,
@@ -135,6 +144,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         for (const auto& term : problem.terms()) term->roll_back();
         solver.forget();
         ++report.cuts;
+        place.last = 0;
         observer.increment_cut(newton, done, to);
         // a small system costs nothing
         const bool again = !place.careful && solver.counts_pivots(system);
@@ -153,6 +163,10 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         for (const auto& term : problem.terms()) term->roll_back();
         observer.rests(place, state, true);
         return report;
+      }
+      if (settings.stepping.extrapolate) {
+        place.previous = std::move(state);
+        place.last = to - done;
       }
       state = std::move(trial);
       for (const auto& term : problem.terms()) term->commit(state);

@@ -31,8 +31,12 @@ struct MarchPlace {
   bool begun = false;
   double done = 0;       ///< part of the step
   double size = 1;       ///< of the next increment
+  double last = 0;       ///< the increment that led from `previous` to the present state; 0: no such state
+  State previous;        ///< that converged before it in the same step
   bool careful = false;  ///< has an increment of the step failed?
   MarchReport report;
+  void next_step();
+  /// All but `previous`.
   void serialize(Archive& archive);
 };
 
@@ -56,12 +60,13 @@ class MarchObserver {
 /// Increments of a step that has not begun, if nothing fails.
 int increments_of(const StepSpec& step, const SteppingSettings& settings);
 
-/// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. From the
-/// first failure in a step on, but for one by first steps that are too long, its linear solves are tight; a
-/// small system is tried once more so before the increment is cut. Where even increments of an eighth cycle,
-/// longer ones are tried before the march ends: surfaces that snap have no equilibrium near by. On return
-/// `state` is the last good one: so it is where an interrupt ends it. A `place` in the middle is one to which
-/// problem and state have been brought. Collective.
+/// Runs through all steps from `state`, cutting increments that fail and growing after easy ones. Within a
+/// step an increment that follows a converged one begins where the last two states point to. From the first
+/// failure in a step on, but for one by first steps that are too long, its linear solves are tight; a small
+/// system is tried once more so before the increment is cut. Where even increments of an eighth cycle, longer
+/// ones are tried before the march ends: surfaces that snap have no equilibrium near by. On return `state` is
+/// the last good one: so it is where an interrupt ends it. A `place` in the middle is one to which problem
+/// and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
                   const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
                   MarchPlace place = {});

@@ -12,18 +12,16 @@
 #include "core/problem/enclosed_parts.hpp"
 #include "core/solve/cycle_detector.hpp"
 #include "core/solve/forcing_term.hpp"
+#include "core/solve/state_increment.hpp"
 
 namespace bulbus {
 namespace {
 
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
-constexpr double shortest_step = 1.0 / 64;
 // Of the first Newton steps together: two increments of half the length cost less than what is to come.
 // Later a few short steps are allowed.
 constexpr double least_length = 1.0 / 8;
 constexpr int most_shortened = 8;
-constexpr double least_volume =
-    0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
 
 bool finite(const Balance& b) {
   return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid);
@@ -40,32 +38,6 @@ NewtonSettings tightened(NewtonSettings s) {
   s.force = std::min(s.force, tight.force), s.volume = std::min(s.volume, tight.volume),
   s.liquid = std::min(s.liquid, tight.liquid);
   return s;
-}
-
-struct Step {
-  std::vector<double> dx;  // local nodes
-  std::span<const double> primal, dlambda;
-  std::vector<double> dP;
-};
-
-void take(const Problem& problem, const Step& step, double length, State& state) {
-  problem.dofs().move(state, step.dx, step.primal, length);
-  for (std::size_t e = 0; e < state.lambda.size(); ++e) state.lambda[e] += length * step.dlambda[e];
-  for (std::size_t i = 0; i < state.P.size(); ++i) state.P[i] += length * step.dP[i];
-}
-
-// The longest of 1, ½, ¼, ... that inverts nothing; 0 if none does. `state` is moved.
-double guarded(const Problem& problem, const Step& step, State& state) {
-  const double before = std::min(1.0, problem.comm().min(problem.solid().least_jacobian(state.x)));
-  for (double length = 1; length >= shortest_step; length /= 2) {
-    State trial = state;
-    take(problem, step, length, trial);
-    if (problem.comm().min(problem.solid().least_jacobian(trial.x)) > least_volume * before) {
-      state = std::move(trial);
-      return length;
-    }
-  }
-  return 0;
 }
 
 // Newton's method from one state to equilibrium, iteration by iteration.
@@ -127,12 +99,13 @@ class Iteration {
   double step() {
     const Layout& layout = system_.layout();
     const std::span<const double> solution(solution_);
-    Step step{std::vector<double>(state_.x.size()), layout.primal(solution), layout.lambda(solution),
-              CoupledOperator(system_, augmentation_).pressure_increments(solution)};
+    StateIncrement step{std::vector<double>(state_.x.size()), layout.primal(solution),
+                        layout.lambda(solution),
+                        CoupledOperator(system_, augmentation_).pressure_increments(solution)};
     problem_.dofs().expand(state_, step.primal, step.dx);
     compute_prescribed();
     for (std::size_t i = 0; i < prescribed_.size(); ++i) step.dx[i] += prescribed_[i];
-    const double length = guarded(problem_, step, state_);
+    const double length = move_without_inversion(problem_, step, state_);
     for (double& v : step.dx) v *= length;
     problem_.predict(step.dx);
     problem_.enclosed().settle(state_.lambda);

@@ -34,6 +34,7 @@ struct NewtonSettings {
 struct SteppingSettings {
   double smallest = 1e-3, growth = 1.5, increments = 1;
   int easy = 6;
+  bool extrapolate = true;
   template <class V>
   void describe(V&& v) {
     v("smallest", smallest,
@@ -42,6 +43,9 @@ struct SteppingSettings {
     v("easy", easy, About{"Newton iterations that count as easy"}.between(1, 100));
     v("increments", increments,
       About{"times as many increments as the steps say, rounded up"}.between(1e-5, 1000));
+    v("extrapolate", extrapolate,
+      About{"begin increments after the first of a step where the last two converged states point to"}
+          .expert());
   }
 };
 

@@ -35,6 +35,13 @@ TEST(Rotation, IsOrthogonalAndTurnsByItsAngle) {
   EXPECT_NEAR(rotation({0, 0, .1})(1, 0), std::sin(.1), 1e-15);  // x turns to y
 }
 
+TEST(Rotation, SpinIsItsInverse) {
+  for (double angle : {0.0, 1e-13, 1e-9, 1e-3, .5, 3.0}) {
+    const Vec3<double> w{angle * 2 / 3, -angle / 3, angle * 2 / 3}, back = spin(rotation(w));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(back[c], w[c], 1e-14) << angle;
+  }
+}
+
 TEST_F(RigidBodyTest, ReduceIsTheTransposeOfExpand) {
   for (const std::array<bool, 6> free :
        {std::array{true, true, true, true, true, true}, {true, false, true, false, true, false}}) {

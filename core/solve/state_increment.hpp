@@ -1,0 +1,25 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/problem/problem.hpp"
+
+namespace bulbus {
+
+/// By what a state moves: a Newton step, or the way between two states.
+struct StateIncrement {
+  std::vector<double> dx;          ///< local nodes, ghosts included, mm
+  std::span<const double> primal;  ///< its tail: six unknowns of every rigid body (DofMap)
+  std::span<const double> dlambda;
+  std::vector<double> dP;
+};
+
+/// Moves `state` by the longest of 1, ½, ¼, ... of the increment that inverts no element. Returns that part;
+/// 0 where none of at least 1/64 does. Collective.
+double move_without_inversion(const Problem& problem, const StateIncrement& increment, State& state);
+
+/// Linear extrapolation: moves `state` on by `factor` times its way from `previous`, as far as no element
+/// inverts. Collective.
+void extrapolate(const Problem& problem, const State& previous, double factor, State& state);
+
+}  // namespace bulbus
