@@ -159,7 +159,7 @@ void expect_fitting(const Parser& parser, bool of_a_study) {
     throw input_error(file, 0, "is a study, not a scene", "solve it with 'bulbus study'");
 }
 
-int obey(const Parser& parser, const Comm& comm, std::ostream& out) {
+int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
   const Arguments& given = parser.given;
   if (*parser.help) {
     print_topic(given, out);
@@ -212,7 +212,7 @@ int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostr
     arguments = scene_before_restart(one_set_each(arguments));
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     parser.app.parse(arguments);
-    return obey(parser, comm, said);
+    return dispatch(parser, comm, said);
   } catch (const CLI::ParseError& e) {
     return parser.app.exit(e, said, faults) == 0 ? 0 : 2;
   } catch (const OutputError& e) {

@@ -82,15 +82,15 @@ void measure_memory(const Problem& problem, const CoupledSystem& system, Profile
 }
 
 nlohmann::json json_of(const MemoryForecast& forecast) {
-  nlohmann::json mb{{"together", 1e-6 * forecast.together()}, {"last resort", 1e-6 * forecast.last_resort}};
+  nlohmann::json mb{{"together", 1e-6 * forecast.together()}, {"fallback", 1e-6 * forecast.fallback}};
   for (const auto& [part, bytes] : forecast.parts) mb[part] = 1e-6 * bytes;
   return mb;
 }
 
 std::string line_of(const MemoryForecast& forecast) {
   std::string line = fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * forecast.together());
-  if (forecast.last_resort > 0)
-    line += fmt::format(", and {:.0f} more if MUMPS takes over a system", 1e-6 * forecast.last_resort);
+  if (forecast.fallback > 0)
+    line += fmt::format(", and {:.0f} more if MUMPS takes over a system", 1e-6 * forecast.fallback);
   return line;
 }
 

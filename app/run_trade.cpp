@@ -20,7 +20,7 @@ namespace {
 
 using json = nlohmann::json;
 
-constexpr double patience = 4;  // what takes longer than so many times the reference is no bargain
+constexpr double longest = 4;  // what takes longer than so many times the reference is never on the front
 
 TradeResults nothing_yet(const Trade& trade) {
   TradeResults results;
@@ -83,7 +83,7 @@ class TradeRunner {
     std::string reason;
     if (!there) {
       const Ended e = run_process(command_of(run), run > 0 && trade_.runs[run].mesh == 0 ? allowed_ : 0);
-      if (run == 0 && round == 1) allowed_ = static_cast<unsigned>(patience * e.cpu) + 10;
+      if (run == 0 && round == 1) allowed_ = static_cast<unsigned>(longest * e.cpu) + 10;
       times.push_back(e.cpu);
       reason = e.reason;
       finished = is_finished(trade_.runs[run].scene, folder_of(run));
@@ -120,7 +120,7 @@ class TradeRunner {
     if (const auto error = mesh_error(trade_, results_, run))
       end = fmt::format(", error {:.2g} %", 100 * error->value);
     log_.info(fmt::format("{} of {}: {} {}: {}{}, {} Newton and {} Krylov iterations{}", of.name,
-                          trade_.runs.size(), of.knob, of.value, duration(row.seconds),
+                          trade_.runs.size(), of.parameter, of.value, duration(row.seconds),
                           there ? " (there already)" : "", row.newton_iterations, row.krylov_iterations,
                           end));
   }

@@ -101,7 +101,8 @@ json solved(const Variant& v, Problem& problem, const State& state, const FirstI
   if (!ready.ok) return row["reason"] = ready.reason, row;
   std::vector<double> x(system.size());
   const CoupledOperator A(system, ready.augmentation);
-  const LinearReport report = solver.solve(A, A.right_hand_side(start.residual, start.held), x, tolerance);
+  const LinearReport report =
+      solver.solve(A, A.right_hand_side(start.residual, start.prescribed), x, tolerance);
   row.update({{"solve_s", solver.solution[0]},
               {"iterations", report.iterations},
               {"reduction", report.reduction},

@@ -151,16 +151,19 @@ std::string make_dump(int n) {
   Profiler profiler;
   auto problem = half_eye(n, comm);
   State state = pressurised(*problem, settings, profiler);
-  const auto [r, held] = first_increment(*problem, state);
+  const auto [r, prescribed] = first_increment(*problem, state);
   CoupledSystem system(*problem, settings.linear);
   system.linearize(state, r);
   const CoupledOperator A(system);
   const std::string path =
       std::filesystem::temp_directory_path() / ("bulbus_half_eye_" + std::to_string(n) + ".h5");
-  write_system(
-      path,
-      {assemble(A), A.right_hand_side(r, held), unknown_kinds(system.layout()), system.scaling(), {{"n", n}}},
-      comm);
+  write_system(path,
+               {assemble(A),
+                A.right_hand_side(r, prescribed),
+                unknown_kinds(system.layout()),
+                system.scaling(),
+                {{"n", n}}},
+               comm);
   return path;
 }
 

@@ -62,7 +62,7 @@ FirstIncrement first_increment(Problem& problem, State& state) {
   problem.begin_step(1, state);
   problem.set_progress(part, state);
   FirstIncrement start{problem.residual(state), std::vector<double>(state.x.size())};
-  problem.dofs().defect(state, part, start.held);
+  problem.dofs().prescribed_increment(state, part, start.prescribed);
   return start;
 }
 

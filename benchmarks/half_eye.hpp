@@ -17,7 +17,7 @@ State pressurised(Problem& problem, const SolverSettings& settings, Profiler& pr
 /// What a Newton step of the first coupled increment (a quarter of step 1) starts from.
 struct FirstIncrement {
   Residual residual;
-  std::vector<double> held;  ///< prescribed displacements still to be made
+  std::vector<double> prescribed;  ///< prescribed displacements still to be made
 };
 FirstIncrement first_increment(Problem& problem, State& pressurised);
 

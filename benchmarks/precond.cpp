@@ -15,7 +15,7 @@ const std::vector<std::string> methods{"aggregation",     "hybrid", "multigrid",
                                        "boomeramg_nodal", "jacobi", "exact",     "direct"};
 
 json solve_by(const std::string& method, Problem& problem, const State& state, const Residual& r,
-              std::span<const double> held, LinearSettings settings) {
+              std::span<const double> prescribed, LinearSettings settings) {
   if (method == "direct")
     settings = bench::settings_of(method, settings.memory_limit.value_or(0)).linear;
   else
@@ -34,7 +34,7 @@ json solve_by(const std::string& method, Problem& problem, const State& state, c
   row["setup_s"] = prepared - start;
   if (!ready.ok) return row["reason"] = ready.reason, row;
   const CoupledOperator A(system, ready.augmentation);
-  const auto b = A.right_hand_side(r, held);
+  const auto b = A.right_hand_side(r, prescribed);
   std::vector<double> x(system.size());
   const LinearReport report = solver->solve(A, b, x, tolerance);
   row["solve_s"] = cpu_seconds() - prepared;
@@ -74,10 +74,10 @@ int main(int argc, char** argv) {
     Profiler profiler;
     if (o.refine > 0) settings.linear.displacement = Displacement::multigrid;
     State state = pressurised(*problem, settings, profiler);
-    const auto [r, held] = first_increment(*problem, state);
+    const auto [r, prescribed] = first_increment(*problem, state);
     for (const std::string& method : chosen) {
       if (method == "multigrid" && o.refine == 0) continue;
-      report["rows"].push_back(solve_by(method, *problem, state, r, held, settings.linear));
+      report["rows"].push_back(solve_by(method, *problem, state, r, prescribed, settings.linear));
       report["rows"].back()["n"] = n;
     }
   }

@@ -38,9 +38,9 @@ json solve(int n, int refine, const Comm& comm) {
   const double linearised = Clock::now();
   const Preparation ready = solver->prepare(system);
   if (!ready.ok) return {{"n", n}, {"refine", refine}, {"ranks", comm.size()}, {"reason", ready.reason}};
-  const std::vector<double> held(state.x.size());
+  const std::vector<double> prescribed(state.x.size());
   const CoupledOperator A(system, ready.augmentation);
-  const auto b = A.right_hand_side(r, held);
+  const auto b = A.right_hand_side(r, prescribed);
   std::vector<double> x(system.size());
   const double prepared = Clock::now();
   const Traffic before = traffic();

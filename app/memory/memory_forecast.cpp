@@ -42,7 +42,7 @@ RunSize size_of(const Prepared& prepared) {
 MemoryForecast forecast_memory(const Prepared& prepared, const Scene& scene) {
   const RunSize size = size_of(prepared);
   MemoryForecast forecast{{{"program, mesh and problem", resident(prepared.problem->comm())}},
-                          bytes_of_last_resort(size, scene)};
+                          bytes_of_fallback(size, scene)};
   for (MemoryPart& part : parts_of_solution(size, scene)) forecast.parts.push_back(std::move(part));
   return forecast;
 }
@@ -55,8 +55,8 @@ std::vector<std::string> lines_of(const MemoryForecast& forecast, const LinearSe
   };
   for (const auto& [name, bytes] : forecast.parts) add(name, bytes);
   add("together", forecast.together());
-  if (forecast.last_resort == 0) return lines;
-  const double all = forecast.together() + forecast.last_resort;
+  if (forecast.fallback == 0) return lines;
+  const double all = forecast.together() + forecast.fallback;
   add("with MUMPS as fallback", all);
   if (all > memory_of(l))
     lines.push_back(

@@ -162,7 +162,7 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   return parts;
 }
 
-double bytes_of_last_resort(const RunSize& size, const Scene& scene) {
+double bytes_of_fallback(const RunSize& size, const Scene& scene) {
   const LinearSettings& l = scene.solver.linear;
   if (l.method == Method::direct || l.fallback != Fallback::direct) return 0;
   std::vector<MemoryPart> parts;

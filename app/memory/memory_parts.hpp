@@ -32,6 +32,6 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
 
 /// What MUMPS adds to them, bytes, while it solves a system that GMRES did not; 0 where
 /// `solver.linear.fallback` or `method` says that it never does.
-double bytes_of_last_resort(const RunSize& size, const Scene& scene);
+double bytes_of_fallback(const RunSize& size, const Scene& scene);
 
 }  // namespace bulbus

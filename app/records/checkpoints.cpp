@@ -47,7 +47,7 @@ Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepar
   refuse_another(mark, mark_of(scene, prepared.inputs, problem, place_.step), prepared.inputs, path);
 }
 
-Resumed Checkpoint::resume(Problem& problem, Remembering& records) {
+Resumed Checkpoint::resume(Problem& problem, Archived& records) {
   Resumed r{place_, problem.initial_state(), problem.initial_state()};
   if (place_.last > 0) r.place.previous = problem.initial_state();
   serialize(*kept_, states_of(r.place, r.start, r.state));

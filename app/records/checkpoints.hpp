@@ -10,9 +10,9 @@
 namespace bulbus {
 
 /// What a run keeps besides state and problem.
-class Remembering {
+class Archived {
  public:
-  virtual ~Remembering() = default;
+  virtual ~Archived() = default;
   /// At this place of the march. Collective.
   virtual void serialize(Archive& archive, const MarchPlace& place) = 0;
 };
@@ -33,7 +33,7 @@ class Checkpoint {
   Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
   const MarchPlace& place() const { return place_; }
   /// Brings problem and records, both new, to where they were. Collective.
-  Resumed resume(Problem& problem, Remembering& records);
+  Resumed resume(Problem& problem, Archived& records);
 
  private:
   std::unique_ptr<Archive> kept_;
@@ -43,7 +43,7 @@ class Checkpoint {
 /// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
 class Checkpoints {
  public:
-  Checkpoints(const Scene& scene, const Prepared& prepared, Remembering& records, ResultsFolder& folder)
+  Checkpoints(const Scene& scene, const Prepared& prepared, Archived& records, ResultsFolder& folder)
       : scene_(scene),
         inputs_(prepared.inputs),
         problem_(*prepared.problem),
@@ -66,7 +66,7 @@ class Checkpoints {
   const Scene& scene_;
   std::vector<InputFile> inputs_;
   Problem& problem_;
-  Remembering& records_;
+  Archived& records_;
   ResultsFolder& folder_;
   int every_, written_ = -1;
   State start_;

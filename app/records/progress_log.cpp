@@ -22,12 +22,12 @@ std::string duration(double seconds) {
 }
 
 ProgressLog::ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping,
-                         double patience)
+                         double silence)
     : log_(log),
       model_(problem.model()),
       stable_pivots_(stable_pivots(problem)),
       forecast_(stepping),
-      patience_(patience) {}
+      silence_(silence) {}
 
 void ProgressLog::resumes(const MarchPlace& place) {
   log_.info("");
@@ -69,7 +69,7 @@ bool ProgressLog::unstable(const NewtonReport& report) const {
 
 void ProgressLog::solve_lasts(const SolveProgress& p) {
   const double now = Clock::now();
-  if (now - told_ < patience_) return;
+  if (now - told_ < silence_) return;
   told_ = now;
   log_.info(fmt::format("         linear solve: {} Krylov iterations, residual {:.1e} of {:.1e}  {}",
                         p.iteration, p.residual, p.tolerance, duration(elapsed())));

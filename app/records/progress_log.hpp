@@ -11,8 +11,8 @@ namespace bulbus {
 /// per Newton iteration, cuts with their reason, and how long the rest may take.
 class ProgressLog final : public MarchObserver {
  public:
-  /// `patience`: seconds of a linear solve without a line.
-  ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping, double patience = 10);
+  /// `silence`: seconds of a linear solve without a line.
+  ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping, double silence = 10);
 
   void step_begins(int step, const StepSpec& spec, const State& state) override;
   void resumes(const MarchPlace& place);
@@ -35,7 +35,7 @@ class ProgressLog final : public MarchObserver {
   const Model& model_;
   long long stable_pivots_;
   Forecast forecast_;
-  double patience_;
+  double silence_;
   double start_ = Clock::now(), since_ = start_;  // of the run, of the increment with its failed attempts
   double told_ = start_;                          // of the last line while increments are at work
 };

@@ -19,7 +19,7 @@ struct StepRecord {
 
 /// Writes the records of a march as it goes: log, history.csv, krylov.csv, result files. Disk faults are
 /// OutputErrors, at the latest at the end of the increment. All members that take a state are collective.
-class Recorder final : public MarchObserver, public Remembering {
+class Recorder final : public MarchObserver, public Archived {
  public:
   Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& folder, const Log& log,
            Profiler& profiler, FileStart start = FileStart::anew);

@@ -8,7 +8,7 @@ namespace bulbus {
 /// One way to solve the scene of a trade.
 struct TradeRun {
   std::string name;              ///< of its folder: run_001
-  std::string knob, value;       ///< what it turns, and how far
+  std::string parameter, value;  ///< what is varied, and to what
   std::vector<std::string> set;  ///< path.to.key=value, in their order
   int mesh = 0;                  ///< which of the meshes
   Scene scene;
@@ -23,9 +23,9 @@ struct TradeMesh {
   int reference = -1;  ///< the run that errors on this mesh count from
 };
 
-/// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each knob, and
-/// on other meshes: a coarser and a finer one, from which figures are extrapolated, and one with twice the
-/// layers through the thickness.
+/// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each
+/// parameter, and on other meshes: a coarser and a finer one, from which figures are extrapolated, and one
+/// with twice the layers through the thickness.
 struct Trade {
   std::string scene;              ///< its file
   std::vector<TradeMesh> meshes;  ///< the scene's first

@@ -8,8 +8,8 @@ using Cell = CsvTable::Cell;
 
 Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(std::string()); }
 
-std::string front_of(int run, const std::vector<Bargain>& all) {
-  for (const Bargain& b : all)
+std::string front_of(int run, const std::vector<ParetoCandidate>& all) {
+  for (const ParetoCandidate& b : all)
     if (b.run == run) return better_than(b, all) ? "dominated" : "front";
   return "";
 }
@@ -40,16 +40,19 @@ std::vector<std::string> columns_of(const TradeResults& results) {
 
 void write_trade_csv(const std::string& path, const Trade& trade, const TradeResults& results) {
   CsvTable table(path, columns_of(results));
-  const auto on_mesh = bargains_on_mesh(trade, results), on_all = bargains_on_all(results);
+  const auto on_mesh = candidates_on_mesh(trade, results), on_all = candidates_on_all(results);
   for (int run = 0; run < static_cast<int>(results.runs.size()); ++run) {
     if (!results.rows[run]) continue;
     const StudyRow& r = *results.rows[run];
     const TradeRun& of = trade.runs[run];
-    std::vector<Cell> row{
-        of.name, of.knob, of.value, trade.meshes[of.mesh].words, std::string(r.converged ? "true" : "false"),
-        r.reason};
+    std::vector<Cell> row{of.name,
+                          of.parameter,
+                          of.value,
+                          trade.meshes[of.mesh].words,
+                          std::string(r.converged ? "true" : "false"),
+                          r.reason};
     row.insert(row.end(), {r.seconds, r.newton_iterations, r.krylov_iterations, results.megabytes[run]});
-    const auto add_error = [&](const std::optional<TradeError>& e, const std::vector<Bargain>& all) {
+    const auto add_error = [&](const std::optional<TradeError>& e, const std::vector<ParetoCandidate>& all) {
       row.push_back(e ? Cell(e->value) : Cell(std::string()));
       row.emplace_back(e && e->value > 0 ? results.figures[e->figure].name : std::string());
       row.emplace_back(front_of(run, all));

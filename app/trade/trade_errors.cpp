@@ -22,12 +22,12 @@ bool is_known(const Trade& trade, const TradeResults& results, int mesh) {
 }
 
 template <class Error>
-std::vector<Bargain> bargains(const TradeResults& results, Error error) {
-  std::vector<Bargain> all;
+std::vector<ParetoCandidate> candidates(const TradeResults& results, Error error) {
+  std::vector<ParetoCandidate> all;
   for (int run = 1; run < static_cast<int>(results.runs.size()); ++run)
     if (const std::optional<TradeError> e = error(run))
       all.push_back({run, results.rows[run]->seconds, e->value});
-  std::ranges::stable_sort(all, {}, &Bargain::seconds);
+  std::ranges::stable_sort(all, {}, &ParetoCandidate::seconds);
   return all;
 }
 
@@ -89,23 +89,23 @@ std::optional<TradeError> whole_error(const TradeResults& results, int run) {
   return largest(results, run, [&](int figure) { return whole_error(results, run, figure); });
 }
 
-const Bargain* better_than(const Bargain& one, const std::vector<Bargain>& all) {
-  const Bargain* best = nullptr;
-  for (const Bargain& other : all)
+const ParetoCandidate* better_than(const ParetoCandidate& one, const std::vector<ParetoCandidate>& all) {
+  const ParetoCandidate* best = nullptr;
+  for (const ParetoCandidate& other : all)
     if (other.error <= one.error && other.seconds < (1 - noise) * one.seconds &&
         (!best || other.seconds < best->seconds))
       best = &other;
   return best;
 }
 
-std::vector<Bargain> bargains_on_mesh(const Trade& trade, const TradeResults& results) {
-  return bargains(results, [&](int run) {
+std::vector<ParetoCandidate> candidates_on_mesh(const Trade& trade, const TradeResults& results) {
+  return candidates(results, [&](int run) {
     return trade.runs[run].mesh == 0 ? mesh_error(trade, results, run) : std::nullopt;
   });
 }
 
-std::vector<Bargain> bargains_on_all(const TradeResults& results) {
-  return bargains(results, [&](int run) { return whole_error(results, run); });
+std::vector<ParetoCandidate> candidates_on_all(const TradeResults& results) {
+  return candidates(results, [&](int run) { return whole_error(results, run); });
 }
 
 }  // namespace bulbus

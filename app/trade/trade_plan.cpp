@@ -16,12 +16,12 @@ namespace {
 using Settings = std::vector<std::string>;
 
 /// Keys of the scene that all take the value.
-struct Knob {
+struct Parameter {
   std::string name;
   std::vector<std::string> keys, values;
 };
 
-const std::vector<Knob> knobs{
+const std::vector<Parameter> parameters{
     {"newton",
      {"solver.newton.force", "solver.newton.volume", "solver.newton.liquid"},
      {"1e-2", "1e-3", "1e-4", "1e-5"}},
@@ -108,10 +108,10 @@ class Planner {
       : trade_{path, {}, {}}, overrides_(std::move(overrides)) {}
 
   /// Nothing if there is such a run already. Returns its number.
-  int add(const std::string& knob, const std::string& value, const Settings& set, int mesh = 0) {
+  int add(const std::string& parameter, const std::string& value, const Settings& set, int mesh = 0) {
     const std::string name = fmt::format("run_{:03d}", trade_.runs.size() + 1);
     TradeRun run{
-        name,  knob,
+        name,  parameter,
         value, joined({"output.vtk=false"}, joined(overrides_, joined(trade_.meshes[mesh].set, set))),
         mesh,  {}};
     run.scene = scene_with(run.set);
@@ -142,8 +142,8 @@ class Planner {
   Trade& trade() { return trade_; }
 
  private:
-  // Where the method of a run has no use for a setting of the scene or of a knob, the set gives it the value
-  // that it would have without.
+  // Where the method of a run has no use for a setting of the scene or of a parameter, the set gives it the
+  // value that it would have without.
   Scene scene_with(Settings& set) const {
     const Entry root = scene_data(trade_.scene, set);
     Scene scene = scene_of(root, trade_.scene);
@@ -197,11 +197,11 @@ Trade plan_trade(const std::string& scene, const std::vector<std::string>& overr
     if (mesh) planner.add_on(*mesh, {"tight", "balanced", "fast"});
   }
   if (const auto mesh = layered(given.mesh)) planner.add_on(*mesh, {"tight"});
-  for (const Knob& knob : knobs)
-    for (const std::string& value : knob.values) {
+  for (const Parameter& parameter : parameters)
+    for (const std::string& value : parameter.values) {
       Settings set;
-      for (const std::string& key : knob.keys) set.push_back(key + "=" + value);
-      planner.add(knob.name, value, set);
+      for (const std::string& key : parameter.keys) set.push_back(key + "=" + value);
+      planner.add(parameter.name, value, set);
     }
   for (double factor : {.3, 3.})
     planner.add("penalty", fmt::format("x {:g}", factor), penalties(prepared, factor));

@@ -11,8 +11,8 @@ std::vector<std::string> lines_of(const Trade& trade, const TradeResults& result
 /// Not collective.
 void write_trade_csv(const std::string& path, const Trade& trade, const TradeResults& results);
 
-/// Error over processor time, a curve per knob, once against the same mesh and once against the extrapolated
-/// solution.
+/// Error over processor time, a curve per parameter, once against the same mesh and once against the
+/// extrapolated solution.
 Chart chart_of(const Trade& trade, const TradeResults& results);
 
 }  // namespace bulbus

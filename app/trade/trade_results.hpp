@@ -38,7 +38,7 @@ std::optional<TradeError> mesh_error(const Trade& trade, const TradeResults& res
 std::optional<TradeError> whole_error(const TradeResults& results, int run);
 
 /// What a run costs, and how wrong it is.
-struct Bargain {
+struct ParetoCandidate {
   int run;
   double seconds, error;
 };
@@ -48,11 +48,11 @@ constexpr double noise = .05;
 
 /// The best of those that are no less accurate and faster by more than noise; none: it lies on the Pareto
 /// front.
-const Bargain* better_than(const Bargain& one, const std::vector<Bargain>& all);
+const ParetoCandidate* better_than(const ParetoCandidate& one, const std::vector<ParetoCandidate>& all);
 
 /// The runs that may be compared: those on the scene's mesh against its tight solution, but for the
 /// reference; or all against the extrapolated one. By rising seconds.
-std::vector<Bargain> bargains_on_mesh(const Trade& trade, const TradeResults& results);
-std::vector<Bargain> bargains_on_all(const TradeResults& results);
+std::vector<ParetoCandidate> candidates_on_mesh(const Trade& trade, const TradeResults& results);
+std::vector<ParetoCandidate> candidates_on_all(const TradeResults& results);
 
 }  // namespace bulbus

@@ -14,7 +14,9 @@ std::string percent(double error) { return fmt::format("{:.2g} %", 100 * error);
 
 std::string shown(const std::optional<TradeError>& e) { return e ? percent(e->value) : "-"; }
 
-std::string name_of(const TradeRun& run) { return run.value.empty() ? run.knob : run.knob + " " + run.value; }
+std::string name_of(const TradeRun& run) {
+  return run.value.empty() ? run.parameter : run.parameter + " " + run.value;
+}
 
 Lines runs(const Trade& trade, const TradeResults& results) {
   const auto row = [&](int run) -> const StudyRow& { return *results.rows[run]; };
@@ -22,7 +24,7 @@ Lines runs(const Trade& trade, const TradeResults& results) {
     return column_of(results, name, unit, text);
   };
   return aligned({column("run", "", [&](int r) { return results.runs[r]; }),
-                  column("parameter", "", [&](int r) { return trade.runs[r].knob; }),
+                  column("parameter", "", [&](int r) { return trade.runs[r].parameter; }),
                   column("value", "", [&](int r) { return trade.runs[r].value; }),
                   column("time", "s", [&](int r) { return fmt::format("{:.1f}", row(r).seconds); }),
                   column("Newton", "", [&](int r) { return std::to_string(row(r).newton_iterations); }),
@@ -53,7 +55,7 @@ Lines accuracies(const Trade& trade, const TradeResults& results) {
                                                  : "-");
   }
   for (int run = 1; run < static_cast<int>(results.runs.size()); ++run)
-    if (trade.runs[run].knob == "accuracy" || trade.runs[run].knob == "scene") {
+    if (trade.runs[run].parameter == "accuracy" || trade.runs[run].parameter == "scene") {
       columns.push_back({trade.runs[run].value, "error"});
       for (std::size_t f = 0; f < results.figures.size(); ++f) {
         const auto e = mesh_error(trade, results, run, static_cast<int>(f));
@@ -63,20 +65,21 @@ Lines accuracies(const Trade& trade, const TradeResults& results) {
   return aligned(columns, 1);
 }
 
-void add_front(const Trade& trade, const std::vector<Bargain>& all, const std::string& title, Lines& lines) {
+void add_front(const Trade& trade, const std::vector<ParetoCandidate>& all, const std::string& title,
+               Lines& lines) {
   if (all.empty()) return;
   lines.insert(lines.end(), {"", title});
-  for (const Bargain& b : all)
+  for (const ParetoCandidate& b : all)
     if (!better_than(b, all))
       lines.push_back(
           fmt::format("  {:>8.1f} s  {:>10}  {}", b.seconds, percent(b.error), name_of(trade.runs[b.run])));
 }
 
-void add_dominated(const Trade& trade, const std::vector<Bargain>& all, Lines& lines) {
+void add_dominated(const Trade& trade, const std::vector<ParetoCandidate>& all, Lines& lines) {
   if (all.empty()) return;
   lines.insert(lines.end(), {"", "dominated, on the same mesh:"});
-  for (const Bargain& b : all)
-    if (const Bargain* better = better_than(b, all))
+  for (const ParetoCandidate& b : all)
+    if (const ParetoCandidate* better = better_than(b, all))
       lines.push_back(fmt::format("  {} ({:.1f} s, {}): {} takes {:.1f} s, {}", name_of(trade.runs[b.run]),
                                   b.seconds, percent(b.error), name_of(trade.runs[better->run]),
                                   better->seconds, percent(better->error)));
@@ -88,9 +91,9 @@ std::vector<std::string> lines_of(const Trade& trade, const TradeResults& result
   Lines lines = runs(trade, results);
   lines.emplace_back();
   for (std::string& line : accuracies(trade, results)) lines.push_back(std::move(line));
-  const auto on_mesh = bargains_on_mesh(trade, results);
+  const auto on_mesh = candidates_on_mesh(trade, results);
   add_front(trade, on_mesh, "Pareto front, errors against the tight solution on the same mesh:", lines);
-  add_front(trade, bargains_on_all(results),
+  add_front(trade, candidates_on_all(results),
             "Pareto front, errors against the extrapolated solution:", lines);
   add_dominated(trade, on_mesh, lines);
   return lines;

@@ -14,12 +14,12 @@ FaceGap face_gap(const MasterSurface& master, const Vec3<double>& x, const Pair&
   return smoothed_gap(x, flat, master.corners(triangle), master.normals[triangle]);
 }
 
-// How far the foot of a point lies beside a triangle.
+// How far the projection of a point lies beside a triangle.
 double distance_beside(const Pair& p, const Triangle& v) {
-  Vec3<double> foot{};
+  Vec3<double> projection{};
   for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c) foot[c] += p.weights[i] * v[i][c];
-  return nearest_point(foot, v).distance;
+    for (int c = 0; c < 3; ++c) projection[c] += p.weights[i] * v[i][c];
+  return nearest_point(projection, v).distance;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ std::vector<double> ContactTerm::surfaces(const State& state) const {
 const ContactTerm::Found& ContactTerm::found(const State& state) const {
   auto key = surfaces(state);
   if (key.empty() || key != found_.key) {
-    found_ = find(state, limits_, Search::sparing);
+    found_ = find(state, limits_, Search::near_last);
     found_.key = std::move(key);
   }
   return found_;
@@ -69,7 +69,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
   clearances_.move(points, master.places);
   const double margin = limits.depth + rise_;  // a point deeper than the depth may come back to the surface
   for (int i = 0; i < points_.size(); ++i) {
-    if (how == Search::sparing && idle(i)) continue;
+    if (how == Search::near_last && idle(i)) continue;
     const Vec3<double> x = at(points, i);
     double nearest = limits.reach;
     for (auto rest = near.of(i); !rest.empty();) {
@@ -85,7 +85,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
       nearest = std::min(nearest, chosen.distance);
       if (chosen.triangle < 0) continue;
       const std::size_t before = f.touches.size();
-      add_touches(master, x, i, slot, foot(master, x, chosen.triangle), f.touches);
+      add_touches(master, x, i, slot, closest_triangle(master, x, chosen.triangle), f.touches);
       for (std::size_t k = before; k < f.touches.size(); ++k)
         if (f.touches[k].pair.gap <= 0) nearest = 0;
     }
@@ -96,7 +96,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
 
 // The triangle whose curved surface a point is measured from; that of its normal line where it has come in
 // too far to tell.
-int ContactTerm::foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const {
+int ContactTerm::closest_triangle(const MasterSurface& master, const Vec3<double>& x, int triangle) const {
   if ((master_.rigid() && !master_.smooth()) || project(x, master.corners(triangle)).gap < -limits_.depth)
     return triangle;
   return foot_of(master, x, triangle);
@@ -172,8 +172,8 @@ void ContactTerm::add_touches(const MasterSurface& master, const Vec3<double>& x
 }
 
 // The faces that meet in a convex edge or corner, one for each side of it: of triangles that go on smoothly
-// into one another the one nearest to the point's foot, so that a point is measured alike from every triangle
-// of the edge.
+// into one another the one nearest to the point's projection, so that a point is measured alike from every
+// triangle of the edge.
 std::vector<FaceGap> ContactTerm::faces_at_edge(const MasterSurface& master, const Vec3<double>& x,
                                                 int triangle) const {
   struct Face {

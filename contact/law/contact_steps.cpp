@@ -59,7 +59,7 @@ std::string ContactTerm::refusal(const State& state) const {
 
 void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
-  for (const Touch& t : find(state, limits_, Search::remembering).touches)
+  for (const Touch& t : find(state, limits_, Search::with_history).touches)
     current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
   found_.key.clear();

@@ -13,7 +13,7 @@ namespace {
 constexpr double usual_solve = 1e-3;
 // In shear moduli: an error of pressure that lets no contact open or close; pressures whose geometric
 // stiffness is of no account beside the material's.
-constexpr double telling = 0.01, weak = 0.01;
+constexpr double noticeable = 0.01, weak = 0.01;
 // A pressure that differs from the predicted one by no more than this factor has geometric terms.
 constexpr double settling = 2;
 // Radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in.
@@ -89,14 +89,14 @@ void ContactTerm::predict(std::span<const double> dx) {
 }
 
 void ContactTerm::add_residual(const State& state, std::span<double> force,
-                               std::span<double> magnitude) const {
+                               std::span<double> reference_force) const {
   for (const Touch& t : found(state).touches) {
     const double f = area(t) * pressure(t).value;
     if (f == 0 || !points_[t.point].mine) continue;
     const PairGradient g = gradient(state, t);
     for (int k = 0; k < g.size; ++k) {
       for (int c = 0; c < 3; ++c) force[3 * g.nodes[k] + c] -= f * g.D[k][c];
-      if (!magnitude.empty()) magnitude[g.nodes[k]] += std::abs(f) * norm(g.D[k]);
+      if (!reference_force.empty()) reference_force[g.nodes[k]] += std::abs(f) * norm(g.D[k]);
     }
   }
 }
@@ -130,7 +130,7 @@ void ContactTerm::linearize(const State& state) {
 // must not open or close other pairs.
 double ContactTerm::needed_tolerance(double highest) const {
   double tolerance = usual_solve / std::sqrt(std::max(1., stiffness_));
-  if (shear_ > 0 && highest > 0) tolerance = std::min(tolerance, telling * shear_ / highest);
+  if (shear_ > 0 && highest > 0) tolerance = std::min(tolerance, noticeable * shear_ / highest);
   return tolerance;
 }
 

@@ -61,7 +61,8 @@ class ContactTerm final : public Term {
   ContactTerm(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides,
               const Comm& comm);
 
-  void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override;
+  void add_residual(const State& state, std::span<double> force,
+                    std::span<double> reference_force) const override;
   void linearize(const State& state) override;
   void add_action(std::span<const double> dx, std::span<double> force) const override;
   void visit(const ContributionVisitor& visitor) const override;
@@ -152,14 +153,14 @@ class ContactTerm final : public Term {
   double area_of_points(const Found& found) const;
   double area_of_faces(const State& state, const Found& found) const;
   void add_tangent(const Touch& touch, const PairGradient& gradient, double a, double b);
-  enum class Search { whole, remembering, sparing };
+  enum class Search { whole, with_history, near_last };
   Found find(const State& state, const SearchLimits& limits, Search how) const;
   void add_touches(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle,
                    std::vector<Touch>& touches) const;
   int slots() const { return points_.size() * master_.pieces(); }
   std::vector<FaceGap> faces_at_edge(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
   Touch touch(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle) const;
-  int foot(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
+  int closest_triangle(const MasterSurface& master, const Vec3<double>& x, int triangle) const;
   bool look_back(std::span<const double> points, std::span<const double> places) const;
   void follow(const MasterSurface& master, double motion, const Way& way, const Vec3<double>& N, int start,
               std::span<const int> candidates, Selection& chosen) const;

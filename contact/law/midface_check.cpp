@@ -8,7 +8,7 @@
 namespace bulbus {
 namespace {
 
-constexpr double held = 0.25, free = 0.1;  // of the width of a face, its area's root
+constexpr double pressed = 0.25, free = 0.1;  // of the width of a face, its area's root
 
 ContactSpec of_middles(ContactSpec spec) {
   spec.name += " (middles of faces)";
@@ -34,13 +34,13 @@ Overlap MidfaceCheck::entered(const State& state) const {
   for (int n : nodes_->active_nodes(state)) active[n] = 1;
   halo_.update_ghosts(active, 1);
   const double depth = comm_.max(nodes_->penetration(state));
-  return of_all_ranks(middles_.inside(state,
-                                      [&](const SlavePoints::Point& p, double area) {
-                                        const bool any = std::ranges::any_of(
-                                            p.nodes, [&](int n) { return active[n] > 0; });
-                                        return depth + (any || progress_ < 1 ? held : free) * std::sqrt(area);
-                                      }),
-                      comm_);
+  return of_all_ranks(
+      middles_.inside(state,
+                      [&](const SlavePoints::Point& p, double area) {
+                        const bool any = std::ranges::any_of(p.nodes, [&](int n) { return active[n] > 0; });
+                        return depth + (any || progress_ < 1 ? pressed : free) * std::sqrt(area);
+                      }),
+      comm_);
 }
 
 std::string MidfaceCheck::refusal(const State& state) const {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/rigid/section.hpp"
+#include "contact/rigid/profile.hpp"
 #include "core/base/tensor.hpp"
 
 namespace bulbus {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "contact/rigid/skin.hpp"
+#include "contact/rigid/surface_triangulation.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "core/problem/closed_surface.hpp"
 
@@ -19,43 +19,44 @@ Vec3<double> mean_of(const std::vector<double>& points) {
 }
 
 // The centre is the mean of the corners.
-void append(RigidSurface& body, const Skin& skin, std::vector<std::array<int, 3>>& triangles,
-            const Vec3<double>& inwards) {
+void append(RigidSurface& body, const SurfaceTriangulation& surface,
+            std::vector<std::array<int, 3>>& triangles, const Vec3<double>& inwards) {
   RigidSurface::Part part;
   part.first_point = static_cast<int>(body.reference.size() / 3);
-  part.points = skin.size();
+  part.points = surface.size();
   part.first_triangle = static_cast<int>(triangles.size());
-  part.triangles = static_cast<int>(skin.triangles.size());
+  part.triangles = static_cast<int>(surface.triangles.size());
   part.inwards = inwards;
-  part.center = mean_of(skin.points);
-  body.reference.insert(body.reference.end(), skin.points.begin(), skin.points.end());
-  for (const auto& [a, b, c] : skin.triangles)
+  part.center = mean_of(surface.points);
+  body.reference.insert(body.reference.end(), surface.points.begin(), surface.points.end());
+  for (const auto& [a, b, c] : surface.triangles)
     triangles.push_back({a + part.first_point, b + part.first_point, c + part.first_point});
   body.parts.push_back(part);
-  for (const std::string& w : skin.warnings) body.warnings.push_back("rigid body '" + body.name + "': " + w);
+  for (const std::string& w : surface.warnings)
+    body.warnings.push_back("rigid body '" + body.name + "': " + w);
 }
 
-// Ends are rounded up to this angle and flat beyond, where the section has all but lost its rounded edges.
+// Ends are rounded up to this angle and flat beyond, where the profile has all but lost its rounded edges.
 constexpr double last_tilt = 80 * std::numbers::pi / 180;
 // Per facet of an edge: where both are rounded, neighbouring triangles are to differ by less than an edge.
 constexpr double end_facets = 1.5;
 
-// The section of a shape, made smaller on all sides by an inset (mm), and how its ends are rounded.
-struct ArcSection {
-  std::function<Section(double inset)> at;
+// The profile of a shape, made smaller on all sides by an inset (mm), and how its ends are rounded.
+struct ArcProfile {
+  std::function<Profile(double inset)> at;
   double edge_radius = 0, radius = 1;  // mm; that of the arc's inner face
   int end_facets = 0;
 };
 
 template <class Shape>
-ArcSection rounded(const Shape& shape, const std::string& key) {
-  const auto at = [shape, key](double inset) { return section_of(made_smaller(shape, inset), key); };
+ArcProfile rounded(const Shape& shape, const std::string& key) {
+  const auto at = [shape, key](double inset) { return profile_of(made_smaller(shape, inset), key); };
   return {at, shape.edge_radius, shape.radius, static_cast<int>(std::ceil(end_facets * shape.edge_facets))};
 }
 
-std::vector<Station> stations_of(const Section& section, int facets, double from, double to) {
+std::vector<Station> stations_of(const Profile& profile, int facets, double from, double to) {
   std::vector<Station> stations;
-  for (int k = 0; k <= facets; ++k) stations.push_back({from + (to - from) * k / facets, section});
+  for (int k = 0; k <= facets; ++k) stations.push_back({from + (to - from) * k / facets, profile});
   return stations;
 }
 
@@ -66,19 +67,19 @@ struct Ends {
 
 // One part between two azimuths (degrees), an end rounded as its edges are: a ball of the edges' radius rolls
 // in it.
-std::vector<Station> stations_of(const ArcSection& section, const ArcSpec& arc, double from, double to,
+std::vector<Station> stations_of(const ArcProfile& profile, const ArcSpec& arc, double from, double to,
                                  Ends round) {
-  const double end = section.edge_radius * std::sin(last_tilt) / section.radius * 180 / std::numbers::pi;
+  const double end = profile.edge_radius * std::sin(last_tilt) / profile.radius * 180 / std::numbers::pi;
   std::vector<Station> stations =
-      stations_of(section.at(0), arc.facets, from + round.first * end, to - round.last * end);
+      stations_of(profile.at(0), arc.facets, from + round.first * end, to - round.last * end);
   const auto station = [&](double core, double sign, int k) {
-    const double tilt = last_tilt * k / section.end_facets;
+    const double tilt = last_tilt * k / profile.end_facets;
     return Station{core + sign * end * std::sin(tilt) / std::sin(last_tilt),
-                   section.at(section.edge_radius * (1 - std::cos(tilt)))};
+                   profile.at(profile.edge_radius * (1 - std::cos(tilt)))};
   };
-  for (int k = 1; round.first && k <= section.end_facets; ++k)
+  for (int k = 1; round.first && k <= profile.end_facets; ++k)
     stations.insert(stations.begin(), station(from + end, -1, k));
-  for (int k = 1; round.last && k <= section.end_facets; ++k) stations.push_back(station(to - end, 1, k));
+  for (int k = 1; round.last && k <= profile.end_facets; ++k) stations.push_back(station(to - end, 1, k));
   return stations;
 }
 
@@ -91,7 +92,7 @@ bool goes_on(const MeridianFrame& frame, double azimuth, std::span<const std::st
   });
 }
 
-void append_arcs(RigidSurface& body, const ArcSection& section, const ArcSpec& arc,
+void append_arcs(RigidSurface& body, const ArcProfile& profile, const ArcSpec& arc,
                  const Vec3<double>& direction, std::span<const std::string> symmetry,
                  std::vector<std::array<int, 3>>& triangles, const std::string& key) {
   const double opening = arc.to - arc.from, step = opening / arc.parts;
@@ -101,24 +102,24 @@ void append_arcs(RigidSurface& body, const ArcSection& section, const ArcSpec& a
   if (step / arc.facets >= 90)
     throw scene_error(key + ".facets", "a facet spans " + std::to_string(step / arc.facets) + " degrees",
                       "Let facets span less than 90.");
-  const bool round = section.edge_radius > 0 && arc.caps && opening < 360 - 1e-9;
-  const double length = step * std::numbers::pi / 180 * section.radius;
+  const bool round = profile.edge_radius > 0 && arc.caps && opening < 360 - 1e-9;
+  const double length = step * std::numbers::pi / 180 * profile.radius;
   const MeridianFrame frame(arc.meridians, key);
   for (int p = 0; p < arc.parts; ++p) {
     const double from = arc.from + step * p, to = from + step;
     const bool radial = norm(direction) == 0 && step < 360 - 1e-9;  // a whole ring has no middle
     const Ends ends{round && p == 0 && !goes_on(frame, from, symmetry),
                     round && p == arc.parts - 1 && !goes_on(frame, to, symmetry)};
-    if (ends.count() * section.edge_radius >= length)
+    if (ends.count() * profile.edge_radius >= length)
       throw scene_error(
           key + ".edge_radius", "the rounded ends do not fit into the arc",
           "Keep edge_radius below the length of a part, or below half of it where both of its ends "
           "are free; or leave the ends open: `caps: false`.");
-    append(body, sweep(stations_of(section, arc, from, to, ends), frame, arc.caps), triangles,
+    append(body, sweep(stations_of(profile, arc, from, to, ends), frame, arc.caps), triangles,
            radial ? -1 * frame.radius(from + step / 2) : direction);
     if (ends.count() > 0)  // as if they were not rounded, so that it lies on the middle's radius
       body.parts.back().center =
-          mean_of(sweep(stations_of(section.at(0), arc.facets, from, to), frame, arc.caps).points);
+          mean_of(sweep(stations_of(profile.at(0), arc.facets, from, to), frame, arc.caps).points);
   }
 }
 
@@ -132,14 +133,14 @@ RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& sp
   std::vector<std::array<int, 3>> triangles;
   const Vec3<double> given = norm(spec.direction) > 0 ? unit(spec.direction) : spec.direction;
   if (spec.plane)
-    append(body, skin_of(*spec.plane, key + ".plane"), triangles,
+    append(body, triangulated(*spec.plane, key + ".plane"), triangles,
            norm(given) > 0 ? given : unit(spec.plane->normal));
-  if (spec.sphere) append(body, skin_of(*spec.sphere), triangles, given);
-  if (spec.cylinder) append(body, skin_of(*spec.cylinder, key + ".cylinder"), triangles, given);
-  if (spec.file) append(body, skin_of(*spec.file, key + ".file"), triangles, given);
+  if (spec.sphere) append(body, triangulated(*spec.sphere), triangles, given);
+  if (spec.cylinder) append(body, triangulated(*spec.cylinder, key + ".cylinder"), triangles, given);
+  if (spec.file) append(body, triangulated(*spec.file, key + ".file"), triangles, given);
   if (spec.swept) {
-    const Section section = section_of(*spec.swept, key + ".swept");
-    append_arcs(body, {[&](double) { return section; }}, spec.swept->arc, given, symmetry, triangles,
+    const Profile profile = profile_of(*spec.swept, key + ".swept");
+    append_arcs(body, {[&](double) { return profile; }}, spec.swept->arc, given, symmetry, triangles,
                 key + ".swept");
   }
   if (spec.band)

@@ -7,9 +7,9 @@
 
 namespace bulbus {
 
-/// The skin of a rigid body as drawn: normals out, closed but for planes, arcs without caps and open surfaces
-/// of Gmsh files. `key` is the path of the spec in the scene ("rigid_bodies.tire"). Throws InputError, among
-/// others if the body is inside out.
+/// The surface of a rigid body as drawn: normals out, closed but for planes, arcs without caps and open
+/// surfaces of Gmsh files. `key` is the path of the spec in the scene ("rigid_bodies.tire"). Throws
+/// InputError, among others if the body is inside out.
 ///
 /// The ends of a band and of a tire are rounded as their edges are, but for those in one of the planes of
 /// symmetry ("x", ...).

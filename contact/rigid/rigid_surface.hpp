@@ -8,8 +8,8 @@
 
 namespace bulbus {
 
-/// The skin of a rigid body that the scene moves: band, tire, plane, ... Several parts may move each its own
-/// way (the arcs of a band close radially).
+/// The surface of a rigid body that the scene moves: band, tire, plane, ... Several parts may move each its
+/// own way (the arcs of a band close radially).
 struct RigidSurface {
   struct Part {
     int first_point = 0, points = 0;        ///< its run of points

@@ -33,7 +33,7 @@ class Collector {
       for (double c : corners[i])
         if (!std::isfinite(c)) return false;
       const auto [entry, fresh] = number_.emplace(corners[i], static_cast<int>(number_.size()));
-      if (fresh) skin_.add(corners[i]);
+      if (fresh) surface_.add(corners[i]);
       t[i] = entry->second;
     }
     std::ranges::rotate(t, std::ranges::min_element(t));
@@ -42,22 +42,22 @@ class Collector {
     } else if (!seen_.insert(t).second) {
       ++repeated_;
     } else {
-      skin_.triangles.push_back(t);
-      skin_.places.push_back(place);
+      surface_.triangles.push_back(t);
+      surface_.places.push_back(place);
     }
     return true;
   }
-  StlSkin take(const std::string& path, bool text) {
+  StlSurface take(const std::string& path, bool text) {
     if (flat_ + repeated_ > 0)
-      skin_.warnings.push_back(
+      surface_.warnings.push_back(
           fmt::format("{}: {} facets with two equal corners and {} that repeat an earlier one are left out.",
                       path, flat_, repeated_));
-    skin_.text = text;
-    return std::move(skin_);
+    surface_.text = text;
+    return std::move(surface_);
   }
 
  private:
-  StlSkin skin_;
+  StlSurface surface_;
   std::map<std::array<double, 3>, int> number_;
   std::set<std::array<int, 3>> seen_;
   int flat_ = 0, repeated_ = 0;
@@ -67,7 +67,7 @@ class TextReader {
  public:
   TextReader(const std::string& path, const std::string& text) : path_(path), text_(text) {}
 
-  StlSkin read() {
+  StlSurface read() {
     expect("solid");
     bool in_solid = true;
     for (skip_line(); in_solid;) {
@@ -159,7 +159,7 @@ std::string claim_of(const std::string& bytes) {
                      header + sizeof count + facet * count);
 }
 
-StlSkin read_binary(const std::string& path, const std::string& bytes, std::uint32_t count) {
+StlSurface read_binary(const std::string& path, const std::string& bytes, std::uint32_t count) {
   Collector collector;
   for (std::uint32_t t = 0; t < count; ++t) {
     std::array<float, 12> raw;  // normal and three corners
@@ -182,7 +182,7 @@ bool begins_as_text(const std::string& bytes) {
 
 }  // namespace
 
-StlSkin read_stl(const std::string& path) {
+StlSurface read_stl(const std::string& path) {
   const std::string bytes = whole_file(path, "STL file");
   const auto count = binary_count(bytes);
   if (!count && !begins_as_text(bytes))
@@ -192,9 +192,9 @@ StlSkin read_stl(const std::string& path) {
                                   "of triangles (it has {} bytes{})",
                                   bytes.size(), claim_of(bytes)),
                       "Save the STL file again: it is cut short, or of another kind.");
-  StlSkin skin = count ? read_binary(path, bytes, *count) : TextReader(path, bytes).read();
-  if (skin.triangles.empty()) throw input_error(path, 0, "has no triangles", "Save the STL file again.");
-  return skin;
+  StlSurface surface = count ? read_binary(path, bytes, *count) : TextReader(path, bytes).read();
+  if (surface.triangles.empty()) throw input_error(path, 0, "has no triangles", "Save the STL file again.");
+  return surface;
 }
 
 }  // namespace bulbus

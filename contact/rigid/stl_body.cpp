@@ -23,8 +23,8 @@ struct Edge {
 
 class Body {
  public:
-  Body(const StlSkin& skin, const std::string& path)
-      : skin_(skin), path_(path), neighbours_(skin.triangles.size()) {}
+  Body(const StlSurface& surface, const std::string& path)
+      : surface_(surface), path_(path), neighbours_(surface.triangles.size()) {}
 
   void require() {
     refuse_flat();
@@ -44,26 +44,26 @@ class Body {
     bool agrees;  // on which side is out
   };
 
-  Point point(int p) const { return at(skin_.points, p); }
+  Point point(int p) const { return at(surface_.points, p); }
   std::string place(int p) const {
-    return fmt::format("({:g}, {:g}, {:g})", skin_.points[3 * p], skin_.points[3 * p + 1],
-                       skin_.points[3 * p + 2]);
+    return fmt::format("({:g}, {:g}, {:g})", surface_.points[3 * p], surface_.points[3 * p + 1],
+                       surface_.points[3 * p + 2]);
   }
   std::string facet(int t) const {
-    return skin_.text ? fmt::format("facet in line {}", skin_.places[t])
-                      : fmt::format("facet {}", skin_.places[t]);
+    return surface_.text ? fmt::format("facet in line {}", surface_.places[t])
+                         : fmt::format("facet {}", surface_.places[t]);
   }
   std::string corners(int t) const {
-    const auto& [a, b, c] = skin_.triangles[t];
+    const auto& [a, b, c] = surface_.triangles[t];
     return place(a) + ", " + place(b) + ", " + place(c);
   }
   [[noreturn]] void refuse(int t, const std::string& what, const std::string& remedy) const {
-    throw input_error(path_, skin_.text ? skin_.places[t] : 0, what, remedy);
+    throw input_error(path_, surface_.text ? surface_.places[t] : 0, what, remedy);
   }
 
   void refuse_flat() const {
-    for (int t = 0; t < static_cast<int>(skin_.triangles.size()); ++t) {
-      const auto& [a, b, c] = skin_.triangles[t];
+    for (int t = 0; t < static_cast<int>(surface_.triangles.size()); ++t) {
+      const auto& [a, b, c] = surface_.triangles[t];
       const Point u = point(b) - point(a), v = point(c) - point(a), w = point(c) - point(b);
       const double longest = std::max({norm(u), norm(v), norm(w)});
       if (!(norm(cross(u, v)) > least_height * longest * longest))
@@ -74,10 +74,10 @@ class Body {
 
   void join() {
     std::vector<Edge> edges;
-    edges.reserve(3 * skin_.triangles.size());
-    for (int t = 0; t < static_cast<int>(skin_.triangles.size()); ++t)
+    edges.reserve(3 * surface_.triangles.size());
+    for (int t = 0; t < static_cast<int>(surface_.triangles.size()); ++t)
       for (int i = 0; i < 3; ++i) {
-        const int a = skin_.triangles[t][i], b = skin_.triangles[t][(i + 1) % 3];
+        const int a = surface_.triangles[t][i], b = surface_.triangles[t][(i + 1) % 3];
         edges.push_back({std::min(a, b), std::max(a, b), t, a < b});
       }
     std::ranges::sort(edges, {}, [](const Edge& e) { return std::array{e.a, e.b, e.triangle}; });
@@ -107,7 +107,7 @@ class Body {
   // Facets that hang together are one shell; the fewer of those that disagree on which side is out are
   // turned.
   void orient() {
-    std::vector<int> side(skin_.triangles.size());
+    std::vector<int> side(surface_.triangles.size());
     for (int t = 0; t < static_cast<int>(side.size()); ++t) {
       if (side[t] != 0) continue;
       shells_.push_back(shell_from(t, side));
@@ -118,7 +118,7 @@ class Body {
       const int first = *std::ranges::min_element(turned);
       refuse(first,
              fmt::format("{} of {} facets {} turned against the others, first the {} with the corners {}",
-                         turned.size(), skin_.triangles.size(), turned.size() == 1 ? "is" : "are",
+                         turned.size(), surface_.triangles.size(), turned.size() == 1 ? "is" : "are",
                          facet(first), corners(first)),
              "Exchange two of its corners, or let a mesh program orient all facets alike (Blender: "
              "Recalculate Outside).");
@@ -157,14 +157,14 @@ class Body {
 
   Box box_of(const std::vector<int>& shell) const {
     std::vector<std::array<int, 3>> triangles;
-    Box box{point(skin_.triangles[shell[0]][0]), point(skin_.triangles[shell[0]][0]), 0};
+    Box box{point(surface_.triangles[shell[0]][0]), point(surface_.triangles[shell[0]][0]), 0};
     for (int t : shell) {
-      triangles.push_back(skin_.triangles[t]);
-      for (int p : skin_.triangles[t])
+      triangles.push_back(surface_.triangles[t]);
+      for (int p : surface_.triangles[t])
         for (int c = 0; c < 3; ++c)
           box.low[c] = std::min(box.low[c], point(p)[c]), box.high[c] = std::max(box.high[c], point(p)[c]);
     }
-    box.volume = enclosed_volume(skin_.points, triangles);
+    box.volume = enclosed_volume(surface_.points, triangles);
     return box;
   }
 
@@ -184,7 +184,7 @@ class Body {
                remedy);
   }
 
-  const StlSkin& skin_;
+  const StlSurface& surface_;
   const std::string& path_;
   std::vector<std::vector<Neighbour>> neighbours_;
   std::optional<Edge> open_;
@@ -193,6 +193,6 @@ class Body {
 
 }  // namespace
 
-void require_body(const StlSkin& skin, const std::string& path) { Body(skin, path).require(); }
+void require_body(const StlSurface& surface, const std::string& path) { Body(surface, path).require(); }
 
 }  // namespace bulbus

@@ -136,8 +136,8 @@ int foot_of(const MasterSurface& master, const Vec3<double>& x, int start) {
   int t = start, before = -1;
   Pair flat = project(x, master.corners(t));
   for (int step = 0; step < longest_walk; ++step) {
-    const auto foot = foot_along_normals(x, flat, master.corners(t), master.normals[t]);
-    const auto& weights = foot ? foot->weights : flat.weights;
+    const auto projection = project_along_normals(x, flat, master.corners(t), master.normals[t]);
+    const auto& weights = projection ? projection->weights : flat.weights;
     if (std::ranges::min(weights) >= -on_edge) break;
     const int next = master.facets.neighbours[t][std::ranges::min_element(weights) - weights.begin()];
     if (next < 0 || next == before) break;
@@ -155,14 +155,15 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
   const Selection on_line{hit.triangle, hit.triangle >= 0 ? hit.distance : limits.reach};
 
   int nearest = -1;
-  NearestPoint foot{{}, on_line.distance};
+  NearestPoint projection{{}, on_line.distance};
   for (int t : candidates) {
-    if (farther(x, master.spheres[t], foot.distance)) continue;
-    if (const NearestPoint p = nearest_point(x, master.corners(t)); nearer(p.distance, foot.distance, limits))
-      nearest = t, foot = p;
+    if (farther(x, master.spheres[t], projection.distance)) continue;
+    if (const NearestPoint p = nearest_point(x, master.corners(t));
+        nearer(p.distance, projection.distance, limits))
+      nearest = t, projection = p;
   }
   if (nearest < 0) return on_line;
-  const Around ring = around(master, nearest, foot.weights, candidates);
+  const Around ring = around(master, nearest, projection.weights, candidates);
   double side = 0, most_opposed = away;
   int chosen = -1;
   for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
@@ -171,8 +172,8 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
     if (const double facing = dot(N, p.normal); facing < most_opposed && p.gap < 0 && p.gap > -limits.depth)
       most_opposed = facing, chosen = ring.triangles[i];
   }
-  if (side < 0 && chosen >= 0) return {chosen, foot.distance};
-  return {on_line.triangle, foot.distance};
+  if (side < 0 && chosen >= 0) return {chosen, projection.distance};
+  return {on_line.triangle, projection.distance};
 }
 
 }  // namespace bulbus

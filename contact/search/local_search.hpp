@@ -49,9 +49,9 @@ Crossing cross_line(const Vec3<double>& x, const Vec3<double>& N, const Triangle
 /// steps.
 int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start);
 
-/// Of a curved surface: walks from `start` to the triangle in which x has its foot along the interpolated
-/// normals (foot_along_normals), or as near to it as a walk across smooth edges (planes within 30 degrees)
-/// leads.
+/// Of a curved surface: walks from `start` to the triangle in which x has its projection along the
+/// interpolated normals (project_along_normals), or as near to it as a walk across smooth edges (planes
+/// within 30 degrees) leads.
 int foot_of(const MasterSurface& master, const Vec3<double>& x, int start);
 
 struct SearchLimits {

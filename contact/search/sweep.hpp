@@ -12,7 +12,7 @@ struct Way {
 
 /// The triangle through which a point's way leads from the front of a moving surface to its back; of several
 /// the one that it meets first; −1: none. In the frame of a triangle that goes along with it the gap and the
-/// weights of the foot change linearly:
+/// weights of the projection change linearly:
 ///     t = G0 / (G0 − G1),  L = (1 − t) L0 + t L1
 /// exact where the surface moves rigidly. Crossings that miss a triangle by a twentieth of its height count:
 /// whether the point is inside is then decided where it is now. `before`: places of the corners at the start

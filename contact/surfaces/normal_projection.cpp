@@ -24,11 +24,11 @@ double share(const ContactColumn& column, const std::array<double, 3>& L) {
 std::optional<NormalProjection> project_along_normals(const Vec3<double>& x, const Pair& flat,
                                                       const Triangle& corners, const CornerNormals& normals,
                                                       const std::array<int, 3>& neighbours) {
-  const auto foot = foot_along_normals(x, flat, corners, normals);
-  if (!foot) return {};
-  NormalProjection p{*foot, {}, 1, {}};
-  const double length = norm(foot->normal);
-  p.pair = {foot->along * length, foot->normal, foot->weights};
+  const auto projection = project_along_normals(x, flat, corners, normals);
+  if (!projection) return {};
+  NormalProjection p{*projection, {}, 1, {}};
+  const double length = norm(projection->normal);
+  p.pair = {projection->along * length, projection->normal, projection->weights};
   for (double& v : p.pair.normal) v /= length;
   for (int i = 0; i < 3; ++i) {
     const double part = std::max(0., 1 + p.pair.weights[i] / fading_rim);
@@ -45,10 +45,10 @@ std::optional<NormalProjection> project_along_normals(const Vec3<double>& x, con
 //     −δ(A φ p c ñ) = A φ (α δG c ñ − p δc ñ − p c δñ) − A δφ p c ñ
 void add_tangent(const NormalProjection& at, const CornerNormals& normals,
                  std::span<const ContactColumn> columns, const ContactStiffness& f, std::span<double> K) {
-  const NormalFoot& foot = at.foot;
+  const PointOnNormals& projection = at.projection;
   const Vec3<double>& unit = at.pair.normal;
   const auto& L = at.pair.weights;
-  const double length = norm(foot.normal), force = f.area * f.pressure;
+  const double length = norm(projection.normal), force = f.area * f.pressure;
   const int n = static_cast<int>(columns.size());
   for (int s = 0; s < n; ++s) {
     const ContactColumn& column = columns[s];
@@ -58,9 +58,9 @@ void add_tangent(const NormalProjection& at, const CornerNormals& normals,
         for (int c = 0; c < 3; ++c) turn(r, c) += L[i] * column.turns[i](r, c);
     const double moves = share(column, L);
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) Z(r, c) = (r == c ? moves : 0) - foot.along * turn(r, c);
-    const Vec3<double> dL2 = times(foot.inverse[0], Z), dL3 = times(foot.inverse[1], Z),
-                       dg = times(foot.inverse[2], Z);
+      for (int c = 0; c < 3; ++c) Z(r, c) = (r == c ? moves : 0) - projection.along * turn(r, c);
+    const Vec3<double> dL2 = times(projection.inverse[0], Z), dL3 = times(projection.inverse[1], Z),
+                       dg = times(projection.inverse[2], Z);
     std::array<Vec3<double>, 3> dL{Vec3<double>{}, dL2, dL3};
     for (int c = 0; c < 3; ++c) dL[0][c] = -dL2[c] - dL3[c];
     for (int i = 0; i < 3; ++i)
@@ -69,7 +69,7 @@ void add_tangent(const NormalProjection& at, const CornerNormals& normals,
     const Vec3<double> along = times(unit, turn);
     Vec3<double> push;
     for (int c = 0; c < 3; ++c) {
-      push[c] = f.area * f.penalty * (length * dg[c] + foot.along * along[c]);
+      push[c] = f.area * f.penalty * (length * dg[c] + projection.along * along[c]);
       for (int i = 0; i < 3; ++i) push[c] -= at.cover > 0 ? force / at.cover * at.fading[i] * dL[i][c] : 0;
     }
     for (int r = 0; r < n; ++r) {

@@ -9,18 +9,18 @@ namespace bulbus {
 /// Part of a triangle's height, in weights, by which contact reaches past a rim of a deformable master.
 inline constexpr double fading_rim = 0.25;
 
-/// A slave point and its foot on a triangle of a deformable master, along the normals interpolated between
-/// its corners (foot_along_normals). Gap, direction and shares go on from one triangle to the next without a
-/// jump, and so does the contact's force
+/// A slave point and its projection on a triangle of a deformable master, along the normals interpolated
+/// between its corners (project_along_normals). Gap, direction and shares go on from one triangle to the next
+/// without a jump, and so does the contact's force
 ///     −A φ p [n/|n|; −L_i n/|n|],  G = g |n|
 struct NormalProjection {
-  NormalFoot foot;
+  PointOnNormals projection;
   Pair pair;     ///< gap G, unit normal, weights L
   double cover;  ///< φ: part of the point's area that lies on the master: 1, past a rim falling to 0 within
                  ///< fading_rim
   Vec3<double> fading;  ///< ∂φ/∂L
 };
-/// `neighbours` of the triangle: −1 at a rim. None where there is no foot along the normals.
+/// `neighbours` of the triangle: −1 at a rim. None where there is no projection along the normals.
 std::optional<NormalProjection> project_along_normals(const Vec3<double>& x, const Pair& flat,
                                                       const Triangle& corners, const CornerNormals& normals,
                                                       const std::array<int, 3>& neighbours);

@@ -7,13 +7,13 @@ namespace bulbus {
 
 using Triangle = std::array<Vec3<double>, 3>;
 
-/// A slave node x above or below a master triangle x1 x2 x3 and its perpendicular foot in the triangle's
-/// plane (formulation, section 5):
+/// A slave node x above or below a master triangle x1 x2 x3 and its perpendicular projection in the
+/// triangle's plane (formulation, section 5):
 ///     n = e1×e2/j,  G = (x − x1)·n,  L2 = (e2×n/j)·(x−x1),  L3 = (n×e1/j)·(x−x1),  L1 = 1 − L2 − L3
 struct Pair {
   double gap;                     ///< G, mm; negative inside the master
   Vec3<double> normal;            ///< out of the master
-  std::array<double, 3> weights;  ///< L of the foot; negative beyond an edge
+  std::array<double, 3> weights;  ///< L of the projection; negative beyond an edge
 };
 
 /// The triangle must have an area.

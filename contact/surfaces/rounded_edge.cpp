@@ -14,7 +14,7 @@ namespace {
 constexpr double alike = 1e-6;  // relative differences that decide nothing
 
 // The shortest y with n_i·y = q_i on up to three faces and its multipliers: y = Σ l_i n_i.
-struct Foot {
+struct EdgeProjection {
   Vec3<double> y{0, 0, 0};
   std::array<double, 3> l{};
 };
@@ -39,9 +39,9 @@ std::optional<Mat3<double>> inverse_gram(std::span<const FaceGap* const> active)
   return inverse;
 }
 
-std::optional<Foot> shortest(std::span<const FaceGap* const> active, const Mat3<double>& inverse,
-                             double radius) {
-  Foot f;
+std::optional<EdgeProjection> shortest(std::span<const FaceGap* const> active, const Mat3<double>& inverse,
+                                       double radius) {
+  EdgeProjection f;
   for (std::size_t i = 0; i < active.size(); ++i) {
     for (std::size_t j = 0; j < active.size(); ++j) f.l[i] += inverse(i, j) * (radius + active[j]->gap);
     if (f.l[i] < 0) return {};
@@ -56,15 +56,15 @@ bool allowed(const Vec3<double>& y, std::span<const FaceGap> faces, double radiu
 }
 
 // ∇∇|y| = (P − ŷŷᵀ)/|y| + Σ l_i/|y| ∇∇G_i, P onto the normals in action
-FaceGap at(const Foot& foot, std::span<const FaceGap* const> active, const Mat3<double>& inverse,
-           double radius) {
-  const double length = norm(foot.y);
-  FaceGap g{length - radius, (1 / length) * foot.y};
+FaceGap at(const EdgeProjection& projection, std::span<const FaceGap* const> active,
+           const Mat3<double>& inverse, double radius) {
+  const double length = norm(projection.y);
+  FaceGap g{length - radius, (1 / length) * projection.y};
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
       double P = 0;
       for (std::size_t i = 0; i < active.size(); ++i) {
-        g.bend(r, c) += foot.l[i] / length * active[i]->bend(r, c);
+        g.bend(r, c) += projection.l[i] / length * active[i]->bend(r, c);
         for (std::size_t j = 0; j < active.size(); ++j)
           P += active[i]->normal[r] * inverse(i, j) * active[j]->normal[c];
       }
@@ -90,9 +90,9 @@ FaceGap rounded_gap(std::span<const FaceGap> faces, double radius) {
   std::vector<const FaceGap*> active;
   const auto found = [&]() -> std::optional<FaceGap> {
     const auto inverse = inverse_gram(active);
-    const auto foot = inverse ? shortest(active, *inverse, radius) : std::nullopt;
-    if (!foot || !(norm(foot->y) > 0) || !allowed(foot->y, faces, radius)) return {};
-    return at(*foot, active, *inverse, radius);
+    const auto projection = inverse ? shortest(active, *inverse, radius) : std::nullopt;
+    if (!projection || !(norm(projection->y) > 0) || !allowed(projection->y, faces, radius)) return {};
+    return at(*projection, active, *inverse, radius);
   };
   for (int many = 1; many <= 3; ++many)
     for (int i = 0; i < n; ++i)

@@ -19,25 +19,25 @@ using CornerNormals = std::array<Vec3<double>, 3>;
 /// flat. Sharper edges stay edges.
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places);
 
-/// The foot of x on a triangle along the normals interpolated between its corners, x = Σ L_i x_i + g n with n
-/// = Σ L_i n_i. Foot, g and n go on from one triangle to the next without a jump where the two share their
-/// normals.
-struct NormalFoot {
+/// The projection of x on a triangle along the normals interpolated between its corners, x = Σ L_i x_i + g n
+/// with n = Σ L_i n_i. The projection, g and n go on from one triangle to the next without a jump where the
+/// two share their normals.
+struct PointOnNormals {
   std::array<double, 3> weights;  ///< L
   double along;                   ///< g, in lengths of n
   Vec3<double> normal;            ///< n
   std::array<Vec3<double>, 3> inverse;  ///< rows of J⁻¹, J = [∂x/∂L2, ∂x/∂L3, n]: they give δL2, δL3 and δg
 };
-/// By Newton's method from `flat`, the foot in the triangle's plane; none where that lies farther beyond an
-/// edge than the triangle is wide, or it does not converge.
-std::optional<NormalFoot> foot_along_normals(const Vec3<double>& x, const Pair& flat, const Triangle& corners,
-                                             const CornerNormals& normals);
+/// By Newton's method from `flat`, the projection in the triangle's plane; none where that lies farther
+/// beyond an edge than the triangle is wide, or it does not converge.
+std::optional<PointOnNormals> project_along_normals(const Vec3<double>& x, const Pair& flat,
+                                                    const Triangle& corners, const CornerNormals& normals);
 
 /// Distance to the curved surface that a triangle stands for, along its interpolated normals:
 ///     G = g |n| − Σ_{i<j} s_ij L_i L_j,  s_ij = ½ (n_i − n_j)·(x_i − x_j)
 /// Exact to second order on a circle; n/|n| is ∇G to second order in the angle between the corners' normals,
 /// the bend the symmetric part of its derivative: positive where the surface is convex. Flat where there is
-/// no such foot.
+/// no such projection.
 FaceGap smoothed_gap(const Vec3<double>& x, const Pair& flat, const Triangle& corners,
                      const CornerNormals& normals);
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "contact/rigid/plane_section.hpp"
-#include "contact/rigid/skin.hpp"
+#include "contact/rigid/surface_triangulation.hpp"
 #include "contact/surfaces/facets.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "core/mesh/generate/embed.hpp"

@@ -30,18 +30,18 @@ SutureTerm::SutureTerm(const LocalMesh& mesh, const std::vector<SuturePoint>& po
     Bite& bite = bites_.emplace_back();
     bite.on_plane = p.on_plane;
     bite.share = p.share;
-    double held = 0;
+    double near_weight = 0;
     for (std::size_t i = 0; i < p.nodes.size(); ++i) {
       const auto found = local.find(p.nodes[i]);
       if (found == local.end()) continue;
       bite.near.nodes.push_back(found->second);
       bite.near.weights.push_back(p.weights[i]);
-      held += p.weights[i];
+      near_weight += p.weights[i];
       if (found->second >= mesh.owned) continue;
       bite.owned.nodes.push_back(found->second);
       bite.owned.weights.push_back(p.weights[i]);
     }
-    const auto all = mesh.comm.gather(std::span<const double>(&held, 1));
+    const auto all = mesh.comm.gather(std::span<const double>(&near_weight, 1));
     if (std::ranges::max_element(all) - all.begin() != mesh.comm.rank()) bite.near = {};
   }
 }
@@ -70,7 +70,7 @@ CuttingPlane SutureTerm::plane_through(const Vec3<double>& S) const {
 
 std::optional<SutureTerm::Pull> SutureTerm::pull(const Vec3<double>& S) const {
   const CuttingPlane plane = plane_through(S);
-  const auto found = outer_tangent(outline(*body_, plane), plane.flat(S));
+  const auto found = outer_tangent(convex_outline(*body_, plane), plane.flat(S));
   if (!found) return {};
   const auto& d = found->direction;
   return Pull{plane.lift(found->touch), in_plane(plane, d), in_plane(plane, {-d[1], d[0]}), plane.normal,
@@ -146,7 +146,7 @@ void SutureTerm::freeze() {
 }
 
 void SutureTerm::add_residual(const State& state, std::span<double> force,
-                              std::span<double> magnitude) const {
+                              std::span<double> reference_force) const {
   if (now_ == 0) return;
   const auto S = follow_ ? places(state) : std::vector<Vec3<double>>{};
   for (std::size_t b = 0; b < bites_.size(); ++b) {
@@ -158,7 +158,7 @@ void SutureTerm::add_residual(const State& state, std::span<double> force,
       const int n = bite.owned.nodes[i];
       const double f = bite.share * now_ * bite.owned.weights[i];
       for (int c = 0; c < 3; ++c) force[3 * n + c] -= f * d[c];
-      if (!magnitude.empty()) magnitude[n] += std::abs(f);
+      if (!reference_force.empty()) reference_force[n] += std::abs(f);
     }
   }
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/rigid/outline.hpp"
+#include "contact/rigid/convex_outline.hpp"
 #include "contact/rigid/rigid_surface.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "contact/suture/suture_points.hpp"
@@ -38,7 +38,8 @@ class SutureTerm final : public Term {
   const std::vector<String>& strings() const { return strings_; }
 
   /// Collective where a suture follows.
-  void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override;
+  void add_residual(const State& state, std::span<double> force,
+                    std::span<double> reference_force) const override;
   /// Collective where a suture follows.
   void linearize(const State& state) override;
   void add_action(std::span<const double> dx, std::span<double> force) const override;

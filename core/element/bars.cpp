@@ -57,14 +57,14 @@ Bars::Pull Bars::pull(std::span<const double> x, std::size_t i) const {
 }
 
 void Bars::add_residual(std::span<const double> x, std::span<double> force,
-                        std::span<double> magnitude) const {
+                        std::span<double> reference_force) const {
   for (std::size_t i = 0; i < bars_.size(); ++i) {
     const Pull p = pull(x, i);
     const Ends e = ends(bars_[i]);
     add(e, {p.tension * p.d[0], p.tension * p.d[1], p.tension * p.d[2]}, force);
-    if (!magnitude.empty())
+    if (!reference_force.empty())
       for (int k = 0; k < e.count; ++k)
-        magnitude[e.nodes[k]] += std::abs(e.weights[k] * p.tension) * norm(p.d);
+        reference_force[e.nodes[k]] += std::abs(e.weights[k] * p.tension) * norm(p.d);
   }
 }
 

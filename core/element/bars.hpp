@@ -15,7 +15,8 @@ class Bars {
   /// `X`: reference places of the local nodes.
   Bars(std::span<const double> X, std::span<const Bar> bars, double E, double area, bool tension_only);
 
-  void add_residual(std::span<const double> x, std::span<double> force, std::span<double> magnitude) const;
+  void add_residual(std::span<const double> x, std::span<double> force,
+                    std::span<double> reference_force) const;
   void add_stiffness(std::span<const double> x, std::span<const double> dx, std::span<double> out) const;
   void visit(std::span<const double> x, const ContributionVisitor& visitor) const;
   /// Axial force A S |d| / L of every bar (N).

@@ -51,7 +51,7 @@ Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<Soli
 }
 
 void Solid::residual(std::span<const double> x, std::span<const double> lambda, std::span<double> force,
-                     std::span<double> volume_defect, std::span<double> magnitude) const {
+                     std::span<double> volume_defect, std::span<double> reference_force) const {
   for_each_pack([&](const auto& material, int p, int first) {
     const auto& pack = packs_[p];
     Pack volume;
@@ -60,10 +60,10 @@ void Solid::residual(std::span<const double> x, std::span<const double> lambda, 
                        load_some(lambda, first, pack.used), volume);
     scatter_add(pack, f, force);
     store_some(volume - load_some(V0_, first, pack.used), volume_defect, first, pack.used);
-    if (magnitude.empty()) return;
+    if (reference_force.empty()) return;
     for (int l = 0; l < pack.used; ++l)
       for (int a = 0; a < 8; ++a)
-        magnitude[pack.node[a][l]] += std::hypot(f[a][0][l], f[a][1][l], f[a][2][l]);
+        reference_force[pack.node[a][l]] += std::hypot(f[a][0][l], f[a][1][l], f[a][2][l]);
   });
 }
 

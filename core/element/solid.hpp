@@ -30,8 +30,8 @@ struct CellStress {
 };
 
 /// Total-Lagrangian Q1/P0 mixed hexahedra of one rank: nodal vectors have 3 numbers per local node (owned and
-/// ghost), element vectors one per hexahedron. Forces are added, so that ghosts can be folded to their owners
-/// afterwards.
+/// ghost), element vectors one per hexahedron. Forces are added, so that ghosts can be accumulated on their
+/// owners afterwards.
 ///     R_u = Σ ∫ (τ + λJ I) : ∇ₓN dV0,   R_λ = V_e − V0_e
 class Solid {
  public:
@@ -46,9 +46,9 @@ class Solid {
   std::span<const int> rigid_hexes() const { return rigid_; }
 
   /// force += internal forces; volume_defect = V_e − V0_e.
-  /// With `magnitude`: += |nodal force of each element|, the yardstick of the force balance.
+  /// With `reference_force`: += |nodal force of each element|, the reference norm of the force balance.
   void residual(std::span<const double> x, std::span<const double> lambda, std::span<double> force,
-                std::span<double> volume_defect, std::span<double> magnitude = {}) const;
+                std::span<double> volume_defect, std::span<double> reference_force = {}) const;
 
   /// Smallest J of any Gauss point (+∞ without hexahedra), and its hexahedron.
   double least_jacobian(std::span<const double> x, int* hex = nullptr) const;

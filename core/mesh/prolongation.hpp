@@ -20,7 +20,7 @@ class Interpolation {
   Stencil stencil(int fine_node) const;
   /// fine = I coarse on owned nodes; ghosts of `coarse` have to be right.
   void apply(std::span<const double> coarse, std::span<double> fine) const;
-  /// coarse = Iᵀ fine, from owned nodes, folded to the owners. Collective.
+  /// coarse = Iᵀ fine, from owned nodes, accumulated on the owners. Collective.
   void apply_transposed(std::span<const double> fine, std::span<double> coarse) const;
   std::size_t bytes() const;
 

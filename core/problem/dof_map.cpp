@@ -14,53 +14,53 @@ DofMap::DofMap(const LocalMesh& mesh, std::vector<RigidBody> bodies)
     for (int n : bodies_[b].nodes()) body_of_[n] = static_cast<int>(b);
 }
 
-void DofMap::hold(const std::string& name, std::vector<Hold> holds) {
-  holds_[name] = std::move(holds);
+void DofMap::constrain(const std::string& name, std::vector<Constraint> constraints) {
+  constraints_[name] = std::move(constraints);
   moving_.insert(name);
 }
 
-bool DofMap::release(const std::string& name) { return holds_.erase(name) > 0; }
+bool DofMap::release(const std::string& name) { return constraints_.erase(name) > 0; }
 
 void DofMap::freeze() {
-  for (auto& [name, holds] : holds_)
-    for (Hold& h : holds) h.value = [end = h.value(1)](double) { return end; };
+  for (auto& [name, constraints] : constraints_)
+    for (Constraint& h : constraints) h.value = [end = h.value(1)](double) { return end; };
   moving_.clear();
 }
 
 void DofMap::serialize(Archive& archive) {
-  for (auto& [name, holds] : holds_) {
+  for (auto& [name, constraints] : constraints_) {
     if (moving_.contains(name)) continue;
     Archive::Keys nodes;
     std::vector<double> rows;
-    for (const Hold& h : holds) {
+    for (const Constraint& h : constraints) {
       nodes.add(mesh_.input_node[h.node], h.node < mesh_.owned);
       rows.insert(rows.end(), {h.direction[0], h.direction[1], h.direction[2], h.value(1)});
     }
     archive.rows("hold " + name, nodes, 4, rows);
-    for (std::size_t i = 0; i < holds.size(); ++i)
-      holds[i] = {holds[i].node,
-                  {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]},
-                  [end = rows[4 * i + 3]](double) { return end; }};
+    for (std::size_t i = 0; i < constraints.size(); ++i)
+      constraints[i] = {constraints[i].node,
+                        {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]},
+                        [end = rows[4 * i + 3]](double) { return end; }};
   }
 }
 
 // Gram-Schmidt: a direction that the others span already must ask for what they give.
-void DofMap::add(Node& node, const Hold& hold, const std::string& name) const {
-  Vec3<double> n = hold.direction;
+void DofMap::add(Node& node, const Constraint& constraint, const std::string& name) const {
+  Vec3<double> n = constraint.direction;
   std::array<double, 3> along{};
   for (int k = 0; k < node.count; ++k) {
     along[k] = dot(n, node.normal[k]);
     for (int c = 0; c < 3; ++c) n[c] -= along[k] * node.normal[k][c];
   }
   const double length = norm(n);
-  auto rest = [value = hold.value, along, before = node.value, count = node.count](double s) {
+  auto rest = [value = constraint.value, along, before = node.value, count = node.count](double s) {
     double v = value(s);
     for (int k = 0; k < count; ++k) v -= along[k] * before[k](s);
     return v;
   };
   if (length < 1e-8) {
     for (double s : {0.5, 1.0})
-      if (const double gap = rest(s); std::abs(gap) > 1e-9 * (1 + std::abs(hold.value(s))))
+      if (const double gap = rest(s); std::abs(gap) > 1e-9 * (1 + std::abs(constraint.value(s))))
         throw input_error(
             fmt::format("over-constrained: node {} at ({:.4g}, {:.4g}, {:.4g}) is given two displacements in "
                         "one direction that differ by {:.3g} mm, one of them by '{}'",
@@ -77,8 +77,8 @@ void DofMap::add(Node& node, const Hold& hold, const std::string& name) const {
 void DofMap::build() {
   nodes_.clear();
   std::fill(slot_.begin(), slot_.end(), -1);
-  for (const auto& [name, holds] : holds_)
-    for (const Hold& h : holds) {
+  for (const auto& [name, constraints] : constraints_)
+    for (const Constraint& h : constraints) {
       if (body_of_[h.node] >= 0) continue;
       if (slot_[h.node] < 0) {
         slot_[h.node] = static_cast<int>(nodes_.size());
@@ -101,7 +101,7 @@ Mat3<double> DofMap::projector(int node) const {
   return P;
 }
 
-bool DofMap::holds_direction(int node, const Vec3<double>& d) const {
+bool DofMap::constrains(int node, const Vec3<double>& d) const {
   const Mat3<double> P = projector(node);
   double left = 0;
   for (int i = 0; i < 3; ++i) left += std::abs(P(i, 0) * d[0] + P(i, 1) * d[1] + P(i, 2) * d[2]);
@@ -137,7 +137,7 @@ void DofMap::project(std::span<NodeSingle> v) const {
     for (int n : b.nodes()) v[n] = NodeSingle{};
 }
 
-void DofMap::add_held(std::span<const double> x, double factor, std::span<double> y) const {
+void DofMap::add_constrained(std::span<const double> x, double factor, std::span<double> y) const {
   for (const Node& h : nodes_) {
     if (h.node >= mesh_.owned) continue;
     for (int k = 0; k < h.count; ++k) {
@@ -192,7 +192,7 @@ std::vector<double> DofMap::reduce_bodies(const State& state, std::span<const do
   return q;
 }
 
-double DofMap::defect(const State& state, double s, std::span<double> du) const {
+double DofMap::prescribed_increment(const State& state, double s, std::span<double> du) const {
   std::fill(du.begin(), du.end(), 0.0);
   double largest = 0;
   mesh_.comm.together([&] {  // a formula may not be finite here
@@ -232,14 +232,14 @@ std::vector<double> DofMap::motion(std::span<const Pose> from, std::span<const P
 }
 
 long long DofMap::free_unknowns() const {
-  long long held = 0;
+  long long constrained = 0;
   for (const Node& h : nodes_)
-    if (h.node < mesh_.owned) held += h.count;
+    if (h.node < mesh_.owned) constrained += h.count;
   for (const RigidBody& b : bodies_)
-    held += 3 * std::ranges::count_if(b.nodes(), [&](int n) { return n < mesh_.owned; });
+    constrained += 3 * std::ranges::count_if(b.nodes(), [&](int n) { return n < mesh_.owned; });
   long long rigid = 0;
   for (const RigidBody& b : bodies_) rigid += std::ranges::count(b.free(), true);
-  return mesh_.comm.sum(3LL * mesh_.owned - held) + rigid;
+  return mesh_.comm.sum(3LL * mesh_.owned - constrained) + rigid;
 }
 
 }  // namespace bulbus

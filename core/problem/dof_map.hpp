@@ -13,31 +13,31 @@
 
 namespace bulbus {
 
-/// One held direction of a node: n·u = value(s), with s the part of the step done.
-struct Hold {
+/// One constrained direction of a node: n·u = value(s), with s the part of the step done.
+struct Constraint {
   int node;
   Vec3<double> direction;
   std::function<double(double s)> value;
 };
 
-/// u = T q + ū, in the one place where it is applied. Nodes keep three components each: held directions are
-/// projected out, du = P q with P = I − Σ n nᵀ, and appear as identity rows; nodes of rigid bodies follow six
-/// unknowns of their body.
+/// u = T q + ū, in the one place where it is applied. Nodes keep three components each: constrained
+/// directions are projected out, du = P q with P = I − Σ n nᵀ, and appear as identity rows; nodes of rigid
+/// bodies follow six unknowns of their body.
 ///
 /// A primal vector on one rank: 3 numbers per owned node, then, on rank 0, 6 per rigid body.
 class DofMap {
  public:
   DofMap(const LocalMesh& mesh, std::vector<RigidBody> bodies);
 
-  /// Replaces the holds called `name`; the holds of a node are orthonormalised in the order of their names.
-  void hold(const std::string& name, std::vector<Hold> holds);
+  /// Replaces the constraints called `name`; those of a node are orthonormalised in the order of their names.
+  void constrain(const std::string& name, std::vector<Constraint> constraints);
   bool release(const std::string& name);
   /// From now on every hold stays where it is at s = 1.
   void freeze();
   /// What steps before the present one prescribe: direction and place of every hold. Read before the next
   /// build().
   void serialize(Archive& archive);
-  /// To be called after a change of holds. Throws InputError where two holds of one node contradict each
+  /// To be called after a change of constraints. Throws InputError where two of one node contradict each
   /// other.
   void build();
 
@@ -51,10 +51,11 @@ class DofMap {
   void project(std::span<double> v) const;
   void project(std::span<NodeSingle> v) const;
   /// y += factor · (I − P) x on owned nodes, bodies' nodes included.
-  void add_held(std::span<const double> x, double factor, std::span<double> y) const;
+  void add_constrained(std::span<const double> x, double factor, std::span<double> y) const;
   /// Local nodal increment of a primal vector (ghosts included). Collective.
   void expand(const State& state, std::span<const double> primal, std::span<double> dx) const;
-  /// The transpose, for nodal forces already folded to their owners; held rows become zero. Collective.
+  /// The transpose, for nodal forces already accumulated on their owners; constrained rows become zero.
+  /// Collective.
   void reduce(const State& state, std::span<const double> force, std::span<double> primal) const;
   /// The parts of bodies' nodes in these two: `primal` may be its bodies' part alone; force and moment of
   /// every body. Collective.
@@ -62,7 +63,7 @@ class DofMap {
   std::vector<double> reduce_bodies(const State& state, std::span<const double> force) const;
   /// ū increments that remain: Σ n (value(s) − n·u) for every local node. Returns the largest. Throws
   /// InputError on every rank where a formula is not finite. Collective.
-  double defect(const State& state, double s, std::span<double> du) const;
+  double prescribed_increment(const State& state, double s, std::span<double> du) const;
   /// x += step · dx for nodes and poses; rigid nodes are placed again. Collective.
   void move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const;
 
@@ -70,16 +71,16 @@ class DofMap {
   /// every rank.
   std::vector<double> motion(std::span<const Pose> from, std::span<const Pose> to, double factor) const;
 
-  /// 3×3 matrix of P for a local node (identity where nothing is held; zero for a rigid node).
+  /// 3×3 matrix of P for a local node (identity where nothing is constrained; zero for a rigid node).
   Mat3<double> projector(int node) const;
-  bool held(int node) const { return slot_[node] >= 0 || body_of_[node] >= 0; }
+  bool constrained(int node) const { return slot_[node] >= 0 || body_of_[node] >= 0; }
   /// Are all three displacements of the node prescribed? Not so of the nodes of a rigid body.
   bool fully_constrained(int node) const {
     return body_of_[node] < 0 && slot_[node] >= 0 && nodes_[slot_[node]].count == 3;
   }
   int body_of(int node) const { return body_of_[node]; }
-  /// Is this direction of the node held?
-  bool holds_direction(int node, const Vec3<double>& d) const;
+  /// Is this direction of the node constrained?
+  bool constrains(int node, const Vec3<double>& d) const;
   /// Number of free displacement unknowns of all ranks, rigid ones included. Collective.
   long long free_unknowns() const;
   std::vector<double> bodies_part(
@@ -92,13 +93,13 @@ class DofMap {
     std::array<std::function<double(double)>, 3> value;  // of each normal
     Vec3<double> free_part(Vec3<double> v) const;
   };
-  void add(Node& node, const Hold& hold, const std::string& name) const;
+  void add(Node& node, const Constraint& constraint, const std::string& name) const;
 
   const LocalMesh& mesh_;
   std::vector<RigidBody> bodies_;
   std::vector<int> body_of_, slot_;
-  std::map<std::string, std::vector<Hold>> holds_;
-  std::set<std::string> moving_;  // names of the holds since freeze()
+  std::map<std::string, std::vector<Constraint>> constraints_;
+  std::set<std::string> moving_;  // names of the constraints since freeze()
   std::vector<Node> nodes_;
 };
 

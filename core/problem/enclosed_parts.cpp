@@ -15,7 +15,7 @@ constexpr double rounding = 1e-9;         // of Σ ∂V_e/∂x on free direction
 constexpr double least_flux = 1e-7;       // of a part's volume: less than Newton's criterion sees
 constexpr double compressibility = 1e-9;  // of volume and shear modulus
 
-// Σ_e ∂V_e/∂x on every local node, folded: by what λ = 1 MPa adds to the internal forces.
+// Σ_e ∂V_e/∂x on every local node, accumulated: by what λ = 1 MPa adds to the internal forces.
 std::vector<double> volume_gradient(const Problem& problem, const State& at) {
   const Solid& solid = problem.solid();
   std::vector<double> with(at.x.size()), without(at.x.size()), defect(solid.hexes()), lambda(solid.hexes());
@@ -86,11 +86,11 @@ EnclosedParts::EnclosedParts(const Problem& problem, const State& start, int ste
     if (part_[h] >= 0) volume_[part_[h]] += solid.reference_volumes()[h];
   problem.comm().sum(volume_);
   mean_ = means(start.lambda);
-  std::vector<double> held(start.x.size()), x;
+  std::vector<double> prescribed(start.x.size()), x;
   for (double s : {1.0, 0.5}) {
-    problem.dofs().defect(start, s, held);
+    problem.dofs().prescribed_increment(start, s, prescribed);
     x = start.x;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += held[i];
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += prescribed[i];
     const auto room = volumes(problem, x, part_, count);
     for (std::size_t p = 0; p < count; ++p)
       if (const double gap = room[p] - volume_[p]; std::abs(gap) > least_flux * volume_[p])

@@ -6,18 +6,18 @@
 
 namespace bulbus {
 
-void add_magnitude(std::span<const double> force, std::span<double> magnitude) {
-  for (std::size_t n = 0; n < magnitude.size(); ++n)
-    magnitude[n] += std::hypot(force[3 * n], force[3 * n + 1], force[3 * n + 2]);
+void add_reference_force(std::span<const double> force, std::span<double> reference_force) {
+  for (std::size_t n = 0; n < reference_force.size(); ++n)
+    reference_force[n] += std::hypot(force[3 * n], force[3 * n + 1], force[3 * n + 2]);
 }
 
 void FollowerPressure::add_residual(const State& state, std::span<double> force,
-                                    std::span<double> magnitude) const {
+                                    std::span<double> reference_force) const {
   if (now_ == 0) return;
   std::vector<double> own(force.size());
   surface_.add_gradient(state.x, -now_, own);  // the body is pushed by + p g
   for (std::size_t i = 0; i < own.size(); ++i) force[i] += own[i];
-  add_magnitude(own, magnitude);
+  add_reference_force(own, reference_force);
 }
 
 void FollowerPressure::add_action(std::span<const double> dx, std::span<double> force) const {
@@ -28,11 +28,11 @@ void FollowerPressure::visit(const ContributionVisitor& visitor) const {
   if (now_ != 0) surface_.visit(x_, -now_, visitor);
 }
 
-void DeadLoad::add_residual(const State&, std::span<double> force, std::span<double> magnitude) const {
+void DeadLoad::add_residual(const State&, std::span<double> force, std::span<double> reference_force) const {
   std::vector<double> own(pattern_);
   for (std::size_t i = 0; i < own.size(); ++i)
     force[i] += own[i] = -(base_.empty() ? 0 : base_[i]) - now_ * own[i];
-  add_magnitude(own, magnitude);
+  add_reference_force(own, reference_force);
 }
 
 std::vector<double> DeadLoad::at_end() const {

@@ -31,7 +31,8 @@ class FollowerPressure final : public Load {
  public:
   FollowerPressure(PressureSurface surface, std::function<double(double)> value, bool symmetric)
       : Load(std::move(value)), surface_(std::move(surface)), symmetric_(symmetric) {}
-  void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override;
+  void add_residual(const State& state, std::span<double> force,
+                    std::span<double> reference_force) const override;
   void linearize(const State& state) override { x_ = state.x; }
   void add_action(std::span<const double> dx, std::span<double> force) const override;
   void visit(const ContributionVisitor& visitor) const override;
@@ -51,7 +52,7 @@ class DeadLoad final : public Load {
       : Load(std::move(value)), base_(std::move(base)), pattern_(std::move(pattern)) {}
   /// The forces at the end of the step.
   std::vector<double> at_end() const;
-  void add_residual(const State&, std::span<double> force, std::span<double> magnitude) const override;
+  void add_residual(const State&, std::span<double> force, std::span<double> reference_force) const override;
   void linearize(const State&) override {}
   void add_action(std::span<const double>, std::span<double>) const override {}
   void visit(const ContributionVisitor&) const override {}
@@ -65,8 +66,9 @@ class BarsTerm final : public Term {
  public:
   explicit BarsTerm(Bars bars) : bars_(std::move(bars)) {}
   const Bars& bars() const { return bars_; }
-  void add_residual(const State& state, std::span<double> force, std::span<double> magnitude) const override {
-    bars_.add_residual(state.x, force, magnitude);
+  void add_residual(const State& state, std::span<double> force,
+                    std::span<double> reference_force) const override {
+    bars_.add_residual(state.x, force, reference_force);
   }
   void linearize(const State& state) override { x_ = state.x; }
   void add_action(std::span<const double> dx, std::span<double> force) const override {
@@ -79,8 +81,8 @@ class BarsTerm final : public Term {
   std::span<const double> x_;
 };
 
-/// magnitude[node] += |force of the node| for a nodal vector.
-void add_magnitude(std::span<const double> force, std::span<double> magnitude);
+/// reference_force[node] += |force of the node| for a nodal vector.
+void add_reference_force(std::span<const double> force, std::span<double> reference_force);
 
 /// ∫ N dA of the faces along a fixed direction (zero: against the reference normal out of the body), 3 per
 /// local node.

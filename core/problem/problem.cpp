@@ -34,9 +34,9 @@ std::set<std::string> sets_in_use(const LocalMesh& mesh, const Model& model) {
 
 // A force without its counterpart, relative to the forces that meet there. What rounding leaves in the
 // places, a strain of 1e-15 where the floor is one of 1e-7, is none.
-double imbalance(double force, double magnitude, double floor) {
+double imbalance(double force, double reference_force, double floor) {
   constexpr double rounding = 1e-8;
-  return force <= rounding * floor ? 0 : force / std::max(magnitude, floor);
+  return force <= rounding * floor ? 0 : force / std::max(reference_force, floor);
 }
 
 }  // namespace
@@ -151,20 +151,20 @@ Residual Problem::residual(const State& state) const {
              std::vector<double>(state.lambda.size()),
              {},
              std::vector<double>(mesh_.nodes())};
-  solid_->residual(state.x, state.lambda, r.force, r.volume, r.magnitude);
-  for (const auto& term : terms()) term->add_residual(state, r.force, r.magnitude);
+  solid_->residual(state.x, state.lambda, r.force, r.volume, r.reference_force);
+  for (const auto& term : terms()) term->add_residual(state, r.force, r.reference_force);
   for (std::size_t i = 0; i < liquids_.size(); ++i) {
     const Liquid& l = liquids_[i];
     if (state.P[i] != 0) {
       std::vector<double> own(r.force.size());
       l.surface().add_gradient(state.x, -state.P[i], own);
       for (std::size_t k = 0; k < own.size(); ++k) r.force[k] += own[k];
-      add_magnitude(own, r.magnitude);
+      add_reference_force(own, r.reference_force);
     }
     r.liquid.push_back(l.defect(l.coupled() ? l.volume(state.x) : 0, state.P[i]));
   }
   mesh_.halo.accumulate_ghosts(r.force);
-  mesh_.halo.accumulate_ghosts(r.magnitude, 1);
+  mesh_.halo.accumulate_ghosts(r.reference_force, 1);
   for (std::size_t k = 0; k < state.bodies.size(); ++k) r.bodies.push_back(resultant(k, state, r));
   return r;
 }
@@ -177,7 +177,7 @@ Residual::Resultant Problem::resultant(std::size_t k, const State& state, const 
   for (int n : body.nodes()) {
     if (n >= mesh_.owned) continue;
     const double arm = norm(body.arm(state.bodies[k], state.x, n));
-    sum[6] += r.magnitude[n], sum[7] += arm * r.magnitude[n], sum[8] += arm, sum[9] += 1;
+    sum[6] += r.reference_force[n], sum[7] += arm * r.reference_force[n], sum[8] += arm, sum[9] += 1;
   }
   comm().sum(sum);
   return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}, sum[6], sum[7], sum[8] / sum[9]};
@@ -187,13 +187,13 @@ Balance Problem::balance(const Residual& r) const {
   Balance b;
   std::vector<double> free(r.force);
   dofs_->project(free);
-  // ‖A‖² and ‖magnitude‖² of every region's free nodes; the floor keeps an unloaded region from dividing by
-  // round-off
+  // ‖A‖² and ‖reference_force‖² of every region's free nodes; the floor keeps an unloaded region from
+  // dividing by round-off
   std::vector<double> sums(2 * region_nodes_.size());
   for (std::size_t g = 0; g < region_nodes_.size(); ++g)
     for (int n : region_nodes_[g]) {
       for (int c = 0; c < 3; ++c) sums[2 * g] += free[3 * n + c] * free[3 * n + c];
-      sums[2 * g + 1] += r.magnitude[n] * r.magnitude[n];
+      sums[2 * g + 1] += r.reference_force[n] * r.reference_force[n];
     }
   comm().sum(sums);
   for (std::size_t g = 0; g < region_nodes_.size(); ++g) {
@@ -204,8 +204,8 @@ Balance Problem::balance(const Residual& r) const {
     // as the free nodes are: the resultants against the sum of the nodal magnitudes
     const Residual::Resultant& body = r.bodies[k];
     const double floor = region_floor_.empty() ? 1e-300 : region_floor_[0];
-    for (double relative : {imbalance(norm(body.force), body.magnitude, floor),
-                            imbalance(norm(body.moment), body.moment_magnitude, floor * body.arm)})
+    for (double relative : {imbalance(norm(body.force), body.reference_force, floor),
+                            imbalance(norm(body.moment), body.reference_moment, floor * body.arm)})
       if (!(relative <= b.force)) b.force = relative, b.region = dofs_->bodies()[k].name();
   }
   const auto V0 = solid_->reference_volumes();

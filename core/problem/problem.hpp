@@ -13,15 +13,15 @@ namespace bulbus {
 
 /// The residual of the coupled system (formulation, section 3.1), before holds are projected out.
 struct Residual {
-  std::vector<double> force;      ///< A: 3 per local node, folded to the owners (N)
-  std::vector<double> volume;     ///< B: V_e − V0_e per local hexahedron (mm³)
-  std::vector<double> liquid;     ///< D per liquid, the same on every rank (mm³)
-  std::vector<double> magnitude;  ///< per local node, folded: Σ |contributions| (N)
-  /// On a rigid body, the same on every rank: force and moment along its free motions, their yardsticks Σ
-  /// |contributions| and Σ |arm| |contributions|, and the mean arm.
+  std::vector<double> force;            ///< A: 3 per local node, accumulated on the owners (N)
+  std::vector<double> volume;           ///< B: V_e − V0_e per local hexahedron (mm³)
+  std::vector<double> liquid;           ///< D per liquid, the same on every rank (mm³)
+  std::vector<double> reference_force;  ///< per local node, accumulated: Σ |contributions| (N)
+  /// On a rigid body, the same on every rank: force and moment along its free motions, their reference norms
+  /// Σ |contributions| and Σ |arm| |contributions|, and the mean arm.
   struct Resultant {
     Vec3<double> force, moment;
-    double magnitude, moment_magnitude, arm;
+    double reference_force, reference_moment, arm;
   };
   std::vector<Resultant> bodies;
 };

@@ -156,18 +156,18 @@ void Problem::hold_fixed() {
     const int c = axis_of(plane);
     Vec3<double> normal{0, 0, 0};
     normal[c] = 1;
-    std::vector<Hold> holds;
+    std::vector<Constraint> constraints;
     for (int n = 0; n < mesh_.nodes(); ++n)
-      if (std::abs(mesh_.X[3 * n + c]) <= tolerance) holds.push_back({n, normal, zero});
-    dofs_->hold("0 symmetry " + plane, std::move(holds));
+      if (std::abs(mesh_.X[3 * n + c]) <= tolerance) constraints.push_back({n, normal, zero});
+    dofs_->constrain("0 symmetry " + plane, std::move(constraints));
   }
   for (const FixSpec& fix : model_.fix)
     for (const std::string& d : fix.directions) {
       Vec3<double> normal{0, 0, 0};
       normal[axis_of(d)] = 1;
-      std::vector<Hold> holds;
-      for (int n : nodes_of(fix.set)) holds.push_back({n, normal, zero});
-      dofs_->hold("1 " + fix.set + "/" + d, std::move(holds));
+      std::vector<Constraint> constraints;
+      for (int n : nodes_of(fix.set)) constraints.push_back({n, normal, zero});
+      dofs_->constrain("1 " + fix.set + "/" + d, std::move(constraints));
     }
   dofs_->build();
 }

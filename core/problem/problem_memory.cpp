@@ -14,11 +14,11 @@ void Problem::serialize(Archive& archive) {
 
 void Problem::go_through(int steps) {
   State state = initial_state();
-  std::vector<double> held(state.x.size());
+  std::vector<double> prescribed(state.x.size());
   for (int k = 0; k < steps; ++k) {
     begin(k, state, &Term::pass_step);
-    dofs_->defect(state, 1, held);
-    for (std::size_t i = 0; i < held.size(); ++i) state.x[i] += held[i];
+    dofs_->prescribed_increment(state, 1, prescribed);
+    for (std::size_t i = 0; i < prescribed.size(); ++i) state.x[i] += prescribed[i];
     end_step();
   }
 }
@@ -37,7 +37,7 @@ void Problem::renew() {
   if (coarser_) coarser_->renew();
 }
 
-// Read twice: the step builds on what was held before it, and its begin changes what was kept later.
+// Read twice: the step builds on the constraints before it, and its begin changes what was kept later.
 void Problem::resume(int step, const State& start, double s, State& now, Archive& kept) {
   go_through(step);
   serialize(kept);

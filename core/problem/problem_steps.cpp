@@ -95,13 +95,13 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
   const bool from_start = spec.from == "start";
   const auto along = [&](const std::string& what, const std::string& text, auto direction) {
     auto formula = std::make_shared<Formula>(text, where + "." + what);
-    std::vector<Hold> holds;
+    std::vector<Constraint> constraints;
     for (int n : nodes) {
       const Vec3<double> d = direction(n), X = at(mesh_.X, n);
       formula->require_finite(X, step);
-      holds.push_back({n, d, course(formula, X, dot(d, minus(at(start.x, n), X)), from_start, step)});
+      constraints.push_back({n, d, course(formula, X, dot(d, minus(at(start.x, n), X)), from_start, step)});
     }
-    dofs_->hold("2 " + spec.set + "/" + what, std::move(holds));
+    dofs_->constrain("2 " + spec.set + "/" + what, std::move(constraints));
   };
   for (const auto& [name, text] : {std::pair{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}})
     if (*text)
@@ -149,15 +149,17 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
   for (int c = 0; c < 3; ++c) {
     Vec3<double> d{0, 0, 0};
     d[c] = 1;
-    std::vector<Hold> holds;
+    std::vector<Constraint> constraints;
     for (int n : nodes)
-      holds.push_back(
+      constraints.push_back(
           {n, d, [=, X = at(mesh_.X, n), x = at(start.x, n)](double s) { return motion(X, x, s)[c]; }});
-    dofs_->hold("2 " + spec.set + "/" + std::string(1, static_cast<char>('x' + c)), std::move(holds));
+    dofs_->constrain("2 " + spec.set + "/" + std::string(1, static_cast<char>('x' + c)),
+                     std::move(constraints));
   }
 }
 
-// An element whose nodes are all held cannot keep its volume by itself: its pressure would be undetermined.
+// An element whose nodes are all constrained cannot keep its volume by itself: its pressure would be
+// undetermined.
 void Problem::require_free_elements() const {
   for (const SolidRegion& r : solid_->regions())
     for (int h = r.first; h < r.first + r.count; ++h) {

@@ -76,7 +76,7 @@ class Constraints {
   Constraints(const Mesh& mesh, const Parts& parts)
       : mesh_(mesh), parts_(parts), gram_(Matrix::Zero(6 * parts.name.size(), 6 * parts.name.size())) {}
 
-  void hold(int node, const Vec3<double>& d) {
+  void constrain(int node, const Vec3<double>& d) {
     Vector row = Vector::Zero(gram_.rows());
     add_row(mesh_, parts_, node, d, 1, row);
     add(row);
@@ -120,25 +120,25 @@ void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
   for (const std::string& s : model.symmetry)
     for (std::size_t n = 0; n < mesh.points.size(); ++n)
       if (std::abs(mesh.points[n][axis_of(s)]) <= tolerance)
-        constraints.hold(static_cast<int>(n), unit(axis_of(s)));
+        constraints.constrain(static_cast<int>(n), unit(axis_of(s)));
   for (const FixSpec& f : model.fix)
     for (int n : nodes_of(mesh, f.set))
-      for (const std::string& d : f.directions) constraints.hold(n, unit(axis_of(d)));
+      for (const std::string& d : f.directions) constraints.constrain(n, unit(axis_of(d)));
   for (const DisplaceSpec& d : model.steps.front().displace) {
     const bool all = d.affine || d.rotate || d.translate;
     const bool along[3] = {all || d.x, all || d.y, all || d.z};
     const double axis2 = dot(d.axis, d.axis);
     for (int n : nodes_of(mesh, d.set)) {
       for (int c = 0; c < 3; ++c)
-        if (along[c]) constraints.hold(n, unit(c));
-      if (d.by) constraints.hold(n, d.along);
+        if (along[c]) constraints.constrain(n, unit(c));
+      if (d.by) constraints.constrain(n, d.along);
       if (d.radial) {
         Vec3<double> r = minus(mesh.points[n], d.center);
         const double t = dot(r, d.axis) / axis2;
         for (int c = 0; c < 3; ++c) r[c] -= t * d.axis[c];
         if (const double length = norm(r); length > 0) {
           for (double& c : r) c /= length;
-          constraints.hold(n, r);
+          constraints.constrain(n, r);
         }
       }
     }

@@ -13,10 +13,10 @@ class Term {
  public:
   virtual ~Term() = default;
 
-  /// force += residual; magnitude (per local node, may be empty) += |contribution|, the yardstick of the
-  /// balance.
+  /// force += residual; reference_force (per local node, may be empty) += |contribution|, the reference norm
+  /// of the balance.
   virtual void add_residual(const State& state, std::span<double> force,
-                            std::span<double> magnitude) const = 0;
+                            std::span<double> reference_force) const = 0;
   /// Fixes the state of the tangent until the next call.
   virtual void linearize(const State& state) = 0;
   /// force += tangent · dx

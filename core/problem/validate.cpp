@@ -67,8 +67,8 @@ void check_set(const Mesh& mesh, const std::string& set, const std::string& key)
 void check_not_rigid(const Mesh& mesh, const Model& model, const std::string& set, const std::string& key) {
   for (const auto& [name, spec] : model.regions) {
     if (!spec.rigid) continue;
-    const auto held = nodes_of(mesh, set), rigid = nodes_of_region(mesh, region_index(mesh, name));
-    if (std::ranges::any_of(held, [&](int n) { return std::ranges::binary_search(rigid, n); }))
+    const auto fixed = nodes_of(mesh, set), rigid = nodes_of_region(mesh, region_index(mesh, name));
+    if (std::ranges::any_of(fixed, [&](int n) { return std::ranges::binary_search(rigid, n); }))
       throw scene_error(key,
                         "set '" + set + "' has nodes of the rigid region '" + name +
                             "', which cannot be constrained one by one",

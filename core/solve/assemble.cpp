@@ -176,11 +176,11 @@ void add_contributions(const CoupledSystem& system, Matrices matrices, const Num
   });
 }
 
-// add(node, block): identity rows of held directions and of bodies' nodes.
+// add(node, block): identity rows of constrained directions and of bodies' nodes.
 template <class Add>
 void visit_held(const CoupledSystem& system, Add add) {
   for (int n = 0; n < system.problem().mesh().owned; ++n)
-    if (system.problem().dofs().held(n)) add(n, system.constrained_block(n));
+    if (system.problem().dofs().constrained(n)) add(n, system.constrained_block(n));
 }
 
 // Columns and rows of the liquids, and ω g gᵀ, which needs the whole of g on every rank; `augmented` may be
@@ -220,7 +220,7 @@ Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented,
     for (int i = 0; i < 9; ++i) out.add(number.dof(3 * n + i / 3), number.dof(3 * n + i % 3), block[i]);
   });
   if (layout.bodies > 0) {
-    // geometry and held unknowns of bodies: what body_blocks() has beyond the contributions
+    // geometry and constrained unknowns of bodies: what body_blocks() has beyond the contributions
     for (const auto& e : system.body_extra())
       out.add(number.primal(layout.nodal + e.row), number.primal(layout.nodal + e.column), e.value);
   }

@@ -116,7 +116,7 @@ void CoupledSystem::apply_displacement(std::span<const double> x, std::span<doub
   dx.resize(state_.x.size());
   dofs.expand(state_, x, dx);
   dofs.reduce(state_, nodal_action(dx, {}, {}), y);
-  dofs.add_held(x, constrained_diagonal_, y);
+  dofs.add_constrained(x, constrained_diagonal_, y);
   add_body_geometry(x.subspan(layout_.nodal), y.subspan(layout_.nodal));
 }
 
@@ -128,7 +128,7 @@ void CoupledSystem::apply_tissue(std::span<const double> xu, std::span<const dou
   dofs.expand(state_, xu, dx);
   dofs.reduce(state_, nodal_action(dx, xl, yl), yu);
   for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
-  dofs.add_held(xu, constrained_diagonal_, yu);
+  dofs.add_constrained(xu, constrained_diagonal_, yu);
   add_body_geometry(xu.subspan(layout_.nodal), yu.subspan(layout_.nodal));
 }
 
@@ -195,7 +195,7 @@ std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>
 
 void CoupledSystem::add_constrained_blocks(std::span<double> blocks) const {
   for (int n = 0; n < problem_.mesh().owned; ++n)
-    if (problem_.dofs().held(n)) {
+    if (problem_.dofs().constrained(n)) {
       const auto block = constrained_block(n);
       for (int i = 0; i < 9; ++i) blocks[9 * static_cast<std::size_t>(n) + i] += block[i];
     }
@@ -221,7 +221,7 @@ void CoupledSystem::compute_blocks() {
   auto blocks = sum_blocks(body_blocks_);
   double sum = 0, count = 0;
   for (int n = 0; n < problem_.mesh().owned; ++n)
-    if (!dofs.held(n)) sum += blocks[9 * n] + blocks[9 * n + 4] + blocks[9 * n + 8], count += 3;
+    if (!dofs.constrained(n)) sum += blocks[9 * n] + blocks[9 * n + 4] + blocks[9 * n + 8], count += 3;
   sum = problem_.comm().sum(sum), count = problem_.comm().sum(count);
   constrained_diagonal_ = count > 0 && sum > 0 ? sum / count : 1;
   for (std::size_t b = 0; b < body_blocks_.size(); ++b) {

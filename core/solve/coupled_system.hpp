@@ -72,10 +72,10 @@ class CoupledSystem {
   std::vector<double> inverse_pressure_schur() const;
   /// V0_e / ((1 + γ) μ_e): minus the diagonal of a rigid hexahedron's row, whose pressure stays as it is.
   double rigid_compliance(int hex) const;
-  /// 3×3 diagonal blocks of the displacement block, held directions on constrained_diagonal(); 9 per owned
-  /// node. Made anew by every call, of all element matrices. Collective.
+  /// 3×3 diagonal blocks of the displacement block, constrained directions on constrained_diagonal(); 9 per
+  /// owned node. Made anew by every call, of all element matrices. Collective.
   std::vector<double> nodal_blocks() const;
-  /// What held directions add to such blocks.
+  /// What constrained directions add to such blocks.
   void add_constrained_blocks(std::span<double> blocks) const;
   /// Of one node: its projector's complement times constrained_diagonal(), by rows.
   std::array<double, 9> constrained_block(int node) const;

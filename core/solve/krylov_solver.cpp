@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/base/inner_product.hpp"
-#include "core/solve/last_resort.hpp"
+#include "core/solve/direct_fallback.hpp"
 #include "core/solve/linear_solver.hpp"
 
 namespace bulbus {
@@ -115,7 +115,7 @@ class KrylovSolver final : public LinearSolver {
       : settings_(settings),
         factory_(std::move(factory)),
         profiler_(profiler),
-        last_resort_(settings, profiler) {}
+        fallback_(settings, profiler) {}
 
   Preparation prepare(const CoupledSystem& system) override {
     if (given_up_) return {.ok = true};
@@ -126,7 +126,7 @@ class KrylovSolver final : public LinearSolver {
     const std::string error = preconditioner_->setup_error();
     Preparation prepared{
         .ok = error.empty(), .reason = error, .augmentation = preconditioner_->augmentation()};
-    if (prepared.ok || !last_resort_.available(system)) return prepared;
+    if (prepared.ok || !fallback_.available(system)) return prepared;
     give_up();
     prepared.ok = true;
     return prepared;
@@ -135,7 +135,7 @@ class KrylovSolver final : public LinearSolver {
   LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
     const CoupledSystem& system = A.system();
-    if (given_up_) return last_resort_.solve(A, b, x, tolerance);
+    if (given_up_) return fallback_.solve(A, b, x, tolerance);
     LinearReport r;
     {
       const auto scope = profiler_.clock.measure("linear solve");
@@ -144,15 +144,15 @@ class KrylovSolver final : public LinearSolver {
     r.retry = !r.ok && factory_->has_history();
     factory_->record(r.iterations / -std::log10(tolerance));
     if (r.retry) factory_->forget();
-    if (r.ok || r.retry || !last_resort_.available(system)) return r;
-    LinearReport direct = last_resort_.solve(A, b, x, tolerance);
+    if (r.ok || r.retry || !fallback_.available(system)) return r;
+    LinearReport direct = fallback_.solve(A, b, x, tolerance);
     direct.iterations = r.iterations, direct.history = std::move(r.history),
     direct.blocks = std::move(r.blocks);
     if (!direct.ok)
       direct.reason = r.reason + "; " + direct.reason;
     else
       direct.reason = r.reason;
-    if (direct.ok && last_resort_.cheap(system)) give_up();
+    if (direct.ok && fallback_.cheap(system)) give_up();
     return direct;
   }
 
@@ -160,9 +160,9 @@ class KrylovSolver final : public LinearSolver {
   void increment_begins() override { slow_ = given_up_ = false; }
   void watch(SolveWatcher watcher) override { watcher_ = std::move(watcher); }
   bool counts_pivots(const CoupledSystem& system) override {
-    return system.problem().symmetric() && last_resort_.cheap(system);
+    return system.problem().symmetric() && fallback_.cheap(system);
   }
-  int negative_pivots(const CoupledSystem& system) override { return last_resort_.negative_pivots(system); }
+  int negative_pivots(const CoupledSystem& system) override { return fallback_.negative_pivots(system); }
 
  private:
   // The systems of this increment that are still to come are those of MUMPS.
@@ -211,12 +211,12 @@ class KrylovSolver final : public LinearSolver {
                                const KrylovObserver& observer) {
     const Comm& comm = system.problem().comm();
     const double scale = norm(b, comm);
-    const bool other_way = factory_->has_history() || last_resort_.available(system);
+    const bool other_way = factory_->has_history() || fallback_.available(system);
     KrylovReport report;
     bool flexible = !M.is_linear() || tolerance < least_of_plain_method, stagnant = false, slow = false;
     // A system so small is factorised in less time; and a residual that falls so slowly says little of the
     // error.
-    const bool cheap = last_resort_.cheap(system);
+    const bool cheap = fallback_.cheap(system);
     const double enough = std::max(30., -slow_per_digit * std::log10(tolerance));
     std::vector<double> residuals;
     const auto goes_on = [&](int, double residual) {
@@ -260,7 +260,7 @@ class KrylovSolver final : public LinearSolver {
   LinearSettings settings_;
   std::unique_ptr<PreconditionerFactory> factory_;
   Profiler& profiler_;
-  LastResort last_resort_;
+  DirectFallback fallback_;
   SolveWatcher watcher_;
   std::unique_ptr<CoupledPreconditioner> preconditioner_;
   bool given_up_ = false;  // until the next increment

@@ -61,9 +61,9 @@ class Iteration {
   void measure(NewtonIteration& now) {
     compute_residual();
     now.balance = problem_.balance(*residual_);
-    now.held = compute_prescribed();
+    now.prescribed = compute_prescribed();
   }
-  bool prescribed_done(const NewtonIteration& now) const { return now.held <= negligible_; }
+  bool prescribed_done(const NewtonIteration& now) const { return now.prescribed <= negligible_; }
 
   void linearise() {
     const auto scope = profiler_.clock.measure("linearisation");
@@ -123,7 +123,7 @@ class Iteration {
   // Returns the largest, mm.
   double compute_prescribed() {
     prescribed_.resize(state_.x.size());
-    return problem_.dofs().defect(state_, problem_.progress(), prescribed_);
+    return problem_.dofs().prescribed_increment(state_, problem_.progress(), prescribed_);
   }
   // What it is made of leaves its memory to the solver, and is computed again for a second one.
   std::vector<double> right_hand_side(const CoupledOperator& A) {

@@ -29,8 +29,8 @@ std::string describe(Outcome outcome);
 struct NewtonIteration {
   int number = 0;
   Balance balance;
-  double held = 0;       ///< largest prescribed increment still to be made, mm
-  double tolerance = 0;  ///< of the linear solve
+  double prescribed = 0;  ///< largest prescribed increment still to be made, mm
+  double tolerance = 0;   ///< of the linear solve
   LinearReport linear;
   double step = 0;  ///< part of the Newton step that was taken
 };

@@ -9,7 +9,7 @@ namespace {
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 bool all_free(const DofMap& dofs, std::span<const int> nodes) {
-  return std::ranges::none_of(nodes, [&](int n) { return dofs.held(n); });
+  return std::ranges::none_of(nodes, [&](int n) { return dofs.constrained(n); });
 }
 
 void nodal_dofs(std::span<const int> nodes, std::vector<int>& dofs) {

@@ -15,8 +15,8 @@ using ReducedVisitor = std::function<void(std::span<const int> dofs, std::span<c
 enum class Matrices { plain, augmented, mean, softened };
 
 /// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute,
-/// in reduced dofs: held directions projected out, nodes of bodies mapped to their six. Identity parts of
-/// held directions are not among it.
+/// in reduced dofs: constrained directions projected out, nodes of bodies mapped to their six. Identity parts
+/// of constrained directions are not among it.
 void for_each_condensed_matrix(const CoupledSystem& system, Matrices matrices, const ReducedVisitor& visitor);
 
 /// T of a single column block: for local nodes with their nodal values, the reduced dofs and values (Tᵀ v).

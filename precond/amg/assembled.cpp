@@ -20,7 +20,7 @@ DistributedCsr to_rows(const Triplets& t, long long first_row, int rows) {
 }
 
 // Rotations in the current configuration about the middle of the nodes, of the size of a unit translation,
-// zero in held directions.
+// zero in constrained directions.
 std::vector<std::vector<double>> rotations(const CoupledSystem& system) {
   const Problem& problem = system.problem();
   const auto& x = system.state().x;

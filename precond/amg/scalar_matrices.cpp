@@ -62,7 +62,7 @@ std::array<DistributedCsr, 3> scalar_matrices(const CoupledSystem& system) {
                             });
   const DofMap& dofs = system.problem().dofs();
   for (int n = 0; n < mesh.owned; ++n)
-    if (dofs.held(n)) {
+    if (dofs.constrained(n)) {
       const Mat3<double> P = dofs.projector(n);
       for (int c = 0; c < 3; ++c)
         m[c].values[pattern.at(n, n)] += system.constrained_diagonal() * (1 - P(c, c));

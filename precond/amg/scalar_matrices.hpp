@@ -6,7 +6,7 @@
 
 namespace bulbus {
 
-/// The xx, yy and zz parts of the augmented displacement block, held directions on the diagonal.
+/// The xx, yy and zz parts of the augmented displacement block, constrained directions on the diagonal.
 std::array<DistributedCsr, 3> scalar_matrices(const CoupledSystem& system);
 
 }  // namespace bulbus

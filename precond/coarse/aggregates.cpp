@@ -43,7 +43,7 @@ std::vector<int> grow_groups(const DofMap& dofs, const std::vector<std::vector<i
   constexpr int unassigned = -2;
   std::vector<int> of(owned, unassigned);
   for (int n = 0; n < owned; ++n)
-    if (dofs.held(n) && trace(dofs.projector(n)) < 0.5) of[n] = -1;
+    if (dofs.constrained(n) && trace(dofs.projector(n)) < 0.5) of[n] = -1;
   int next = 0;
   std::deque<int> seeds;  // the rim of what is done: new groups grow beside old ones
   const auto grow = [&](int seed) {

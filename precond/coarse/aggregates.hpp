@@ -9,7 +9,7 @@ namespace bulbus {
 /// are.
 struct Aggregates {
   std::vector<int> of;  ///< group of every local node, ghosts included; −1 of nodes of rigid bodies and of
-                        ///< wholly held nodes
+                        ///< wholly constrained nodes
   int bodies = 0;       ///< rigid bodies, groups 0, 1, ..., held by rank 0
   int first = 0;        ///< first group of this rank's owned nodes
   int mine = 0;         ///< their groups

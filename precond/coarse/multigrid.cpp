@@ -64,7 +64,7 @@ Multigrid::Level::Level(const CoupledSystem& fine, MultigridPlan::Level& plan, I
       coarse_correction(coarse.layout().primal()),
       coarse_nodal(coarse.state().x.size()) {}
 
-// Tᵀ Pᵀ r without held directions, r: what `correction` holds; bodies are the same on both levels.
+// Tᵀ Pᵀ r without constrained directions, r: what `correction` holds; bodies are the same on both levels.
 void Multigrid::Level::restrict_residual() {
   const auto nodal = std::span(correction).first(fine.layout().nodal);
   fine.problem().dofs().project(nodal);

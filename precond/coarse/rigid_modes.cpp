@@ -45,7 +45,7 @@ Plain plain_modes(const CoupledSystem& system, int node, const Place& place) {
   Plain m;
   m << 1, 0, 0, 0, r[2], -r[1], 0, 1, 0, -r[2], 0, r[0], 0, 0, 1, r[1], -r[0], 0;
   const DofMap& dofs = system.problem().dofs();
-  if (!dofs.held(node)) return m;
+  if (!dofs.constrained(node)) return m;
   const Mat3<double> P = dofs.projector(node);
   const Plain full = m;
   for (int i = 0; i < 3; ++i)

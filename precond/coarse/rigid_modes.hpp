@@ -5,12 +5,12 @@
 
 namespace bulbus {
 
-/// Rigid motions of aggregates in the current configuration, without held directions, orthonormal within
-/// every aggregate.
+/// Rigid motions of aggregates in the current configuration, without constrained directions, orthonormal
+/// within every aggregate.
 struct RigidModes {
   std::vector<NodeModes> of;  ///< every local node
   std::vector<int> missing;   ///< this rank's modes that move nothing: coarse unknowns of too small or too
-                              ///< much held aggregates
+                              ///< much constrained aggregates
 };
 
 /// Collective.

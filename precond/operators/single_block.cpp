@@ -9,7 +9,7 @@ namespace bulbus {
 
 SingleBlock::SingleBlock(const CoupledSystem& system)
     : system_(system), dofs_(system.problem().dofs()), d_(system), z_(system) {
-  while (free_ < system.problem().mesh().owned && dofs_.held(free_)) ++free_;
+  while (free_ < system.problem().mesh().owned && dofs_.constrained(free_)) ++free_;
   refresh();
 }
 
@@ -79,7 +79,7 @@ void SingleBlock::apply(std::span<const double> x, std::span<double> y) const {
   for (std::size_t n = 0; n < owned; ++n)
     for (int c = 0; c < 3; ++c) y[3 * n + c] = z_.nodal[n][c];
   std::ranges::copy(z_.bodies, y.begin() + 3 * owned);
-  dofs_.add_held(x, system_.constrained_diagonal(), y);
+  dofs_.add_constrained(x, system_.constrained_diagonal(), y);
   std::ranges::fill(z_.nodal, NodeSingle{});
   std::ranges::fill(z_.bodies, 0);
 }

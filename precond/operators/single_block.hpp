@@ -22,8 +22,8 @@ class SingleBlock final : public LinearOperator {
  public:
   explicit SingleBlock(const CoupledSystem& system);
   int size() const override { return system_.layout().primal(); }
-  /// On primal vectors; held directions are identity rows times constrained_diagonal(). A translation of
-  /// everything costs no accuracy. Collective.
+  /// On primal vectors; constrained directions are identity rows times constrained_diagonal(). A translation
+  /// of everything costs no accuracy. Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
 
   /// Workspace: a displacement and the forces that answer it; these are zero between uses.
@@ -32,7 +32,7 @@ class SingleBlock final : public LinearOperator {
   /// z += A d on owned nodes and bodies, where d has free directions only: its ghosts and its nodes of bodies
   /// are set here. Collective.
   void apply() const;
-  /// z += A x of a primal vector without held directions. d is used. Collective.
+  /// z += A x of a primal vector without constrained directions. d is used. Collective.
   void apply_to(std::span<const double> x) const;
 
   /// The system has another tangent.
@@ -45,7 +45,7 @@ class SingleBlock final : public LinearOperator {
 
   const CoupledSystem& system_;
   const DofMap& dofs_;
-  int free_ = 0;  // the first owned node no direction of which is held; behind them if there is none
+  int free_ = 0;  // the first owned node no direction of which is constrained; behind them if there is none
   std::vector<int> touched_;  // local nodes that not only hexahedra act on
   mutable NodalSingle d_, z_;
 };

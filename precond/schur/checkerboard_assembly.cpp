@@ -79,7 +79,7 @@ void CheckerboardMatrix::Assembly::add(int line, const LineJacobi& lines) {
       F_.block(3 * i, count_ * (std::ranges::lower_bound(columns_, coarse) - columns_.begin()), 3, count_) +=
           force();
     });
-    if (problem_.dofs().held(nodes[i])) hold(nodes[i], 3 * i);
+    if (problem_.dofs().constrained(nodes[i])) constrain(nodes[i], 3 * i);
   }
   const Eigen::MatrixXf energy = lines.energy(line, F_);
   for (std::size_t a = 0; a < columns_.size(); ++a) {
@@ -92,7 +92,7 @@ void CheckerboardMatrix::Assembly::add(int line, const LineJacobi& lines) {
   }
 }
 
-void CheckerboardMatrix::Assembly::hold(int node, Eigen::Index row) {
+void CheckerboardMatrix::Assembly::constrain(int node, Eigen::Index row) {
   const Mat3<double> given = problem_.dofs().projector(node);
   Eigen::Matrix3f projector;
   for (int i = 0; i < 3; ++i)

@@ -30,7 +30,7 @@ class CheckerboardMatrix::Assembly {
   void find_columns(std::span<const int> nodes);
   void couple();
   void add(int line, const LineJacobi& lines);
-  void hold(int node, Eigen::Index row);
+  void constrain(int node, Eigen::Index row);
 
   const Problem& problem_;
   CheckerboardMatrix& to_;

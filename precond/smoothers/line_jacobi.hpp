@@ -18,7 +18,7 @@ class LineBlocks {
   LineBlocks(const CoupledSystem& system, const Lines& lines);
   /// A contribution to the reduced displacement block (see for_each_condensed_matrix).
   void add(std::span<const int> dofs, std::span<const double> K);
-  /// Folds what other ranks have and puts held directions on constrained_diagonal(). Collective.
+  /// Folds what other ranks have and puts constrained directions on constrained_diagonal(). Collective.
   void complete();
   /// A_(n, n) and A_(n, next) of every local node n with the next one on its line; 9 numbers by rows.
   std::span<const double> diagonal() const { return diagonal_; }

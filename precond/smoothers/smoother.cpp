@@ -65,7 +65,7 @@ class SingleSmoother final : public Smoother {
     subtract();
     std::ranges::fill(x, 0);
     add(x);
-    dofs().add_held(b, 1 / A_->system().constrained_diagonal(), x);
+    dofs().add_constrained(b, 1 / A_->system().constrained_diagonal(), x);
     for (std::size_t n = 0; n < owned(); ++n)
       for (int c = 0; c < 3; ++c) r[3 * n + c] = r_.nodal[n][c];
     std::ranges::copy(r_.bodies, r.begin() + 3 * owned());
@@ -81,7 +81,7 @@ class SingleSmoother final : public Smoother {
     load(b);
     std::ranges::fill(x, 0);
     after(e, x);
-    dofs().add_held(b, 1 / A_->system().constrained_diagonal(), x);
+    dofs().add_constrained(b, 1 / A_->system().constrained_diagonal(), x);
   }
   double refresh() override {
     A_->refresh();

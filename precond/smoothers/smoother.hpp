@@ -15,7 +15,7 @@ class Smoother {
   virtual ~Smoother() = default;
   /// x = S b,   r = b − A x. Collective.
   virtual void before(std::span<const double> b, std::span<double> x, std::span<double> r) const = 0;
-  /// x += e + S (r − A e) with the r that before() has left, e: a correction without held directions.
+  /// x += e + S (r − A e) with the r that before() has left, e: a correction without constrained directions.
   /// Collective.
   virtual void after(std::span<const double> e, std::span<double> x) const = 0;
   /// x = e + S (b − A e). Collective.

@@ -84,7 +84,7 @@ class Meshes final : public ReadFile {
 
 // The facets of a text file as a binary one.
 std::string binary_stl(const std::string& path) {
-  const StlSkin skin = read_stl(path);
+  const StlSurface skin = read_stl(path);
   const auto count = static_cast<std::uint32_t>(skin.triangles.size());
   std::string bytes(84 + 50 * count, '\0');
   std::memcpy(bytes.data() + 80, &count, sizeof count);
@@ -114,7 +114,7 @@ class Bodies final : public ReadFile {
   std::string extension() const override { return ".stl"; }
 };
 
-class Forgetful final : public Remembering {
+class Forgetful final : public Archived {
  public:
   void serialize(Archive&, const MarchPlace&) override {}
 };

@@ -27,9 +27,9 @@ Solved solve(const Scene& scene, const Comm& comm) {
   const Preparation prepared = solver->prepare(system);
   EXPECT_TRUE(prepared.ok);
   const CoupledOperator A(system, prepared.augmentation);
-  std::vector<double> held(state.x.size()), x(system.size()), dx(state.x.size());
-  problem.dofs().defect(state, .5, held);
-  const LinearReport report = solver->solve(A, A.right_hand_side(r, held), x, 1e-8);
+  std::vector<double> prescribed(state.x.size()), x(system.size()), dx(state.x.size());
+  problem.dofs().prescribed_increment(state, .5, prescribed);
+  const LinearReport report = solver->solve(A, A.right_hand_side(r, prescribed), x, 1e-8);
   EXPECT_TRUE(report.ok) << report.reason;
   problem.dofs().expand(state, system.layout().primal(std::span<const double>(x)), dx);
   const LocalMesh& mesh = problem.mesh();

@@ -221,8 +221,8 @@ std::array<double, 2> figures(Problem& problem, const Interactions& interactions
   const State state = problem.initial_state();
   problem.begin_step(0, state);
   problem.set_progress(1, const_cast<State&>(state));
-  std::vector<double> force(state.x.size()), magnitude(problem.mesh().nodes());
-  interactions.suture("string", "").add_residual(state, force, magnitude);
+  std::vector<double> force(state.x.size()), reference_force(problem.mesh().nodes());
+  interactions.suture("string", "").add_residual(state, force, reference_force);
   problem.mesh().halo.accumulate_ghosts(force);
   std::array<double, 2> sums{};
   for (int n = 0; n < problem.mesh().owned; ++n)

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct Memory {
-  double forecast = 0, last_resort = 0, peak = 0;  // MB
+  double forecast = 0, fallback = 0, peak = 0;  // MB
 };
 
 // A small indentation of the half eye, in a process of its own.
@@ -29,7 +29,7 @@ Memory of_half_eye(const std::vector<std::string>& settings) {
   std::ifstream file(out / "summary.json");
   const json memory = json::parse(file)["memory_mb"];
   fs::remove_all(out);
-  return {memory["forecast"]["together"], memory["forecast"]["last resort"],
+  return {memory["forecast"]["together"], memory["forecast"]["fallback"],
           memory["process_peak"]["all_ranks"]};
 }
 
@@ -58,12 +58,12 @@ TEST(Memory, OfALooseBalanceIsForecast) {
 // Five iterations are too few for GMRES.
 TEST(Memory, OfMumpsAsTheLastResortIsForecast) {
   const Memory m = of_half_eye({"mesh.eye.n=14", "solver.linear.max_iterations=5"});
-  EXPECT_GT(m.last_resort, m.forecast);
-  EXPECT_NEAR(m.forecast + m.last_resort, m.peak, .15 * m.peak);
+  EXPECT_GT(m.fallback, m.forecast);
+  EXPECT_NEAR(m.forecast + m.fallback, m.peak, .15 * m.peak);
 }
 
 TEST(Memory, IsForecastWithoutALastResortWhereThereIsNone) {
-  EXPECT_EQ(of_half_eye({"mesh.eye.n=8", "solver.linear.fallback=none"}).last_resort, 0);
+  EXPECT_EQ(of_half_eye({"mesh.eye.n=8", "solver.linear.fallback=none"}).fallback, 0);
 }
 
 }  // namespace

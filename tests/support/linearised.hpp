@@ -64,9 +64,9 @@ inline int iterations(const Scene& scene, int refine, Displacement displacement)
   const Preparation prepared = solver->prepare(l.system);
   EXPECT_TRUE(prepared.ok);
   const CoupledOperator A(l.system, prepared.augmentation);
-  std::vector<double> held(l.state.x.size()), x(l.system.size());
-  l.problem.dofs().defect(l.state, .1, held);
-  const LinearReport report = solver->solve(A, A.right_hand_side(r, held), x, 1e-6);
+  std::vector<double> prescribed(l.state.x.size()), x(l.system.size());
+  l.problem.dofs().prescribed_increment(l.state, .1, prescribed);
+  const LinearReport report = solver->solve(A, A.right_hand_side(r, prescribed), x, 1e-6);
   EXPECT_TRUE(report.ok) << report.reason;
   return report.iterations;
 }

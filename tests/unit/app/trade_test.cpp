@@ -58,7 +58,8 @@ TEST(RelativeError, KnowsWhatIsSmallInEveryUnit) {
 }
 
 TEST(Bargains, AreDominatedByWhatIsFasterAndNoLessAccurate) {
-  const std::vector<Bargain> all{{1, 10, 1e-2}, {2, 20, 1e-2}, {3, 20, 1e-4}, {4, 20.5, 1e-4}, {5, 40, 1e-3}};
+  const std::vector<ParetoCandidate> all{
+      {1, 10, 1e-2}, {2, 20, 1e-2}, {3, 20, 1e-4}, {4, 20.5, 1e-4}, {5, 40, 1e-3}};
   EXPECT_EQ(better_than(all[0], all), nullptr);
   EXPECT_EQ(better_than(all[1], all)->run, 1);
   EXPECT_EQ(better_than(all[2], all), nullptr);
@@ -75,23 +76,23 @@ TEST(TradePlan, RunsEverySceneOnce) {
   const Trade trade = bar_trade({"mesh.block.nx=4", "solver.linear.method=iterative"});
   std::set<std::string> scenes;
   for (const TradeRun& run : trade.runs)
-    EXPECT_TRUE(scenes.insert(resolved_yaml(run.scene)).second) << run.knob << " " << run.value;
-  EXPECT_EQ(trade.runs[0].knob, "reference");
-  EXPECT_EQ(trade.runs[1].knob, "scene");
+    EXPECT_TRUE(scenes.insert(resolved_yaml(run.scene)).second) << run.parameter << " " << run.value;
+  EXPECT_EQ(trade.runs[0].parameter, "reference");
+  EXPECT_EQ(trade.runs[1].parameter, "scene");
   EXPECT_EQ(resolved_yaml(trade.runs[1].scene), resolved_yaml(read_scene(trade.scene, trade.runs[1].set)));
   EXPECT_EQ(trade.runs[0].scene.solver.newton.force, 1e-9);
   EXPECT_FALSE(trade.runs[0].scene.output.vtk);
-  for (const char* knob : {"eta_max", "newton", "gamma", "increments"})
-    EXPECT_NE(std::ranges::find(trade.runs, knob, &TradeRun::knob), trade.runs.end()) << knob;
+  for (const char* parameter : {"eta_max", "newton", "gamma", "increments"})
+    EXPECT_NE(std::ranges::find(trade.runs, parameter, &TradeRun::parameter), trade.runs.end()) << parameter;
 }
 
 // The bar is solved by MUMPS: there is nothing to learn from what GMRES does. Its reference is iterative.
 TEST(TradePlan, LeavesOutWhatTheMethodDoesNotUse) {
   const Trade trade = bar_trade({"mesh.block.nx=4"});
-  for (const char* knob : {"gamma", "eta_max", "reuse", "degree"})
-    EXPECT_EQ(std::ranges::find(trade.runs, knob, &TradeRun::knob), trade.runs.end()) << knob;
+  for (const char* parameter : {"gamma", "eta_max", "reuse", "degree"})
+    EXPECT_EQ(std::ranges::find(trade.runs, parameter, &TradeRun::parameter), trade.runs.end()) << parameter;
   for (const TradeRun& run : trade.runs)
-    EXPECT_EQ(resolved_yaml(read_scene(trade.scene, run.set)), resolved_yaml(run.scene)) << run.knob;
+    EXPECT_EQ(resolved_yaml(read_scene(trade.scene, run.set)), resolved_yaml(run.scene)) << run.parameter;
 }
 
 TEST(TradePlan, CountsErrorsOfAMeshFromItsOwnTightSolution) {

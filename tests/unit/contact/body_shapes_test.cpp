@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "contact/rigid/rigid_shapes.hpp"
-#include "contact/rigid/skin.hpp"
+#include "contact/rigid/surface_triangulation.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "contact/surfaces/sharp_edges.hpp"
 #include "core/mesh/generate/generate.hpp"
@@ -149,7 +149,7 @@ TEST(Shapes, BandIsARoundedRectangle) {
   BandShape band;
   band.edge_facets = 200;
   band.axial = .5;
-  const Section s = section_of(band, "");
+  const Profile s = profile_of(band, "");
   EXPECT_NEAR(signed_area(s), 2 * .75 - (4 - pi) * .2 * .2, 1e-5);
   Point2 low = s[0], high = s[0];
   for (const Point2& p : s)
@@ -166,7 +166,7 @@ TEST(Shapes, TireIsHollowTowardsTheEye) {
   TireShape tire;
   tire.inner_radius_of_curvature = 9;
   tire.radius = 12.2;
-  const Section s = section_of(tire, "");
+  const Profile s = profile_of(tire, "");
   double narrowest = INFINITY, widest = 0, top = 0;
   int on_face = 0;
   for (const Point2& p : s) {
@@ -245,7 +245,7 @@ TEST(Shapes, TireAreaAgainstClosedForm) {
   tire.edge_radius = 1e-5;
   tire.face_facets = 1000;
   const double a = 3.5, rho = 12, under = a * std::sqrt(rho * rho - a * a) + rho * rho * std::asin(a / rho);
-  EXPECT_NEAR(signed_area(section_of(tire, "")), 7 * (12 + 2.75) - under, 1e-4);
+  EXPECT_NEAR(signed_area(profile_of(tire, "")), 7 * (12 + 2.75) - under, 1e-4);
 }
 
 // Rounded edges meet the faces without a kink: no corner turns more than a facet of an edge does.
@@ -253,7 +253,7 @@ TEST(Shapes, TireEdgesAreTangentToItsFaces) {
   TireShape tire;
   tire.edge_facets = 90;
   tire.face_facets = 90;
-  const Section s = section_of(tire, "");
+  const Profile s = profile_of(tire, "");
   for (std::size_t i = 0, n = s.size(); i < n; ++i) {
     const Point2 &a = s[i], &b = s[(i + 1) % n], &c = s[(i + 2) % n];
     const double u[2] = {b[0] - a[0], b[1] - a[1]}, v[2] = {c[0] - b[0], c[1] - b[1]};
@@ -263,12 +263,12 @@ TEST(Shapes, TireEdgesAreTangentToItsFaces) {
 }
 
 TEST(Shapes, SplinePassesThroughItsCornersSmoothly) {
-  Section corners;
+  Profile corners;
   for (int i = 0; i < 12; ++i) {
     const double t = 2 * pi * (i + .3 * std::sin(i)) / 12;
     corners.push_back({3 * std::cos(t), 12 + 3 * std::sin(t)});
   }
-  const Section s = periodic_spline(corners, 1200);
+  const Profile s = periodic_spline(corners, 1200);
   EXPECT_NEAR(static_cast<double>(s.size()), 1200, 12);
   for (const Point2& c : corners) EXPECT_TRUE(std::ranges::find(s, c) != s.end());
   for (const Point2& p : s)
@@ -286,7 +286,7 @@ TEST(Shapes, SplinePassesThroughItsCornersSmoothly) {
 }
 
 TEST(Shapes, HollowSectionsAreCutIntoEars) {
-  const Section s{{0, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 2},
+  const Profile s{{0, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 2},
                   {2, 2}, {1, 2}, {1, 3}, {0, 3}};  // a U with a corner on a straight edge
   double area = 0;
   const auto ears = triangulate(s);

@@ -138,12 +138,12 @@ TEST_F(ContactTermTest, PushesTheSlaveUpAndTheMasterDownInBalance) {
 }
 
 TEST_F(ContactTermTest, MagnitudeSumsTheContributions) {
-  std::vector<double> f(state.x.size()), magnitude(two.sheets.nodes());
-  term.add_residual(state, f, magnitude);
+  std::vector<double> f(state.x.size()), reference_force(two.sheets.nodes());
+  term.add_residual(state, f, reference_force);
   double slave = 0, master = 0;
   for (int n = 0; n < two.sheets.nodes(); ++n) {
-    EXPECT_GE(magnitude[n] * (1 + 1e-12), norm(at(f, n)));
-    (n < two.slaves() ? slave : master) += magnitude[n];
+    EXPECT_GE(reference_force[n] * (1 + 1e-12), norm(at(f, n)));
+    (n < two.slaves() ? slave : master) += reference_force[n];
   }
   EXPECT_NEAR(slave, master, 1e-12);
 }

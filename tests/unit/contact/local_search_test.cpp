@@ -45,7 +45,7 @@ Vec3<double> unit(Vec3<double> v) {
   return v;
 }
 
-TEST(CrossLine, AgreesWithThePlaneAndThePerpendicularFoot) {
+TEST(CrossLine, AgreesWithThePlaneAndThePerpendicularProjection) {
   const Triangle t{{{0, 0, 0}, {1, 0, .2}, {.1, 1, 0}}};
   const Vec3<double> x{.3, .2, -.1}, n = project(x, t).normal;
   const Crossing along_normal = cross_line(x, {-n[0], -n[1], -n[2]}, t);
@@ -223,7 +223,7 @@ TEST(Select, StopsNothingBeyondARim) {
   EXPECT_GE(s.select({1.001, .5, -.05}, down).triangle, 0) << "less than a hundredth of a triangle";
   EXPECT_TRUE(s.active({.999, .5, -.05}, down));
   EXPECT_TRUE(s.active({.999, .5, -.05}, unit({-.3, 0, -1})))
-      << "the line slips past the rim, the foot does not";
+      << "the line slips past the rim, the projection does not";
 }
 
 TEST(Select, TellsHowFarAFreeNodeIs) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "contact/rigid/profile.hpp"
 #include "contact/rigid/rigid_shapes.hpp"
-#include "contact/rigid/section.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "tests/support/not_empty.hpp"
 #include "tests/support/sheets.hpp"
@@ -55,7 +55,7 @@ TEST(RigidContact, GapsGoOnOverTheRimOfACurvedBodysEnd) {
   const BandShape shape{.width = 2, .thickness = .75, .edge_radius = .2, .radius = 12};
   RigidBodySpec spec;
   spec.swept = SweptShape{.arc = {.from = 0, .to = 30, .facets = 12}};
-  for (const Point2& corner : section_of(shape, "")) spec.swept->section.push_back({corner[0], corner[1]});
+  for (const Point2& corner : profile_of(shape, "")) spec.swept->section.push_back({corner[0], corner[1]});
   const auto band =
       std::make_shared<const RigidSurface>(make_rigid_surface("band", spec, "rigid_bodies.band"));
   const double end = 1e-5, step = 2e-4;

@@ -61,7 +61,7 @@ RigidSurface ball() { return body({.sphere = SphereShape{{1, 2, 3}, 2, 4}}); }
 
 TEST_F(Stl, TextKeepsTrianglesAndMergesCorners) {
   write(text_of(ball()));
-  const Skin s = read_stl(path);
+  const SurfaceTriangulation s = read_stl(path);
   EXPECT_EQ(s.triangles.size(), ball().facets.triangles.size());
   EXPECT_EQ(s.points.size(), ball().places.size());
   EXPECT_DOUBLE_EQ(enclosed_volume(s.points, s.triangles),
@@ -70,7 +70,7 @@ TEST_F(Stl, TextKeepsTrianglesAndMergesCorners) {
 
 TEST_F(Stl, BinaryIsToldByItsSize) {
   write(binary_of(ball()));
-  const Skin s = read_stl(path);
+  const SurfaceTriangulation s = read_stl(path);
   EXPECT_EQ(s.triangles.size(), ball().facets.triangles.size());
   EXPECT_EQ(s.points.size(), ball().places.size());
   EXPECT_NEAR(enclosed_volume(s.points, s.triangles), enclosed_volume(ball().places, ball().facets.triangles),

@@ -180,8 +180,8 @@ struct Suture : testing::Test {
 TEST_F(Suture, NodalForcesAddUpToFAlongTheStrings) {
   const SutureTerm t = pulling(pair_at(20), .1);
   ASSERT_EQ(t.strings().size(), 2u);
-  std::vector<double> f(state.x.size()), magnitude(local.nodes());
-  t.add_residual(state, f, magnitude);
+  std::vector<double> f(state.x.size()), reference_force(local.nodes());
+  t.add_residual(state, f, reference_force);
   Vec3<double> expected{0, 0, 0};
   for (const auto& s : not_empty(t.strings())) {
     EXPECT_NEAR(norm(s.direction), 1, 1e-14);
@@ -196,7 +196,7 @@ TEST_F(Suture, NodalForcesAddUpToFAlongTheStrings) {
   const Vec3<double> total = sum(f);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(total[c], expected[c], 1e-14);
   EXPECT_GT(norm(total), .1);
-  EXPECT_NEAR(std::accumulate(magnitude.begin(), magnitude.end(), 0.), .2, 1e-14);
+  EXPECT_NEAR(std::accumulate(reference_force.begin(), reference_force.end(), 0.), .2, 1e-14);
 }
 
 TEST_F(Suture, OnTheSymmetryPlaneHalfTheForceInThePlane) {

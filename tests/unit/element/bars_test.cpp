@@ -88,12 +88,12 @@ TEST_F(BarsTest, EmbeddedEndSharesItsForceByItsWeights) {
 TEST_F(BarsTest, StretchedBarPullsItsEndsTogether) {
   const std::vector<double> Y{0, 0, 0, 2, 0, 0}, y{0, 0, 0, 3, 0, 0};
   const Bars bar(Y, std::vector<Bar>{{at_node(0), at_node(1)}}, 10, .5, false);
-  std::vector<double> f(6), magnitude(2);
-  bar.add_residual(y, f, magnitude);
+  std::vector<double> f(6), reference_force(2);
+  bar.add_residual(y, f, reference_force);
   // e = (9 − 4)/8, S = 10 e, force A S |d| / L; the residual is the internal force, outwards
   EXPECT_DOUBLE_EQ(f[3], .5 * 10 * .625 * 1.5);
   EXPECT_DOUBLE_EQ(f[0], -f[3]);
-  EXPECT_DOUBLE_EQ(magnitude[0], f[3]);
+  EXPECT_DOUBLE_EQ(reference_force[0], f[3]);
   EXPECT_DOUBLE_EQ(bar.forces(y)[0], f[3]);
 }
 

@@ -67,12 +67,12 @@ TEST_F(SolidTest, ResidualAddsToForces) {
 }
 
 TEST_F(SolidTest, MagnitudeBoundsTheNodalForce) {
-  std::vector<double> f(X.size()), v(27), magnitude(size() / 3);
-  solid.residual(x, lambda, f, v, magnitude);
+  std::vector<double> f(X.size()), v(27), reference_force(size() / 3);
+  solid.residual(x, lambda, f, v, reference_force);
   for (int n = 0; n < size() / 3; ++n)
-    EXPECT_GE(magnitude[n] * (1 + 1e-14), std::hypot(f[3 * n], f[3 * n + 1], f[3 * n + 2]));
+    EXPECT_GE(reference_force[n] * (1 + 1e-14), std::hypot(f[3 * n], f[3 * n + 1], f[3 * n + 2]));
   // node 0 has one element: equal
-  EXPECT_NEAR(magnitude[0], std::hypot(f[0], f[1], f[2]), 1e-14);
+  EXPECT_NEAR(reference_force[0], std::hypot(f[0], f[1], f[2]), 1e-14);
 }
 
 TEST_F(SolidTest, TangentIsDerivativeOfForce) {

@@ -20,7 +20,7 @@ TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
     std::vector<int> members(groups.total);
     const DofMap& dofs = l.problem.dofs();
     for (int n = 0; n < l.problem.mesh().owned; ++n) {
-      const bool wholly_held = dofs.held(n) && trace(dofs.projector(n)) < .5;
+      const bool wholly_held = dofs.constrained(n) && trace(dofs.projector(n)) < .5;
       EXPECT_EQ(groups.of[n] < 0, wholly_held);
       if (groups.of[n] >= 0) ++members[groups.of[n]];
     }
@@ -61,7 +61,7 @@ TEST(CoarseMatrix, IsTheGalerkinProjection) {
       got[t.row[e]] += t.value[e] * c[t.col[e]];
       if (l.problem.symmetric() && t.row[e] != t.col[e]) got[t.col[e]] += t.value[e] * c[t.row[e]];
     }
-    // modes are floats and not quite without held directions
+    // modes are floats and not quite without constrained directions
     EXPECT_LT(relative_difference(got, want), 1e-6) << scene.model.regions.size();
   }
 }

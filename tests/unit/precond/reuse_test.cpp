@@ -11,9 +11,9 @@ LinearReport solve(Linearised& l, LinearSolver& solver) {
   const Preparation prepared = solver.prepare(l.system);
   EXPECT_TRUE(prepared.ok);
   const CoupledOperator A(l.system, prepared.augmentation);
-  std::vector<double> held(l.state.x.size()), x(l.system.size()), Ax(x);
-  l.problem.dofs().defect(l.state, .1, held);
-  const auto b = A.right_hand_side(l.problem.residual(l.state), held);
+  std::vector<double> prescribed(l.state.x.size()), x(l.system.size()), Ax(x);
+  l.problem.dofs().prescribed_increment(l.state, .1, prescribed);
+  const auto b = A.right_hand_side(l.problem.residual(l.state), prescribed);
   const LinearReport report = solver.solve(A, b, x, 1e-6);
   EXPECT_TRUE(report.ok) << report.reason;
   A.apply(x, Ax);

@@ -10,8 +10,8 @@
 namespace bulbus {
 namespace {
 
-// Contribution by contribution, in double precision: bars, liquids, nodes of rigid bodies and held directions
-// as they are.
+// Contribution by contribution, in double precision: bars, liquids, nodes of rigid bodies and constrained
+// directions as they are.
 std::vector<double> by_matrices(const Linearised& l, const std::vector<double>& x) {
   const Layout& layout = l.system.layout();
   const DofMap& dofs = l.problem.dofs();
@@ -43,7 +43,7 @@ TEST(SingleBlock, IsTheSumOfContributions) {
   }
 }
 
-// A translation far larger than the strain on top of it, away from what is held.
+// A translation far larger than the strain on top of it, away from what is prescribed.
 TEST(SingleBlock, DoesNotDrownStrainInTranslations) {
   const Linearised l(cylinder(), 0, 0);
   const SingleBlock A(l.system);
@@ -53,7 +53,7 @@ TEST(SingleBlock, DoesNotDrownStrainInTranslations) {
   A.apply(moved, y);
   auto expected = by_matrices(l, x);
   for (const Hex& h : l.problem.mesh().hexes)
-    if (std::ranges::any_of(h, [&](int n) { return l.problem.dofs().held(n); }))
+    if (std::ranges::any_of(h, [&](int n) { return l.problem.dofs().constrained(n); }))
       for (int n : h)
         for (int c = 0; c < 3; ++c) y[3 * n + c] = expected[3 * n + c] = 0;
   EXPECT_GT(largest(expected), 0);
@@ -67,7 +67,8 @@ TEST(Smoother, IsTheSameInBothPrecisions) {
   const SmootherSettings settings{5, .1};
   auto b = noise_primal(l.problem, 1), e = noise_primal(l.problem, 2);
   for (auto* v : {&b, &e})
-    l.problem.dofs().project(*v);  // held directions are solved for at once in one, smoothed in the other
+    l.problem.dofs().project(
+        *v);  // constrained directions are solved for at once in one, smoothed in the other
   std::vector<std::vector<double>> found;
   for (Precision precision : {Precision::full, Precision::single}) {
     const auto S = make_smoother(l.system, l.jacobi, settings, precision);

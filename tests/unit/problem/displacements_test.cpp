@@ -26,7 +26,7 @@ TEST(ProblemSets, UnnamedOnesAreRefused) {
 /// Where the defect leads to.
 State obeyed(const Problem& p, State s, double progress) {
   std::vector<double> du(s.x.size());
-  p.dofs().defect(s, progress, du);
+  p.dofs().prescribed_increment(s, progress, du);
   s.x = plus(s.x, 1, du);
   return s;
 }
@@ -131,7 +131,7 @@ TEST(Displacements, LastOneReplacesTheSameOfAnEarlierStepAndTheOthersStay) {
     EXPECT_NEAR(s.x[3 * n + 2] - p.mesh().X[3 * n + 2], .4, 1e-14);
   }
   p.end_step(), p.begin_step(2, s);
-  for (int n : p.nodes_of("zmax")) EXPECT_FALSE(p.dofs().held(n));
+  for (int n : p.nodes_of("zmax")) EXPECT_FALSE(p.dofs().constrained(n));
 }
 
 TEST(Displacements, ElementsWithoutAFreeNodeAreRefused) {

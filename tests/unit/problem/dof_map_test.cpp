@@ -42,8 +42,8 @@ struct DofMapTest : testing::Test {
   }
   /// Local number of a Mesh node on the ranks that have it.
   std::vector<int> here(int mesh_node) const { return local.local(std::vector<int>{mesh_node}); }
-  std::vector<Hold> hold(int mesh_node, const Vec3<double>& d, double value = 0) const {
-    std::vector<Hold> holds;
+  std::vector<Constraint> hold(int mesh_node, const Vec3<double>& d, double value = 0) const {
+    std::vector<Constraint> holds;
     for (int n : here(mesh_node)) holds.push_back({n, d, [value](double s) { return value * s; }});
     return holds;
   }
@@ -51,8 +51,8 @@ struct DofMapTest : testing::Test {
 
 TEST_F(DofMapTest, SkewAndAxisHoldsOnOneNodeMakeAProjector) {
   DofMap dofs(local, {});
-  dofs.hold("a", hold(7, skew));
-  dofs.hold("b", hold(7, axis));
+  dofs.constrain("a", hold(7, skew));
+  dofs.constrain("b", hold(7, axis));
   dofs.build();
   for (int n : here(7)) {
     const Mat3<double> P = dofs.projector(n), PP = P * P;
@@ -63,17 +63,17 @@ TEST_F(DofMapTest, SkewAndAxisHoldsOnOneNodeMakeAProjector) {
       }
     EXPECT_NEAR(trace(P), 1, 1e-15);
     EXPECT_LT(norm(times(P, skew)) + norm(times(P, axis)), 1e-15);
-    EXPECT_TRUE(dofs.held(n));
-    EXPECT_TRUE(dofs.holds_direction(n, skew));
-    EXPECT_TRUE(dofs.holds_direction(n, unit({skew[0], skew[1], 3})));
-    EXPECT_FALSE(dofs.holds_direction(n, other));
+    EXPECT_TRUE(dofs.constrained(n));
+    EXPECT_TRUE(dofs.constrains(n, skew));
+    EXPECT_TRUE(dofs.constrains(n, unit({skew[0], skew[1], 3})));
+    EXPECT_FALSE(dofs.constrains(n, other));
   }
   EXPECT_EQ(dofs.free_unknowns(), 3 * local.all_nodes - 2);
 }
 
 TEST_F(DofMapTest, ThreeIndependentHoldsHoldEverything) {
   DofMap dofs(local, {});
-  dofs.hold("a", hold(7, skew)), dofs.hold("b", hold(7, axis)), dofs.hold("c", hold(7, other));
+  dofs.constrain("a", hold(7, skew)), dofs.constrain("b", hold(7, axis)), dofs.constrain("c", hold(7, other));
   dofs.build();
   for (int n : here(7))
     for (int i = 0; i < 9; ++i) EXPECT_EQ(dofs.projector(n)(i / 3, i % 3), 0);
@@ -83,15 +83,15 @@ TEST_F(DofMapTest, ThreeIndependentHoldsHoldEverything) {
 TEST_F(DofMapTest, DependentHoldsThatAgreeAreAccepted) {
   DofMap dofs(local, {});
   const Vec3<double> along{1, 2, 0};
-  dofs.hold("a", hold(7, {1, 0, 0}, .5)), dofs.hold("b", hold(7, {0, 1, 0}, -.2));
-  dofs.hold("c", hold(7, unit(along), (.5 - .4) / norm(along)));
+  dofs.constrain("a", hold(7, {1, 0, 0}, .5)), dofs.constrain("b", hold(7, {0, 1, 0}, -.2));
+  dofs.constrain("c", hold(7, unit(along), (.5 - .4) / norm(along)));
   EXPECT_NO_THROW(dofs.build());
   EXPECT_EQ(dofs.free_unknowns(), 3 * local.all_nodes - 2);
 }
 
 TEST_F(DofMapTest, DependentHoldsThatContradictAreRefused) {
   DofMap dofs(local, {});
-  dofs.hold("a", hold(7, skew, .5)), dofs.hold("b", hold(7, skew, .5001));
+  dofs.constrain("a", hold(7, skew, .5)), dofs.constrain("b", hold(7, skew, .5001));
   if (here(7).empty()) return;
   try {
     dofs.build();
@@ -103,12 +103,13 @@ TEST_F(DofMapTest, DependentHoldsThatContradictAreRefused) {
 
 TEST_F(DofMapTest, DefectLeadsToThePrescribedPlace) {
   DofMap dofs(local, {});
-  dofs.hold("a", hold(7, skew, .5)), dofs.hold("b", hold(7, axis, -.3)), dofs.hold("c", hold(2, other, .1));
+  dofs.constrain("a", hold(7, skew, .5)), dofs.constrain("b", hold(7, axis, -.3)),
+      dofs.constrain("c", hold(2, other, .1));
   dofs.build();
   State s{local.X, {}, {}, {}};
   for (std::size_t i = 0; i < s.x.size(); ++i) s.x[i] += .01;
   std::vector<double> du(s.x.size(), 7);
-  const double size = dofs.defect(s, .6, du);
+  const double size = dofs.prescribed_increment(s, .6, du);
   EXPECT_GT(size, .1);
   s.x = plus(s.x, 1, du);
   for (int n : here(7)) {
@@ -116,24 +117,24 @@ TEST_F(DofMapTest, DefectLeadsToThePrescribedPlace) {
     EXPECT_NEAR(dot(u, skew), .3, 1e-15);
     EXPECT_NEAR(dot(u, axis), -.18, 1e-15);
   }
-  EXPECT_LT(dofs.defect(s, .6, du), 1e-14);
+  EXPECT_LT(dofs.prescribed_increment(s, .6, du), 1e-14);
   EXPECT_LT(largest(du), 1e-14);
 }
 
 TEST_F(DofMapTest, FrozenHoldsStayAtTheEndOfTheirStep) {
   DofMap dofs(local, {});
-  dofs.hold("a", hold(7, skew, .5));
+  dofs.constrain("a", hold(7, skew, .5));
   dofs.build();
   dofs.freeze();
   dofs.build();
   const State s{local.X, {}, {}, {}};
   std::vector<double> du(s.x.size());
-  EXPECT_NEAR(dofs.defect(s, 0, du), .5, 1e-15);
+  EXPECT_NEAR(dofs.prescribed_increment(s, 0, du), .5, 1e-15);
 }
 
 TEST_F(DofMapTest, ReleasedHoldsAreGone) {
   DofMap dofs(local, {});
-  dofs.hold("a", hold(7, skew));
+  dofs.constrain("a", hold(7, skew));
   dofs.build();
   EXPECT_FALSE(dofs.release("b"));
   EXPECT_TRUE(dofs.release("a"));
@@ -145,15 +146,15 @@ TEST_F(DofMapTest, ReduceIsTheTransposeOfExpand) {
   for (const std::array<bool, 6> free :
        {std::array{true, true, true, true, true, true}, {false, true, true, true, false, false}}) {
     DofMap dofs(local, {body(free)});
-    dofs.hold("a", hold(7, skew)), dofs.hold("b", hold(7, axis)), dofs.hold("c", hold(5, other)),
-        dofs.hold("d", hold(44, axis));
+    dofs.constrain("a", hold(7, skew)), dofs.constrain("b", hold(7, axis)),
+        dofs.constrain("c", hold(5, other)), dofs.constrain("d", hold(44, axis));
     dofs.build();
     const State state = start(dofs);
     std::vector<double> q, f(local.X.size());
     for (int n = 0; n < local.owned; ++n)
       for (int c = 0; c < 3; ++c) q.push_back(noise(1, 3 * local.input_node[n] + c));
     for (int i = 0; i < dofs.tail_size(); ++i) q.push_back(noise(2, i));
-    for (int n = 0; n < local.owned; ++n)  // folded forces: the owners' alone count
+    for (int n = 0; n < local.owned; ++n)  // accumulated forces: the owners' alone count
       for (int c = 0; c < 3; ++c) f[3 * n + c] = noise(3, 3 * local.input_node[n] + c);
     for (std::size_t i = 3 * local.owned; i < f.size(); ++i) f[i] = 1e6;
     std::vector<double> dx(f.size(), NAN), r(q.size(), NAN);
@@ -177,12 +178,12 @@ TEST_F(DofMapTest, ReduceIsTheTransposeOfExpand) {
 
 TEST_F(DofMapTest, HeldPartAndFreePartAddUpToTheWhole) {
   DofMap dofs(local, {body()});
-  dofs.hold("a", hold(7, skew)), dofs.hold("c", hold(5, other));
+  dofs.constrain("a", hold(7, skew)), dofs.constrain("c", hold(5, other));
   dofs.build();
   const State state = start(dofs);
   std::vector<double> q = noise_vector(dofs.primal_size(), 4), dx(local.X.size()), y(q.size());
   dofs.expand(state, q, dx);
-  dofs.add_held(q, 2, y);
+  dofs.add_constrained(q, 2, y);
   for (int n = 0; n < local.owned; ++n)
     for (int i = 3 * n; i < 3 * n + 3; ++i)
       EXPECT_NEAR(y[i], dofs.body_of(n) >= 0 ? 2 * q[i] : 2 * (q[i] - dx[i]), 1e-15);

@@ -102,7 +102,7 @@ TEST_P(CoupledSystemTest, IsDerivativeOfTheResidual) {
   const std::vector<double> zero(1), one{1};
   auto expected = derivative([&](std::span<const double> t) { return at(t[0]); }, zero, one, 1e-4);
   auto y = s.apply(x);
-  // held directions are identity rows of the system; compare free ones
+  // constrained directions are identity rows of the system; compare free ones
   std::vector<double> free(s.state.x.size());
   std::copy_n(y.begin(), layout.nodal, free.begin());
   s.problem.dofs().project(free);
@@ -141,7 +141,7 @@ TEST_P(CoupledSystemTest, HeldRowsAreIdentityRows) {
   std::vector<double> dx(s.state.x.size());
   dofs.expand(s.state, s.system.layout().primal(std::span<const double>(x)), dx);
   for (int n = 0; n < s.problem.mesh().owned; ++n) {
-    if (!dofs.held(n)) continue;
+    if (!dofs.constrained(n)) continue;
     const Mat3<double> P = dofs.projector(n);
     for (int i = 0; i < 3; ++i) {
       double held_y = y[3 * n + i], held_x = x[3 * n + i];
@@ -155,9 +155,9 @@ TEST_P(CoupledSystemTest, HeldRowsAreIdentityRows) {
 TEST_P(CoupledSystemTest, AugmentationDoesNotChangeTheSolution) {
   const auto solution = [&](double gamma, double omega, bool augmented) {
     System s(GetParam(), gamma, omega);
-    std::vector<double> held(s.state.x.size());
-    EXPECT_GT(s.problem.dofs().defect(s.state, .7, held), 1e-3);
-    const Eigen::VectorXd b = gathered(s.op().right_hand_side(s.residual, held), s.comm);
+    std::vector<double> prescribed(s.state.x.size());
+    EXPECT_GT(s.problem.dofs().prescribed_increment(s.state, .7, prescribed), 1e-3);
+    const Eigen::VectorXd b = gathered(s.op().right_hand_side(s.residual, prescribed), s.comm);
     return Eigen::VectorXd(s.matrix(augmented).fullPivLu().solve(b));
   };
   const Eigen::VectorXd plain = solution(0, 0, false), augmented = solution(10, .04, true),
@@ -183,10 +183,10 @@ TEST_P(CoupledSystemTest, EliminatedSystemAppliesWhatItAssemblesAndIsSymmetric) 
 // The same increments of displacements, element pressures and liquid, prescribed increments included.
 TEST_P(CoupledSystemTest, EliminationDoesNotChangeTheSolution) {
   const auto increments = [](const System& s) {
-    std::vector<double> held(s.state.x.size());
-    s.problem.dofs().defect(s.state, .7, held);
+    std::vector<double> prescribed(s.state.x.size());
+    s.problem.dofs().prescribed_increment(s.state, .7, prescribed);
     const Eigen::VectorXd all =
-        s.matrix(true).fullPivLu().solve(gathered(s.op().right_hand_side(s.residual, held), s.comm));
+        s.matrix(true).fullPivLu().solve(gathered(s.op().right_hand_side(s.residual, prescribed), s.comm));
     const long first = s.comm.offset(static_cast<long long>(s.system.size()));
     std::vector<double> mine(all.data() + first, all.data() + first + s.system.size());
     const double dP = s.op().pressure_increments(mine)[0];
@@ -202,9 +202,9 @@ TEST_P(CoupledSystemTest, EliminationDoesNotChangeTheSolution) {
 // γ is part of system and right-hand side alike.
 TEST_P(CoupledSystemTest, DirectSolverSolvesTheSystem) {
   System s(GetParam(), 10, 0);
-  std::vector<double> held(s.state.x.size()), x(s.system.size());
-  s.problem.dofs().defect(s.state, .7, held);
-  const auto b = s.op().right_hand_side(s.residual, held);
+  std::vector<double> prescribed(s.state.x.size()), x(s.system.size());
+  s.problem.dofs().prescribed_increment(s.state, .7, prescribed);
+  const auto b = s.op().right_hand_side(s.residual, prescribed);
   Profiler profiler;
   const auto solver = make_direct_solver({}, profiler);
   ASSERT_TRUE(solver->prepare(s.system).ok);
@@ -219,15 +219,15 @@ TEST_P(CoupledSystemTest, DirectSolverSolvesTheSystem) {
 TEST_P(CoupledSystemTest, SolutionWithHeldIncrementsSolvesTheLinearisedEquations) {
   System s(GetParam(), 10, .04);
   const Layout layout = s.system.layout();
-  std::vector<double> held(s.state.x.size());
-  s.problem.dofs().defect(s.state, .7, held);
+  std::vector<double> prescribed(s.state.x.size());
+  s.problem.dofs().prescribed_increment(s.state, .7, prescribed);
   const Eigen::VectorXd x =
-      s.matrix(true).fullPivLu().solve(gathered(s.op().right_hand_side(s.residual, held), s.comm));
+      s.matrix(true).fullPivLu().solve(gathered(s.op().right_hand_side(s.residual, prescribed), s.comm));
   const long first = s.comm.offset(static_cast<long long>(layout.size()));
   const std::vector<double> mine(x.data() + first, x.data() + first + layout.size());
   std::vector<double> dx(s.state.x.size()), dP(1);
   s.problem.dofs().expand(s.state, layout.primal(std::span<const double>(mine)), dx);
-  for (std::size_t i = 0; i < dx.size(); ++i) dx[i] += held[i];
+  for (std::size_t i = 0; i < dx.size(); ++i) dx[i] += prescribed[i];
   if (layout.liquids > 0) dP[0] = mine.back();
   s.comm.broadcast(dP);
   const auto at = [&](double h) {

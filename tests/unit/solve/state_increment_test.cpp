@@ -57,8 +57,8 @@ TEST(March, ExtrapolatesWithinAStep) {
   ASSERT_TRUE(with.report.converged && without.report.converged);
   EXPECT_EQ(with.increments[0].newton.iterations.size(), without.increments[0].newton.iterations.size());
   EXPECT_LT(with.report.newton_iterations, without.report.newton_iterations);
-  EXPECT_GT(without.increments[1].newton.iterations[0].held, .09);
-  EXPECT_LT(with.increments[1].newton.iterations[0].held, 1e-12);  // the displacement grows linearly
+  EXPECT_GT(without.increments[1].newton.iterations[0].prescribed, .09);
+  EXPECT_LT(with.increments[1].newton.iterations[0].prescribed, 1e-12);  // the displacement grows linearly
   EXPECT_LT(relative_difference(with.state.x, without.state.x), 1e-9);
 }
 

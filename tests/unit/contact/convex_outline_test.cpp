@@ -1,4 +1,4 @@
-#include "contact/rigid/outline.hpp"
+#include "contact/rigid/convex_outline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::vector<std::vector<double>> circle(double r, int n) {
 TEST(Tangent, OfACircleAgainstClosedForm) {
   const double r = 2, high = 14;
   const RigidSurface b = body(swept(circle(r, 2000), {1, high}, -20, 25));
-  const auto hull = outline(b, meridian(0));  // a station
+  const auto hull = convex_outline(b, meridian(0));  // a station
   for (const Point2 S : {Point2{-4, 12}, {7, 11}, {-9, 3}}) {
     const auto t = outer_tangent(hull, S);
     ASSERT_TRUE(t);
@@ -51,8 +51,8 @@ TEST(Tangent, OfACircleAgainstClosedForm) {
 }
 
 TEST(Tangent, OfARectangleIsToItsOuterCorner) {
-  const auto hull =
-      outline(body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(20));
+  const auto hull = convex_outline(
+      body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(20));
   const double chord = std::cos(2.5 * pi / 180);  // 20° is a station of 5°
   EXPECT_EQ(hull.size(), 4u);
   for (double side : {-1., 1.}) {
@@ -62,8 +62,8 @@ TEST(Tangent, OfARectangleIsToItsOuterCorner) {
     EXPECT_NEAR(t->touch[0], side * 3.5, 1e-12);
     EXPECT_NEAR(t->touch[1], 14.75, 1e-9);
   }
-  const auto between =
-      outline(body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(22.5));
+  const auto between = convex_outline(
+      body(swept({{-3.5, 0}, {3.5, 0}, {3.5, 2.75}, {-3.5, 2.75}}, {0, 12}, 0, 45)), meridian(22.5));
   EXPECT_NEAR(outer_tangent(between, {-4.45, 11.1})->touch[1], 14.75 * chord, 1e-9);
 }
 
@@ -93,8 +93,8 @@ TEST(Tangent, OfAStringThatComesFromFarAboveTheBodyIsStillTheOuterOne) {
 TEST(Outline, ForgetsHollowsAndStraightCorners) {
   TireShape tire;
   tire.face_facets = 30;
-  const Section s = section_of(tire, "");
-  const auto hull = outline(body({.tire = tire}), meridian(20));
+  const Profile s = profile_of(tire, "");
+  const auto hull = convex_outline(body({.tire = tire}), meridian(20));
   double lowest = INFINITY;
   for (const Point2& p : hull) lowest = std::min(lowest, p[1]);
   const double a = 3, center = std::sqrt(12.5 * 12.5 - a * a);  // of the inner edges
@@ -113,19 +113,19 @@ TEST(Outline, ForgetsHollowsAndStraightCorners) {
 TEST(Outline, InThePlaneInWhichTheBodyEnds) {
   const RigidSurface b = body(swept({{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}, {0, 12}, 0, 180));
   for (double azimuth : {0., 180., 60., 7.}) {
-    const auto hull = outline(b, meridian(azimuth));
+    const auto hull = convex_outline(b, meridian(azimuth));
     ASSERT_EQ(hull.size(), 4u) << azimuth;
     double top = 0;
     for (const Point2& p : hull) top = std::max(top, p[1]);
     EXPECT_NEAR(top, azimuth == 7 ? 13 * std::cos(pi / 18) / std::cos(3 * pi / 180) : 13, 1e-9);
   }
-  EXPECT_TRUE(outline(b, meridian(270)).empty());
+  EXPECT_TRUE(convex_outline(b, meridian(270)).empty());
 }
 
 TEST(Outline, FollowsTheBody) {
   RigidSurface b = body(swept({{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}, {0, 12}, -10, 35));
   for (std::size_t p = 2; p < b.places.size(); p += 3) b.places[p] += 3;
-  for (const Point2& p : not_empty(outline(b, meridian(0))))
+  for (const Point2& p : not_empty(convex_outline(b, meridian(0))))
     EXPECT_TRUE(std::abs(p[0] - 2) < 1e-12 || std::abs(p[0] - 4) < 1e-12);
 }
 

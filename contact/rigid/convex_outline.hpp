@@ -11,7 +11,7 @@ namespace bulbus {
 /// Convex hull, counter-clockwise and without collinear corners, of the body's section with the half of the
 /// plane on the side of `away`; empty if the plane misses it. A string that is pulled tight lies on the hull,
 /// whatever the hollows of the section.
-std::vector<Point2> outline(const RigidSurface& body, const CuttingPlane& plane);
+std::vector<Point2> convex_outline(const RigidSurface& body, const CuttingPlane& plane);
 
 /// The straight part of a string from S to the outline.
 struct Tangent {

@@ -1,4 +1,4 @@
-#include "contact/rigid/outline.hpp"
+#include "contact/rigid/convex_outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ std::vector<Point2> convex_hull(std::vector<Point2> points) {
 
 }  // namespace
 
-std::vector<Point2> outline(const RigidSurface& body, const CuttingPlane& plane) {
+std::vector<Point2> convex_outline(const RigidSurface& body, const CuttingPlane& plane) {
   std::vector<Point2> points;
   for (const CutSegment& s : cut(body.places, body.facets.triangles, plane))
     if (s.ends[0][1] + s.ends[1][1] > 0) points.insert(points.end(), s.ends.begin(), s.ends.end());

@@ -1,4 +1,4 @@
-#include "contact/rigid/section.hpp"
+#include "contact/rigid/profile.hpp"
 
 #include <Eigen/Sparse>
 
@@ -10,7 +10,7 @@
 namespace bulbus {
 namespace {
 
-constexpr std::size_t most_corners = 20000;  // each edge is held against each
+constexpr std::size_t most_corners = 20000;  // each edge is compared with each
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
@@ -19,15 +19,15 @@ bool cross_each_other(const Point2& a, const Point2& b, const Point2& c, const P
 }
 
 // Points from angle `from` to `to` (radians), both ends included.
-void add_circle(Section& section, const Point2& center, double radius, double from, double to, int facets) {
+void add_circle(Profile& profile, const Point2& center, double radius, double from, double to, int facets) {
   for (int i = 0; i <= facets; ++i) {
     const double angle = from + (to - from) * i / facets;
-    section.push_back({center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle)});
+    profile.push_back({center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle)});
   }
 }
 
-// Measures of the section that band and tire share.
-struct Profile {
+// Measures of the profile that band and tire share.
+struct BuckleSize {
   double width, height, edge, radius, axial;
   int edge_facets;
 };
@@ -36,10 +36,10 @@ struct Profile {
 // seen from its centre of curvature. From the left inner edge over the right one outwards and back; `inner`
 // adds the points between the inner edges.
 template <class Inner>
-Section buckle(const Profile& p, double lift, double tilt, Inner inner) {
+Profile buckle(const BuckleSize& p, double lift, double tilt, Inner inner) {
   constexpr double right = std::numbers::pi / 2;
   const double a = p.width / 2 - p.edge, top = p.radius + p.height - p.edge;
-  Section s;
+  Profile s;
   add_circle(s, {p.axial - a, lift}, p.edge, 2 * right, 3 * right + tilt, p.edge_facets);
   inner(s);
   add_circle(s, {p.axial + a, lift}, p.edge, 3 * right - tilt, 4 * right, p.edge_facets);
@@ -50,7 +50,7 @@ Section buckle(const Profile& p, double lift, double tilt, Inner inner) {
 
 // Second derivatives of the closed cubic spline at its knots:
 // h₋/6 M₋ + (h₋ + h)/3 M + h/6 M₊ = (y₊ − y)/h − (y − y₋)/h₋
-Eigen::MatrixX2d spline_curvatures(const Section& y, const std::vector<double>& h) {
+Eigen::MatrixX2d spline_curvatures(const Profile& y, const std::vector<double>& h) {
   const int n = static_cast<int>(y.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixX2d b(n, 2);
@@ -69,13 +69,13 @@ Eigen::MatrixX2d spline_curvatures(const Section& y, const std::vector<double>& 
 
 }  // namespace
 
-double signed_area(const Section& s) {
+double signed_area(const Profile& s) {
   double twice = 0;
   for (std::size_t i = 0; i < s.size(); ++i) twice += turn({0, 0}, s[i], s[(i + 1) % s.size()]);
   return twice / 2;
 }
 
-void require_section(const Section& s, const std::string& key) {
+void require_profile(const Profile& s, const std::string& key) {
   const std::size_t n = s.size();
   if (n < 3)
     throw scene_error(key, "a section of " + std::to_string(n) + " corners encloses nothing",
@@ -110,13 +110,13 @@ void require_section(const Section& s, const std::string& key) {
                       "and the radius up.");
 }
 
-Section periodic_spline(const Section& corners, int points) {
+Profile periodic_spline(const Profile& corners, int points) {
   const int n = static_cast<int>(corners.size());
   std::vector<double> h(n);
   for (int i = 0; i < n; ++i) h[i] = distance(corners[i], corners[(i + 1) % n]);
   const double length = std::accumulate(h.begin(), h.end(), 0.);
   const Eigen::MatrixX2d M = spline_curvatures(corners, h);
-  Section s;
+  Profile s;
   for (int i = 0; i < n; ++i) {
     const int pieces = std::max(1, static_cast<int>(std::lround(points * h[i] / length))),
               after = (i + 1) % n;
@@ -132,7 +132,7 @@ Section periodic_spline(const Section& corners, int points) {
   return s;
 }
 
-std::vector<std::array<int, 3>> triangulate(const Section& s) {
+std::vector<std::array<int, 3>> triangulate(const Profile& s) {
   std::vector<int> rest(s.size());
   std::iota(rest.begin(), rest.end(), 0);
   std::vector<std::array<int, 3>> triangles;
@@ -156,50 +156,50 @@ std::vector<std::array<int, 3>> triangulate(const Section& s) {
   return triangles;
 }
 
-Section section_of(const SweptShape& shape, const std::string& key) {
+Profile profile_of(const SweptShape& shape, const std::string& key) {
   if (shape.at.size() != 2)
     throw scene_error(key + ".at", "a point in the meridian plane has two coordinates",
                       "Write [axial, radial].");
-  Section s;
+  Profile s;
   for (const auto& corner : shape.section) {
     if (corner.size() != 2)
       throw scene_error(key + ".section", "a corner of the section has two coordinates",
                         "Write [axial, radial] for each.");
     s.push_back({shape.at[0] + corner[0], shape.at[1] + corner[1]});
   }
-  require_section(s, key + ".section");
+  require_profile(s, key + ".section");
   if (shape.spline) {
     s = periodic_spline(s, shape.points);
-    require_section(s, key + ".section");
+    require_profile(s, key + ".section");
   }
   return s;
 }
 
-Section section_of(const BandShape& b, const std::string& key) {
+Profile profile_of(const BandShape& b, const std::string& key) {
   if (2 * b.edge_radius >= std::min(b.width, b.thickness))
     throw scene_error(key + ".edge_radius", "the rounded edges do not fit into the band",
                       "Keep edge_radius below half its width and half its thickness.");
-  const Profile p{b.width, b.thickness, b.edge_radius, b.radius, b.axial, b.edge_facets};
-  return buckle(p, b.radius + b.edge_radius, 0, [](Section&) {});
+  const BuckleSize p{b.width, b.thickness, b.edge_radius, b.radius, b.axial, b.edge_facets};
+  return buckle(p, b.radius + b.edge_radius, 0, [](Profile&) {});
 }
 
-Section section_of(const TireShape& t, const std::string& key) {
+Profile profile_of(const TireShape& t, const std::string& key) {
   // circles of the inner edges touch the inner face from outside: their centres are at rho + edge from its
   // centre of curvature
-  const double rho = t.inner_radius_of_curvature, foot = t.radius - rho, reach = rho + t.edge_radius,
+  const double rho = t.inner_radius_of_curvature, base = t.radius - rho, reach = rho + t.edge_radius,
                a = t.width / 2 - t.edge_radius;
-  const double lift = foot + std::sqrt(std::max(0., reach * reach - a * a));
+  const double lift = base + std::sqrt(std::max(0., reach * reach - a * a));
   if (!(a > 0) || !(a < reach) || !(lift < t.radius + t.crown - t.edge_radius))
     throw scene_error(
         key, "width, crown, edge_radius and inner_radius_of_curvature of the tire contradict each other",
         "Keep edge_radius below half the width and half the crown, the width below twice "
         "inner_radius_of_curvature.");
   const double tilt = std::asin(a / reach);
-  const Profile p{t.width, t.crown, t.edge_radius, t.radius, t.axial, t.edge_facets};
-  return buckle(p, lift, tilt, [&](Section& s) {
+  const BuckleSize p{t.width, t.crown, t.edge_radius, t.radius, t.axial, t.edge_facets};
+  return buckle(p, lift, tilt, [&](Profile& s) {
     constexpr double up = std::numbers::pi / 2;
-    Section face;
-    add_circle(face, {t.axial, foot}, rho, up + tilt, up - tilt, t.face_facets);
+    Profile face;
+    add_circle(face, {t.axial, base}, rho, up + tilt, up - tilt, t.face_facets);
     s.insert(s.end(), face.begin() + 1, face.end() - 1);  // its ends are those of the edges
   });
 }

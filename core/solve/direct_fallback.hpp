@@ -7,9 +7,9 @@ namespace bulbus {
 
 /// MUMPS on single systems that the iterative solver gave up on. Factors are released as soon as they have
 /// done their work. All members are collective.
-class LastResort {
+class DirectFallback {
  public:
-  LastResort(const LinearSettings& settings, Profiler& profiler);
+  DirectFallback(const LinearSettings& settings, Profiler& profiler);
 
   /// Is it allowed, and will it fit into memory beside what is resident now?
   bool available(const CoupledSystem& system);

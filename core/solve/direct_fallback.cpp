@@ -1,4 +1,4 @@
-#include "core/solve/last_resort.hpp"
+#include "core/solve/direct_fallback.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,17 +45,17 @@ bool solve_once(const CoupledOperator& A, Mumps& mumps, std::span<const double> 
 
 }  // namespace
 
-LastResort::LastResort(const LinearSettings& settings, Profiler& profiler)
+DirectFallback::DirectFallback(const LinearSettings& settings, Profiler& profiler)
     : allowed_(settings.fallback == Fallback::direct),
       limit_mb_(settings.allowed_mb()),
       profiler_(profiler) {}
 
-double LastResort::available_mb(const CoupledSystem& system) const {
+double DirectFallback::available_mb(const CoupledSystem& system) const {
   return system.problem().comm().min(limit_mb_) -
          1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
 }
 
-bool LastResort::available(const CoupledSystem& system) {
+bool DirectFallback::available(const CoupledSystem& system) {
   if (!allowed_) return false;
   if (!fits_) {
     const auto& problem = system.problem();
@@ -69,11 +69,11 @@ bool LastResort::available(const CoupledSystem& system) {
   return *fits_;
 }
 
-bool LastResort::cheap(const CoupledSystem& system) const {
+bool DirectFallback::cheap(const CoupledSystem& system) const {
   return allowed_ && global_size(system) <= few_unknowns;
 }
 
-FactorReport LastResort::factorise(const CoupledSystem& system, Mumps& mumps) {
+FactorReport DirectFallback::factorise(const CoupledSystem& system, Mumps& mumps) {
   const auto scope = profiler_.clock.measure("factorisation");
   const bool symmetric = system.problem().symmetric();
   const FactorReport factor = mumps.factorise(
@@ -83,8 +83,8 @@ FactorReport LastResort::factorise(const CoupledSystem& system, Mumps& mumps) {
   return factor;
 }
 
-LinearReport LastResort::solve(const CoupledOperator& A, std::span<const double> b, std::span<double> x,
-                               double tolerance) {
+LinearReport DirectFallback::solve(const CoupledOperator& A, std::span<const double> b, std::span<double> x,
+                                   double tolerance) {
   const CoupledSystem& system = A.system();
   Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system)});
   const FactorReport factor = factorise(system, mumps);
@@ -111,7 +111,7 @@ LinearReport LastResort::solve(const CoupledOperator& A, std::span<const double>
   return report;
 }
 
-int LastResort::negative_pivots(const CoupledSystem& system) {
+int DirectFallback::negative_pivots(const CoupledSystem& system) {
   if (!system.problem().symmetric() || !available(system)) return -1;
   Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system)});
   const FactorReport factor = factorise(system, mumps);

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "contact/rigid/section.hpp"
+#include "contact/rigid/profile.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
 namespace bulbus {
 
 /// Points and triangles of a surface; (x2 − x1) × (x3 − x1) points out of the body.
-struct Skin {
+struct SurfaceTriangulation {
   std::vector<double> points;  ///< 3 per point, mm
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::string> warnings;  ///< sentences about the file that it was read from
@@ -30,20 +30,20 @@ double enclosed_volume(std::span<const double> points, std::span<const std::arra
 /// A surface of a mesh. Throws InputError that blames `key`.surface, with the nearest name, if there is none.
 const std::vector<Quad>& faces_of(const Mesh& mesh, const std::string& surface, const std::string& key);
 
-Skin skin_of(const PlaneShape& shape, const std::string& key);
+SurfaceTriangulation triangulated(const PlaneShape& shape, const std::string& key);
 /// An octahedron whose faces are cut into facets² triangles, blown up: corners lie on the sphere.
-Skin skin_of(const SphereShape& shape);
-Skin skin_of(const RodShape& shape, const std::string& key);
-Skin skin_of(const BodyFile& file, const std::string& key);
+SurfaceTriangulation triangulated(const SphereShape& shape);
+SurfaceTriangulation triangulated(const RodShape& shape, const std::string& key);
+SurfaceTriangulation triangulated(const BodyFile& file, const std::string& key);
 
-/// The section of an arc at an azimuth, degrees.
+/// the profile of an arc at an azimuth, degrees.
 struct Station {
   double azimuth;
-  Section section;
+  Profile profile;
 };
 
-/// The skin through sections of equally many corners at ascending azimuths; closed by flat caps if `caps`. If
-/// the last azimuth is a whole turn beyond the first, the skin ends where it begins.
-Skin sweep(std::span<const Station> stations, const MeridianFrame& frame, bool caps);
+/// The surface through sections of equally many corners at ascending azimuths; closed by flat caps if `caps`.
+/// If the last azimuth is a whole turn beyond the first, the surface ends where it begins.
+SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFrame& frame, bool caps);
 
 }  // namespace bulbus
