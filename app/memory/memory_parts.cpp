@@ -147,8 +147,9 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   // multipliers and history of its pieces, candidates, its block of the tangent; measured on the encircling
   // eye
   if (size.contact_points > 0) parts.push_back({"contacts", 800 * size.contact_points});
-  // states at rest, on trial and of a probe's beginning, right-hand side and solution
-  parts.push_back({"states and residuals", number * 5 * s.unknowns()});
+  // states at rest, before it, on trial and of a probe's beginning, right-hand side and solution
+  parts.push_back(
+      {"states and residuals", number * (scene.solver.stepping.extrapolate ? 6 : 5) * s.unknowns()});
   // fields on their way to a file, measured; elsewhere they are less than a Krylov basis, which is gone by
   // then
   if (scene.output.vtk && easy(scene.solver.newton)) parts.push_back({"results", 20 * megabyte});
