@@ -1,12 +1,12 @@
 #include "app/prepare.hpp"
 
+#include "app/eye/tissues.hpp"
 #include "app/records/record_names.hpp"
 #include "app/scene/contact_limits.hpp"
 #include "app/scene/size_limits.hpp"
 #include "contact/interaction_probes.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/symmetry_planes.hpp"
-#include "core/problem/tissues.hpp"
 #include "core/problem/validate.hpp"
 #include "core/problem/warnings.hpp"
 
@@ -61,7 +61,8 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   auto inputs = input_files(scene, comm);
   const MeshHierarchy meshes = meshes_of(scene, comm);
   Model model = scene.model;
-  add_tissues(model, meshes.base.region_names);
+  add_tissues(scene.materials, meshes.base.region_names, model);
+  require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/mesh/eye/eye.hpp"
+#include "app/eye/eye.hpp"
 #include "core/mesh/refine.hpp"
 #include "precond/make_preconditioner.hpp"
 

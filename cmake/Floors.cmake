@@ -1,9 +1,13 @@
-# add_floor(NAME FOLDER [PUBLIC ...] [PRIVATE ...] [PRECOMPILED ...] [OWN_FLAGS]): the library bulbus_NAME from every .cpp of
-# FOLDER but main.cpp. PRECOMPILED: headers of its own to precompile; else it shares those of bulbus_base, unless its flags differ.
+# add_floor(NAME FOLDER [PUBLIC ...] [PRIVATE ...] [PRECOMPILED ...] [WITHOUT FOLDER] [OWN_FLAGS]): the library bulbus_NAME from
+# every .cpp of FOLDER but main.cpp, and but those of a folder in it that is a floor of its own. PRECOMPILED: headers of its own to
+# precompile; else it shares those of bulbus_base, unless its flags differ.
 function(add_floor name folder)
-  cmake_parse_arguments(ARG "OWN_FLAGS" "" "PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
+  cmake_parse_arguments(ARG "OWN_FLAGS" "WITHOUT" "PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(ARG_WITHOUT)
+    list(FILTER sources EXCLUDE REGEX "/${ARG_WITHOUT}/")
+  endif()
   if(sources)
     add_library(bulbus_${name} STATIC ${sources})
     add_library(bulbus::${name} ALIAS bulbus_${name})

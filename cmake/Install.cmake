@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/bulbus)
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/bulbus)
-set(floors base mesh io material element problem solve precond contact)
+set(floors base mesh io material element problem solve precond contact eye)
 
 foreach(floor ${floors})
   set_target_properties(bulbus_${floor} PROPERTIES EXPORT_NAME ${floor})
@@ -15,6 +15,7 @@ install(TARGETS ${targets} trilinos hypre mumps hdf5_parallel EXPORT bulbus COMP
 install(EXPORT bulbus NAMESPACE bulbus:: DESTINATION ${config} FILE bulbusTargets.cmake COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/precond ${PROJECT_SOURCE_DIR}/contact DESTINATION ${headers}
         COMPONENT development FILES_MATCHING PATTERN *.hpp)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/app/eye DESTINATION ${headers}/app COMPONENT development FILES_MATCHING PATTERN *.hpp)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/bulbusConfig.cmake.in ${PROJECT_BINARY_DIR}/bulbusConfig.cmake
                               INSTALL_DESTINATION ${config})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/bulbusConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/eye/tissues.hpp"
 #include "app/scene/input_files.hpp"
 #include "app/version.hpp"
-#include "core/problem/tissues.hpp"
 
 namespace bulbus {
 namespace {
@@ -30,7 +30,7 @@ std::vector<std::string> regions_in(const std::string& resolved) {
 
 // resolved.yaml gives the regions that `materials` stands for one by one.
 bool is_of(const std::string& resolved, Scene scene) {
-  add_tissues(scene.model, regions_in(resolved));
+  add_tissues(scene.materials, regions_in(resolved), scene.model);
   return resolved == resolved_yaml(scene);
 }
 

@@ -1,5 +1,6 @@
 #include "app/scene/mesh_source.hpp"
 
+#include "app/eye/eye_count.hpp"
 #include "core/base/error.hpp"
 #include "core/base/require_one.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"

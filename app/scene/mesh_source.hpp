@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
+#include "app/eye/eye.hpp"
 #include "core/base/parameters.hpp"
-#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/mesh_count.hpp"
 #include "core/mesh/refine.hpp"

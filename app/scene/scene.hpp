@@ -37,6 +37,7 @@ struct OutputSettings {
 struct Scene {
   std::string title;
   MeshSource mesh;
+  std::string materials = "none";  ///< of regions that the model leaves out, if they are tissues
   Model model;
   SolverSettings solver;
   OutputSettings output;
@@ -45,6 +46,13 @@ struct Scene {
     v("title", title, About{"a line for the records"});
     v("mesh", mesh,
       About{"where the mesh comes from: exactly one source, and how often it is refined"}.needed());
+    v("materials", materials,
+      About{"what regions named after a tissue of the eye have where `regions` does not mention them: "
+            "`paper`, c10 in MPa of cornea "
+            "0.0333, sclera 0.0833, ciliary_body 0.01, choroid 0.0083, retina 0.0008, optic_nerve 0.05, lens "
+            "1; `physiological`, six "
+            "times that but for the lens; `stiff_lens`, `paper` with a lens of 100"}
+          .one_of({"none", "paper", "physiological", "stiff_lens"}));
     model.describe(v);
     v("solver", solver, About{"how the equations are solved"});
     v("output", output, About{"what is saved"});

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/mesh/eye/eye_map.hpp"
-
 namespace bulbus {
 namespace {
 
@@ -17,8 +15,9 @@ double octants(const std::string& part) {
 double sphere_faces(double n) { return 3 * n * n; }
 double sphere_nodes(double n) { return 3 * n * n + 3 * n + 1; }
 
-// o_grid() of so many quads and nodes.
-MeshCount disc(const DiscMap& map, bool half) {
+}  // namespace
+
+MeshCount count(const DiscMap& map, bool half) {
   const double n = map.n, rings = map.rings;
   if (half) return {2 * n * n + 4 * n * rings, (n + 1) * (2 * n + 1) + (4 * n + 1) * rings};
   return {4 * n * n + 8 * n * rings, (2 * n + 1) * (2 * n + 1) + 8 * n * rings};
@@ -27,8 +26,6 @@ MeshCount disc(const DiscMap& map, bool half) {
 MeshCount layered(const MeshCount& section, double layers) {
   return {section.hexes * layers, section.nodes * (layers + 1)};
 }
-
-}  // namespace
 
 MeshCount count(const BlockShape& b) {
   const double x = b.nx, y = b.ny, z = b.nz;
@@ -45,20 +42,7 @@ MeshCount count(const BallShape& b) {
           parts * (std::pow(n + 1, 3) + layers * sphere_nodes(n))};
 }
 
-MeshCount count(const CylinderShape& c) { return layered(disc({c.n, c.rings, c.core}, false), c.layers); }
-
-MeshCount count(const EyeSettings& s) {
-  s.shape.check();
-  const EyeMap map(s);
-  const EyeSheet sheet = eye_sheet(s);
-  const auto levels = [&](double t) { return t < s.shape.ciliary_end ? map.inner : map.wall; };
-  MeshCount all = layered(disc(map.lens_disc, true), map.lens_layers);
-  all.hexes += double(sheet.nerve_quads) * map.nerve;
-  all.nodes += double(sheet.nerve_nodes) * map.nerve;
-  for (int q = 0; q < static_cast<int>(sheet.quads.size()); ++q) all.hexes += levels(sheet.middle(q));
-  for (const auto& n : sheet.nodes) all.nodes += levels(n.t) + 1;
-  return all;
-}
+MeshCount count(const CylinderShape& c) { return layered(count({c.n, c.rings, c.core}, false), c.layers); }
 
 MeshCount count(const Mesh& mesh) { return {double(mesh.hexes.size()), double(mesh.points.size())}; }
 

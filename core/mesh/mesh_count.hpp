@@ -1,6 +1,6 @@
 #pragma once
-#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/generate/generate.hpp"
+#include "core/mesh/generate/o_grid.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus {
@@ -11,14 +11,18 @@ struct MeshCount {
 };
 
 /// What generate() will make, without making it: hexahedra exactly; nodes exactly for blocks and cylinders,
-/// within 2 % for the eye, and for spheres those of each octant, though octants share some.
+/// and for spheres those of each octant, though octants share some.
 MeshCount count(const BlockShape& shape);
 MeshCount count(const ShellShape& shape);
 MeshCount count(const BallShape& shape);
 MeshCount count(const CylinderShape& shape);
-/// Throws InputError as generate() does.
-MeshCount count(const EyeSettings& settings);
 MeshCount count(const Mesh& mesh);
+
+/// Quads and nodes of an o_grid(), whole or half.
+MeshCount count(const DiscMap& map, bool half);
+
+/// Of layers of hexahedra over so many quads and nodes.
+MeshCount layered(const MeshCount& section, double layers);
 
 /// After every hexahedron has been split in eight so many times.
 MeshCount refined(const MeshCount& base, int times);

@@ -222,7 +222,6 @@ struct ProbeSpec {
 
 /// The whole of the physics.
 struct Model {
-  std::string materials = "none";
   std::map<std::string, RegionSpec> regions;
   std::map<std::string, BarSpec> bars;
   std::map<std::string, LiquidSpec> liquids;
@@ -236,13 +235,6 @@ struct Model {
   std::vector<ProbeSpec> probes;
   template <class V>
   void describe(V&& v) {
-    v("materials", materials,
-      About{"what regions named after a tissue of the eye have where `regions` does not mention them: "
-            "`paper`, c10 in MPa of cornea "
-            "0.0333, sclera 0.0833, ciliary_body 0.01, choroid 0.0083, retina 0.0008, optic_nerve 0.05, lens "
-            "1; `physiological`, six "
-            "times that but for the lens; `stiff_lens`, `paper` with a lens of 100"}
-          .one_of({"none", "paper", "physiological", "stiff_lens"}));
     v("regions", regions, About{"material of every region of the mesh, but for what `materials` says"});
     v("bars", bars, About{"groups of bars of the mesh"});
     v("liquids", liquids, About{"enclosed liquids"});

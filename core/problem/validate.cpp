@@ -14,7 +14,6 @@
 #include "core/problem/probes/cancelled_figures.hpp"
 #include "core/problem/region_material.hpp"
 #include "core/problem/symmetry_planes.hpp"
-#include "core/problem/tissues.hpp"
 
 namespace bulbus {
 namespace {
@@ -40,8 +39,7 @@ void check_regions(const Mesh& mesh, const Model& model) {
   for (const std::string& name : mesh.region_names)
     if (!model.regions.contains(name))
       throw scene_error("regions", "region '" + name + "' of the mesh has no material",
-                        "Add `" + name + ": {c10: ...}` under `regions`" +
-                            (tissue_stiffness("paper", name) ? ", or say `materials: paper`." : "."));
+                        "Add `" + name + ": {c10: ...}` under `regions`.");
   for (const auto& [name, spec] : model.regions) {
     if (spec.rigid) continue;
     const double mu = initial_shear_modulus(material_of(spec));

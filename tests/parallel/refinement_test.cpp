@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "app/eye/eye.hpp"
 #include "contact/interactions.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/distributed/mesh_levels.hpp"
 #include "core/mesh/distributed/partition.hpp"
-#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/running_sums.hpp"
 #include "tests/support/models.hpp"

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "app/command_line.hpp"
-#include "core/mesh/eye/eye.hpp"
+#include "app/eye/eye.hpp"
 #include "core/mesh/geometry.hpp"
 
 namespace bulbus {

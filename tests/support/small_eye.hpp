@@ -1,6 +1,6 @@
 #pragma once
-#include "core/mesh/eye/eye.hpp"
-#include "core/problem/tissues.hpp"
+#include "app/eye/eye.hpp"
+#include "app/eye/tissues.hpp"
 #include "tests/support/models.hpp"
 
 namespace bulbus {
@@ -12,8 +12,7 @@ inline Scene small_eye(int n) {
   settings.n = n;
   Scene scene{generate(settings), {}};
   Model& m = scene.model;
-  m.materials = "paper";
-  add_tissues(m, scene.mesh.region_names);
+  add_tissues("paper", scene.mesh.region_names, m);
   m.bars["zonules"] = {};
   m.liquids["vitreous"] = {.surface = "wet"};
   m.symmetry = {"x"};

@@ -1,5 +1,5 @@
 // The iterative and the direct solver give one answer.
-#include "core/mesh/eye/eye.hpp"
+#include "app/eye/eye.hpp"
 #include "tests/support/small_eye.hpp"
 #include "tests/verify/run.hpp"
 

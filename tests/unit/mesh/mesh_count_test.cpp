@@ -25,8 +25,6 @@ TEST(MeshCount, IsThatOfWhatIsGenerated) {
     expect_counted(ShellShape{.n = 4, .layers = 3, .part = part}, .4);
     expect_counted(BallShape{.n = 4, .layers = 3, .part = part}, .4);
   }
-  for (int n : {4, 6, 14}) expect_counted(EyeSettings{.n = n}, 0, .03);
-  expect_counted(EyeSettings{.n = 8, .layers = 2}, 0, .03);
 }
 
 TEST(MeshCount, GrowsEightfoldWhereItIsRefined) {

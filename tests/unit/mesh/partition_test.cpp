@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "app/eye/eye.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/distributed/partition.hpp"
-#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/generate/generate.hpp"
 
 namespace bulbus {

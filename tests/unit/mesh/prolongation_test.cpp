@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/eye/eye.hpp"
+#include "app/eye/eye.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/prolongation.hpp"
 #include "tests/support/numbers.hpp"

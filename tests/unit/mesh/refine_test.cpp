@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/mesh/eye/eye.hpp"
+#include "app/eye/eye.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"

@@ -1,4 +1,4 @@
-#include "core/mesh/eye/eye_sheet.hpp"
+#include "app/eye/eye_sheet.hpp"
 
 #include <algorithm>
 #include <cmath>

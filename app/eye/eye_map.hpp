@@ -1,5 +1,5 @@
 #pragma once
-#include "core/mesh/eye/eye_sheet.hpp"
+#include "app/eye/eye_sheet.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus {

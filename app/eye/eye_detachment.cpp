@@ -1,4 +1,4 @@
-#include "core/mesh/eye/eye_detachment.hpp"
+#include "app/eye/eye_detachment.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/eye/eye_parts.hpp"
 #include "core/base/error.hpp"
-#include "core/mesh/eye/eye_parts.hpp"
 
 namespace bulbus {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/mesh/eye/eye_parts.hpp"
+#include "app/eye/eye_parts.hpp"
 
 namespace bulbus {
 namespace {

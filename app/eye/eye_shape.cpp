@@ -1,4 +1,4 @@
-#include "core/mesh/eye/eye_shape.hpp"
+#include "app/eye/eye_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/problem/tissues.hpp"
+#include "app/eye/tissues.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,9 @@ TEST(Tissues, HaveTheirStiffness) {
 
 TEST(Tissues, FillInWhatTheModelLeavesOut) {
   Model model;
-  model.materials = "physiological";
   model.regions["lens"].rigid = true;
   model.regions["retina"].c10 = 3;
-  add_tissues(model, {"lens", "retina", "choroid", "tumour"});
+  add_tissues("physiological", {"lens", "retina", "choroid", "tumour"}, model);
   EXPECT_EQ(model.regions.size(), 3u);
   EXPECT_EQ(model.regions["lens"].c10, 0);
   EXPECT_EQ(model.regions["retina"].c10, 3);

@@ -1,9 +1,9 @@
-#include "core/mesh/eye/eye.hpp"
+#include "app/eye/eye.hpp"
 
 #include <cmath>
 
-#include "core/mesh/eye/eye_map.hpp"
-#include "core/mesh/eye/eye_parts.hpp"
+#include "app/eye/eye_map.hpp"
+#include "app/eye/eye_parts.hpp"
 #include "core/mesh/geometry.hpp"
 
 namespace bulbus {

@@ -4,8 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "app/eye/eye.hpp"
 #include "core/base/error.hpp"
-#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"

@@ -1,4 +1,4 @@
-#include "core/mesh/eye/eye_parts.hpp"
+#include "app/eye/eye_parts.hpp"
 
 namespace bulbus {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
+#include "app/eye/eye.hpp"
 #include "core/base/error.hpp"
-#include "core/mesh/eye/eye.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "core/mesh/eye/eye.hpp"
-#include "core/mesh/eye/eye_map.hpp"
+#include "app/eye/eye.hpp"
+#include "app/eye/eye_map.hpp"
 
 namespace bulbus {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "core/mesh/eye/eye.hpp"
+#include "app/eye/eye.hpp"
 #include "core/mesh/generate/o_grid.hpp"
 
 namespace bulbus {

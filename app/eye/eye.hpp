@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "app/eye/eye_detachment.hpp"
+#include "app/eye/eye_shape.hpp"
 #include "core/base/parameters.hpp"
-#include "core/mesh/eye/eye_detachment.hpp"
-#include "core/mesh/eye/eye_shape.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/mesh/eye/eye_parts.hpp"
+#include "app/eye/eye_parts.hpp"
 #include "core/mesh/generate/embed.hpp"
 
 namespace bulbus {

@@ -1,4 +1,4 @@
-#include "core/mesh/eye/eye_map.hpp"
+#include "app/eye/eye_map.hpp"
 
 #include <cmath>
 
