@@ -88,6 +88,14 @@ void add_coarser_levels(const RunSize& size, const LinearSettings& l, std::vecto
   parts.push_back({"base factors", base_bytes(size.levels.back(), l)});
 }
 
+// Levels of aggregates: half of the blocks with their places while they are gathered, all of them in single
+// precision, frames, weights and six vectors of the aggregates; each further level has a tenth of the rows.
+double levels_bytes(double aggregates, double neighbours) {
+  const double gathered = (6 * 8 * number + 40) / 2, block = 36 * single + 4,
+               of_aggregate = 40 * number + 2 * 36 * single + 36 * single;
+  return aggregates * (neighbours * (gathered + 1.1 * block) + of_aggregate) + 5 * megabyte;
+}
+
 // Aggregates' matrix of 6 x 6 blocks and its factors by MUMPS: with all 27 neighbours, and fewer where the
 // body is thin; separators, and so factors, grow with the body's extent. Measured on blocks, cylinders,
 // shells and eyes of 3,600 to 47,000 hexahedra. While the factors are made there are blocks and triplets
@@ -95,6 +103,8 @@ void add_coarser_levels(const RunSize& size, const LinearSettings& l, std::vecto
 double aggregation_bytes(const Size& s, const LinearSettings& l) {
   const double aggregates = s.nodes / l.aggregation.nodes, round = sphericity(s.hexes, s.nodes),
                neighbours = 27 * std::min(1., .5 + .8 * round);
+  if (l.smoothing == Precision::single && 6 * aggregates > l.aggregation.factorised)
+    return levels_bytes(aggregates, neighbours);
   const double factors = (neighbours / 27 * 1350 + 18 * round * std::cbrt(s.nodes)) * 16 * aggregates;
   return (l.smoothing == Precision::full ? 1.4 : 1) * factors + 36 * single * neighbours / 2 * aggregates +
          triplet_bytes(6 * aggregates, 6, neighbours);

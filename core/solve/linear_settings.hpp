@@ -21,11 +21,14 @@ struct SmootherSettings {
 
 /// Aggregation as a preconditioner of the displacement block.
 struct AggregationSettings : SmootherSettings {
-  int nodes = 16;
+  int nodes = 16, factorised = 8000;
   AggregationSettings() : SmootherSettings{16, 0.02} {}
   template <class V>
   void describe(V&& v) {
     v("nodes", nodes, About{"nodes of an aggregate"}.between(8, 1000));
+    v("factorised", factorised,
+      About{"most unknowns of a coarse matrix that is factorised; a larger one is aggregated again"}.between(
+          100, 10000000));
     SmootherSettings::describe(v);
   }
 };

@@ -5,9 +5,10 @@
 
 namespace bulbus {
 
-AggregationPlan::AggregationPlan(const CoupledSystem& system, int nodes, Precision precision)
+AggregationPlan::AggregationPlan(const CoupledSystem& system, const AggregationSettings& settings,
+                                 Precision precision)
     : lines(std::make_shared<Lines>(find_lines(system.problem()))),
-      rigid(std::make_shared<RigidPlan>(system, nodes, precision)) {}
+      rigid(std::make_shared<RigidPlan>(system, settings.nodes, precision, settings.factorised)) {}
 
 Aggregation::Aggregation(const CoupledSystem& system, std::shared_ptr<const AggregationPlan> plan,
                          const AggregationSettings& settings, Precision smoothing, const KeepFactors& keep)

@@ -9,12 +9,13 @@ namespace bulbus {
 /// What aggregation keeps from one linearisation to the next.
 struct AggregationPlan {
   /// Collective.
-  AggregationPlan(const CoupledSystem& system, int nodes, Precision precision);
+  AggregationPlan(const CoupledSystem& system, const AggregationSettings& settings, Precision precision);
   std::shared_ptr<const Lines> lines;
   std::shared_ptr<RigidPlan> rigid;
 };
 
-/// Two grids for meshes of any kind: a correction with the rigid motions of aggregates, then Chebyshev with
+/// Aggregation for meshes of any kind: a correction with the rigid motions of aggregates, on large meshes by
+/// levels of aggregates of aggregates, then Chebyshev with
 /// line Jacobi on the tangent as it is applied on the fly. The matrix is never formed. A fixed linear map;
 /// not symmetric: GMRES does not ask for it, and smoothing twice as long afterwards takes fewer applications
 /// than smoothing before, too.

@@ -87,6 +87,20 @@ Triplets CoarseMatrix::triplets() const {
   return t;
 }
 
+void CoarseMatrix::visit(const BlockVisitor& visitor) const {
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const auto [row, column] = places_[k];
+    BlockMatrix::Block block, transposed;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) {
+        const double value = symmetric_ && row == column && j < i ? blocks_[k][j][i] : blocks_[k][i][j];
+        block[6 * i + j] = transposed[6 * j + i] = value;
+      }
+    visitor(row, column, block);
+    if (symmetric_ && row != column) visitor(column, row, transposed);
+  }
+}
+
 std::size_t CoarseMatrix::bytes() const { return bytes_of(blocks_) + bytes_of(places_) + at_.size() * 32; }
 
 }  // namespace bulbus

@@ -6,6 +6,7 @@
 
 #include "core/solve/triplets.hpp"
 #include "precond/coarse/aggregates.hpp"
+#include "precond/coarse/distributed_blocks.hpp"
 
 namespace bulbus {
 
@@ -29,6 +30,8 @@ class CoarseMatrix {
   void add(int row, int column, double value) { block(row / 6, column / 6)[row % 6][column % 6] += value; }
   /// This rank's entries by coarse unknowns, six of every group; the upper triangle if symmetric.
   Triplets triplets() const;
+  /// This rank's contributions by numbers of groups, both triangles.
+  void visit(const BlockVisitor& visitor) const;
   std::size_t bytes() const;
 
  private:

@@ -6,10 +6,14 @@
 
 namespace bulbus {
 
-RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision)
+RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision, int most)
     : groups(aggregate(system, nodes)),
       matrix(system.problem().symmetric()),
-      factor(system.problem().comm(), {.precision = precision}) {}
+      factor(system.problem().comm(), {.precision = precision}) {
+  const Comm& comm = system.problem().comm();
+  if (precision == Precision::single && 6 * groups.total > most)
+    levels = std::make_shared<HierarchyPlan>(comm, most);
+}
 
 RigidCoarse::RigidCoarse(const CoupledSystem& system, std::shared_ptr<RigidPlan> plan)
     : system_(system), plan_(std::move(plan)), modes_(rigid_modes(system, plan_->groups)) {
@@ -23,11 +27,25 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
     for (const auto& e : system_.body_extra())
       if (!system_.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
   for (int k : modes_.missing) plan_->matrix.add(k, k, system_.constrained_diagonal());
+  if (plan_->levels) return make_levels();
   const FactorReport f =
       plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), system_.problem().symmetric(), keep);
   keeps_factors_ = f.kept;
   if (!f.ok) setup_error_ = "rigid motions of aggregates: " + f.reason;
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
+}
+
+void RigidCoarse::make_levels() {
+  const Aggregates& groups = plan_->groups;
+  const Comm& comm = system_.problem().comm();
+  const int bodies = comm.rank() == 0 ? groups.bodies : 0, first = groups.first - bodies,
+            mine = bodies + groups.mine;
+  levels_ = std::make_unique<BlockHierarchy>(
+      assemble_blocks(comm, mine, [&](const BlockVisitor& visit) { plan_->matrix.visit(visit); }),
+      std::vector(modes_.frames.begin() + first, modes_.frames.begin() + first + mine), bodies,
+      system_.constrained_diagonal(), plan_->levels);
+  setup_error_ = levels_->setup_error();
+  factor_bytes_ = levels_->bytes();
 }
 
 void RigidCoarse::apply(std::span<const double> b, std::span<double> x) const {
@@ -42,7 +60,10 @@ void RigidCoarse::apply(std::span<const double> b, std::span<double> x) const {
       for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 6; ++k) to[k] += modes_.of[n][i][k] * b[3 * n + i];
     }
-  plan_->factor.solve(coarse_, coarse_);
+  if (levels_)
+    levels_->apply(coarse_, coarse_);
+  else
+    plan_->factor.solve(coarse_, coarse_);
   std::ranges::fill(x, 0);
   std::copy_n(coarse_.begin(), bodies, &x[3 * owned]);
   for (int n = 0; n < owned; ++n)

@@ -2,6 +2,7 @@
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
 #include "core/solve/mumps.hpp"
+#include "precond/coarse/block_hierarchy.hpp"
 #include "precond/coarse/rigid_modes.hpp"
 
 namespace bulbus {
@@ -9,17 +10,20 @@ namespace bulbus {
 /// What the correction with rigid motions keeps from one linearisation to the next: the aggregates, the
 /// pattern of the coarse matrix and its analysis.
 struct RigidPlan {
-  /// Aggregates of about `nodes` nodes, factors of this precision. Collective.
-  RigidPlan(const CoupledSystem& system, int nodes, Precision precision);
+  /// Aggregates of about `nodes` nodes, factors of this precision; a matrix of more than `most` unknowns
+  /// is not factorised but has levels of its own, as long as single precision suffices. Collective.
+  RigidPlan(const CoupledSystem& system, int nodes, Precision precision, int most);
   Aggregates groups;
   CoarseMatrix matrix;
   Mumps factor;
+  std::shared_ptr<HierarchyPlan> levels;  ///< none: the matrix is factorised
 };
 
 /// Galerkin correction on the rigid motions of aggregates in the current configuration: the bending and
 /// tilting that smoothers and scalar AMG cannot see. x = Z (Zᵀ A Z)⁻¹ Zᵀ b; the coarse matrix may be
-/// indefinite. Rigid bodies are coarse unknowns as they are. One per plan at a time. Usage: add() everything
-/// of for_each_condensed_matrix, then factorise().
+/// indefinite. Its inverse is a factorisation, or the approximate one of BlockHierarchy. Rigid bodies are
+/// coarse unknowns as they are. One per plan at a time. Usage: add() everything of for_each_condensed_matrix,
+/// then factorise().
 class RigidCoarse final : public Preconditioner {
  public:
   /// Collective.
@@ -40,10 +44,13 @@ class RigidCoarse final : public Preconditioner {
   int coarse_size() const { return 6 * plan_->groups.total; }
 
  private:
+  void make_levels();
+
   const CoupledSystem& system_;
   std::shared_ptr<RigidPlan> plan_;
   RigidModes modes_;
   mutable std::vector<double> coarse_;
+  std::unique_ptr<BlockHierarchy> levels_;
   std::string setup_error_;
   bool keeps_factors_ = false;
   std::size_t factor_bytes_ = 0;

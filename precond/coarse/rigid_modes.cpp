@@ -7,15 +7,10 @@ namespace bulbus {
 namespace {
 
 using Plain = Eigen::Matrix<double, 3, 6>;
-using Square = Eigen::Matrix<double, 6, 6>;
-
-struct Place {
-  Vec3<double> center;
-  double inverse_radius;
-};
+using Square = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 // Middles and sizes of all groups.
-std::vector<Place> places_of(const CoupledSystem& system, const Aggregates& groups) {
+std::vector<RigidFrame> frames_of(const CoupledSystem& system, const Aggregates& groups) {
   const LocalMesh& mesh = system.problem().mesh();
   const auto& x = system.state().x;
   std::vector<double> sums(4 * groups.total), radius(groups.total);
@@ -25,7 +20,7 @@ std::vector<Place> places_of(const CoupledSystem& system, const Aggregates& grou
       sums[4 * a + 3] += 1;
     }
   mesh.comm.sum(sums);
-  std::vector<Place> places(groups.total);
+  std::vector<RigidFrame> places(groups.total);
   for (int a = groups.bodies; a < groups.total; ++a)
     for (int c = 0; c < 3; ++c) places[a].center[c] = sums[4 * a + c] / sums[4 * a + 3];
   for (int n = 0; n < mesh.owned; ++n)
@@ -38,7 +33,7 @@ std::vector<Place> places_of(const CoupledSystem& system, const Aggregates& grou
 }
 
 // Three translations and three rotations about the middle, of about the same size.
-Plain plain_modes(const CoupledSystem& system, int node, const Place& place) {
+Plain plain_modes(const CoupledSystem& system, int node, const RigidFrame& place) {
   const auto& x = system.state().x;
   Vec3<double> r;
   for (int c = 0; c < 3; ++c) r[c] = (x[3 * node + c] - place.center[c]) * place.inverse_radius;
@@ -54,7 +49,7 @@ Plain plain_modes(const CoupledSystem& system, int node, const Place& place) {
 }
 
 std::vector<Square> grams(const CoupledSystem& system, const Aggregates& groups,
-                          const std::vector<Place>& places) {
+                          const std::vector<RigidFrame>& places) {
   std::vector<Square> gram(groups.total, Square::Zero());
   for (int n = 0; n < system.problem().mesh().owned; ++n)
     if (const int a = groups.of[n]; a >= 0) {
@@ -65,29 +60,35 @@ std::vector<Square> grams(const CoupledSystem& system, const Aggregates& groups,
   return gram;
 }
 
-// Columns: combinations of the six modes that are orthonormal over the group, each of it and those before it,
-// so that they follow the nodes without a jump; zero where they are not independent.
-Square basis(const Square& gram) {
+}  // namespace
+
+BlockMatrix::Block orthonormal_basis(const BlockMatrix::Block& of) {
+  const Eigen::Map<const Square> gram(of.data());
   const double least = 1e-6 * gram.diagonal().maxCoeff();
-  Square b = Square::Zero();
+  BlockMatrix::Block columns{};
+  Eigen::Map<Square> b(columns.data());
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> v = Square::Identity().col(k);
     for (int again = 0; again < 2; ++again) v -= (b * (b.transpose() * (gram * v))).eval();
     if (const double value = v.dot(gram * v); value > least) b.col(k) = v / std::sqrt(value);
   }
-  return b;
+  return columns;
 }
 
-}  // namespace
-
 RigidModes rigid_modes(const CoupledSystem& system, const Aggregates& groups) {
-  const auto places = places_of(system, groups);
-  auto bases = grams(system, groups, places);
-  for (Square& b : bases) b = basis(b);
-  RigidModes modes{std::vector<NodeModes>(groups.of.size()), {}};
+  RigidModes modes{std::vector<NodeModes>(groups.of.size()), frames_of(system, groups), {}};
+  const auto gram = grams(system, groups, modes.frames);
+  std::vector<Square> bases(groups.total);
+  for (int a = 0; a < groups.total; ++a) {
+    BlockMatrix::Block of;
+    Eigen::Map<Square>(of.data()) = gram[a];
+    const auto basis = orthonormal_basis(of);
+    bases[a] = Eigen::Map<const Square>(basis.data());
+    Eigen::Map<Square>(modes.frames[a].coordinates.data()) = bases[a].transpose() * gram[a];
+  }
   for (std::size_t n = 0; n < groups.of.size(); ++n)
     if (const int a = groups.of[n]; a >= 0) {
-      const Plain m = plain_modes(system, static_cast<int>(n), places[a]) * bases[a];
+      const Plain m = plain_modes(system, static_cast<int>(n), modes.frames[a]) * bases[a];
       for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 6; ++k) modes.of[n][i][k] = static_cast<float>(m(i, k));
     }

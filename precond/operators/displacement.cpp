@@ -1,6 +1,7 @@
 #include "precond/operators/displacement.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/error.hpp"
 #include "core/solve/reduced.hpp"
@@ -87,12 +88,13 @@ std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const Coup
     const int nodes = settings_.aggregates > 0
                           ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates))
                           : 0;
-    if (nodes > 0 && !plans_->rigid) plans_->rigid = std::make_shared<RigidPlan>(system, nodes, smoothing);
+    if (nodes > 0 && !plans_->rigid)
+      plans_->rigid = std::make_shared<RigidPlan>(system, nodes, smoothing, std::numeric_limits<int>::max());
     return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid,
                                     smoothing);
   }
   if (!plans_->aggregation)
-    plans_->aggregation = std::make_shared<AggregationPlan>(system, settings_.aggregation.nodes, smoothing);
+    plans_->aggregation = std::make_shared<AggregationPlan>(system, settings_.aggregation, smoothing);
   return std::make_unique<Aggregation>(system, plans_->aggregation, settings_.aggregation, smoothing, keep);
 }
 

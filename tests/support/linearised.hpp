@@ -54,10 +54,12 @@ inline Scene cylinder() {
   return scene;
 }
 
-/// To 1e-6, of the first linear system.
-inline int iterations(const Scene& scene, int refine, Displacement displacement) {
+/// To 1e-6, of the first linear system. `factorised`: of AggregationSettings.
+inline int iterations(const Scene& scene, int refine, Displacement displacement,
+                      int factorised = AggregationSettings().factorised) {
   Linearised l(scene, refine, 0);
   l.settings.displacement = displacement;
+  l.settings.aggregation.factorised = factorised;
   Profiler profiler;
   auto solver = make_krylov_solver(l.settings, make_preconditioner_factory(l.settings, profiler), profiler);
   const Residual r = l.problem.residual(l.state);

@@ -69,6 +69,9 @@ void Halo::update_ghosts(std::span<double> v, int width) const {
 void Halo::accumulate_ghosts(std::span<double> v, int width) const {
   fold_ghosts(comm_, neighbours_, v, width);
 }
+void Halo::update_ghosts(std::span<float> v, int width) const {
+  send_to_ghosts(comm_, neighbours_, v, width);
+}
 void Halo::update_ghosts(std::span<NodeSingle> v) const { send_to_ghosts(comm_, neighbours_, numbers(v), 4); }
 void Halo::accumulate_ghosts(std::span<NodeSingle> v) const {
   fold_ghosts(comm_, neighbours_, numbers(v), 4);

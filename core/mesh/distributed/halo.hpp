@@ -23,6 +23,7 @@ class Halo {
   void update_ghosts(std::span<double> v, int width = 3) const;
   /// Ghosts' values are added to the owners'; the ghosts' are left as they are. Collective.
   void accumulate_ghosts(std::span<double> v, int width = 3) const;
+  void update_ghosts(std::span<float> v, int width) const;
   void update_ghosts(std::span<NodeSingle> v) const;
   void accumulate_ghosts(std::span<NodeSingle> v) const;
   const std::vector<Neighbour>& neighbours() const { return neighbours_; }

@@ -13,6 +13,12 @@
 namespace bulbus {
 namespace {
 
+AggregationSettings aggregates_of(int nodes, int factorised = 100000) {
+  AggregationSettings s;
+  s.nodes = nodes, s.factorised = factorised;
+  return s;
+}
+
 TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
   Linearised l(small_eye(8), 0, 0);
   for (int nodes : {15, 40}) {
@@ -34,7 +40,7 @@ TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
 TEST(CoarseMatrix, IsTheGalerkinProjection) {
   for (const Scene& scene : {thin_plate(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, .001);
-    const auto plan = std::make_shared<RigidPlan>(l.system, 20, Precision::full);
+    const auto plan = std::make_shared<RigidPlan>(l.system, 20, Precision::full, 100000);
     const RigidModes modes = rigid_modes(l.system, plan->groups);
     plan->matrix.clear();
     for_each_condensed_matrix(l.system, Matrices::augmented,
@@ -86,7 +92,7 @@ TEST(RigidModes, AreOrthonormalInEveryAggregate) {
 TEST(Aggregation, IsOneLinearMap) {
   for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, 0);
-    const auto plan = std::make_shared<AggregationPlan>(l.system, 20, Precision::single);
+    const auto plan = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
     const Aggregation M(l.system, plan, {});
     EXPECT_EQ(M.setup_error(), "");
     EXPECT_TRUE(M.is_linear());
@@ -102,7 +108,7 @@ TEST(Aggregation, IsOneLinearMap) {
 // M A takes the rigid motions that the aggregates have, and all that is rough, for what they are.
 TEST(Aggregation, InvertsOnTheCoarseSpace) {
   Linearised l(thin_plate(), 0, 0);
-  const auto plan = std::make_shared<AggregationPlan>(l.system, 20, Precision::single);
+  const auto plan = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
   const Aggregation M(l.system, plan, {});
   const RigidModes modes = rigid_modes(l.system, plan->rigid->groups);
   std::vector<double> rigid(l.system.layout().primal()), A(rigid), MA(rigid);
@@ -119,14 +125,14 @@ TEST(Aggregation, InvertsOnTheCoarseSpace) {
 // What a new linearisation makes with an old plan is what it makes with its own.
 TEST(Aggregation, PlansServeEveryLinearisation) {
   Linearised l(filled_shell("octant"), 0, 0);
-  const auto plan = std::make_shared<AggregationPlan>(l.system, 20, Precision::single);
+  const auto plan = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
   { const Aggregation first(l.system, plan, {}); }
   l.state = shaken(l.problem, l.state, .001, 7);
   l.system.linearize(l.state, l.problem.residual(l.state));
   const auto b = noise_primal(l.problem, 1);
   std::vector<double> old(b.size()), own(b.size());
   Aggregation(l.system, plan, {}).apply(b, old);
-  const auto fresh = std::make_shared<AggregationPlan>(l.system, 20, Precision::single);
+  const auto fresh = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
   fresh->rigid->groups = plan->rigid->groups;
   Aggregation(l.system, fresh, {}).apply(b, own);
   EXPECT_LT(relative_difference(old, own), 1e-5);

@@ -1,0 +1,193 @@
+#include "precond/coarse/block_hierarchy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/memory.hpp"
+#include "precond/coarse/aggregate_blocks.hpp"
+#include "precond/smoothers/chebyshev.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr int blocks_of_aggregate = 10;
+constexpr int degree = 3;  // of the polynomial in a level's cycle
+constexpr int lanczos_steps = 6;
+// The spectrum of a cycle times its matrix ends at 1 and begins where Lanczos' method has come to, or a
+// little below. A polynomial for less than the least would be too weak on all the rest.
+constexpr double below = 0.7, least = 0.02, most = 0.5;
+
+Triplets triplets_of(const DistributedBlocks& blocks) {
+  Triplets t;
+  for (int i = 0; i < blocks.rows.mine; ++i)
+    for (int k = 0; const int j : blocks.A.columns(i)) {
+      const auto block = blocks.A.block(i, k++);
+      for (int e = 0; e < 36; ++e) {
+        t.row.push_back(static_cast<int>(6 * blocks.rows.global(i) + e / 6));
+        t.col.push_back(static_cast<int>(6 * blocks.rows.global(j) + e % 6));
+        t.value.push_back(block[e]);
+      }
+    }
+  return t;
+}
+
+// A map between vectors of a level in single precision, as one in double precision.
+template <class Base, class Map>
+class AsDoubles final : public Base {
+ public:
+  AsDoubles(const BlockRows& rows, Map map)
+      : in_(6 * rows.size()), out_(in_), mine_(6 * rows.mine), map_(map) {}
+  int size() const override { return mine_; }
+  void apply(std::span<const double> x, std::span<double> y) const override {
+    std::ranges::copy(x, in_.begin());
+    map_(std::span(in_), std::span(out_));
+    std::copy_n(out_.begin(), y.size(), y.begin());
+  }
+  bool is_linear() const { return true; }
+
+ private:
+  mutable std::vector<float> in_, out_;
+  int mine_;
+  Map map_;
+};
+
+template <class Base, class Map>
+AsDoubles<Base, Map> as_doubles(const BlockRows& rows, Map map) {
+  return {rows, map};
+}
+
+}  // namespace
+
+BlockHierarchy::BlockHierarchy(DistributedBlocks finest, std::vector<RigidFrame> frames, int bodies,
+                               double missing_diagonal, std::shared_ptr<HierarchyPlan> plan)
+    : plan_(std::move(plan)) {
+  levels_.push_back({.blocks = std::move(finest)});
+  while (6 * levels_.back().blocks.rows.total > plan_->most) {
+    const long long before = levels_.back().blocks.rows.total;
+    coarsen(frames, bodies, missing_diagonal);
+    if (3 * levels_.back().blocks.rows.total > 2 * before) break;
+  }
+  for (Level& l : levels_) {
+    for (auto* own : {&l.b, &l.r, &l.d, &l.rest}) own->resize(6 * l.blocks.rows.mine);
+    for (auto* with_ghosts : {&l.x, &l.z}) with_ghosts->resize(6 * l.blocks.rows.size());
+  }
+  factorise();
+  for (std::size_t l = levels_.size() - 1; setup_error_.empty() && l-- > 0;)
+    levels_[l].lowest = std::clamp(below * lowest_eigenvalue(l), least, most);
+}
+
+void BlockHierarchy::coarsen(std::vector<RigidFrame>& frames, int bodies, double missing_diagonal) {
+  const std::size_t level = levels_.size() - 1;
+  Level& fine = levels_.back();
+  if (plan_->groups.size() == level)
+    plan_->groups.push_back(aggregate_blocks(fine.blocks.A, bodies, blocks_of_aggregate));
+  fine.group = plan_->groups[level];
+  CoarserModes modes = coarser_modes(frames, fine.group, bodies);
+  fine.weights.resize(fine.group.size());
+  for (std::size_t i = 0; i < fine.group.size(); ++i)
+    for (int k = 0; k < 36; ++k)
+      fine.weights[i][6 * (k % 6) + k / 6] = static_cast<float>(modes.weights[i][k]);
+  DistributedBlocks coarse = galerkin_product(plan_->comm, fine.blocks, fine.group, modes, missing_diagonal);
+  frames = std::move(modes.frames);
+  levels_.push_back({.blocks = std::move(coarse)});
+}
+
+void BlockHierarchy::factorise() {
+  const DistributedBlocks& last = levels_.back().blocks;
+  const FactorReport f = plan_->factor.factorise(triplets_of(last), 6 * last.rows.total, false);
+  if (!f.ok) setup_error_ = "rigid motions of aggregates: " + f.reason;
+  factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
+}
+
+// Of the level's cycle times its matrix.
+double BlockHierarchy::lowest_eigenvalue(std::size_t level) const {
+  const Level& l = levels_[level];
+  const auto matrix = as_doubles<LinearOperator>(l.blocks.rows, [&](std::span<float> x, std::span<float> y) {
+    l.update_ghosts(x);
+    l.blocks.A.apply(x, y);
+  });
+  const auto inverse = as_doubles<Preconditioner>(
+      l.blocks.rows, [&](std::span<float> b, std::span<float> x) { cycle(level, b, x); });
+  return lanczos(matrix, inverse, lanczos_steps, plan_->comm).smallest;
+}
+
+void BlockHierarchy::restrict_to(std::size_t level, std::span<const float> fine) const {
+  const Level& l = levels_[level - 1];
+  auto& coarse = levels_[level].b;
+  std::ranges::fill(coarse, 0.F);
+  for (int i = 0; i < l.blocks.rows.mine; ++i)
+    for (int k = 0; k < 6; ++k) {
+      float sum = 0;
+      for (int r = 0; r < 6; ++r) sum += l.weights[i][6 * k + r] * fine[6 * i + r];
+      coarse[6 * l.group[i] + k] += sum;
+    }
+}
+
+// Adds the solution of a level.
+void BlockHierarchy::prolongate(std::size_t level, std::span<float> fine) const {
+  const Level& l = levels_[level - 1];
+  const auto& coarse = levels_[level].x;
+  for (int i = 0; i < l.blocks.rows.mine; ++i)
+    for (int k = 0; k < 6; ++k)
+      for (int r = 0; r < 6; ++r) fine[6 * i + r] += l.weights[i][6 * k + r] * coarse[6 * l.group[i] + k];
+}
+
+void BlockHierarchy::cycle(std::size_t level, std::span<const float> b, std::span<float> x) const {
+  const Level& l = levels_[level];
+  std::ranges::fill(x, 0.F);
+  l.blocks.A.sweep(b, x, true);
+  l.update_ghosts(x);
+  l.blocks.A.residual(b, x, l.rest);
+  restrict_to(level + 1, l.rest);
+  solve(level + 1);
+  prolongate(level + 1, x);
+  l.update_ghosts(x);
+  l.blocks.A.sweep(b, x, false);
+}
+
+// x ≈ A⁻¹ b of a level.
+void BlockHierarchy::solve(std::size_t level) const {
+  const Level& l = levels_[level];
+  if (level + 1 == levels_.size()) {
+    std::vector<double> b(l.b.begin(), l.b.end());
+    plan_->factor.solve(b, b);
+    std::ranges::copy(b, l.x.begin());
+    return;
+  }
+  DampedSpectrum::Steps steps(l.lowest, 1);
+  std::ranges::fill(l.x, 0.F);
+  std::ranges::copy(l.b, l.r.begin());
+  for (int k = 0; k < degree; ++k) {
+    cycle(level, l.r, l.z);
+    const auto [keep, add] = steps.next();
+    for (std::size_t i = 0; i < l.d.size(); ++i) {
+      l.d[i] = (k > 0 ? static_cast<float>(keep) * l.d[i] : 0) + static_cast<float>(add) * l.z[i];
+      l.x[i] += l.d[i];
+    }
+    if (k + 1 == degree) break;
+    l.update_ghosts(l.x);
+    l.blocks.A.residual(l.b, l.x, l.r);
+  }
+}
+
+void BlockHierarchy::apply(std::span<const double> b, std::span<double> x) const {
+  const Level& first = levels_.front();
+  double largest = 0;  // single precision has no room for the size of every residual
+  for (double v : b) largest = std::max(largest, std::abs(v));
+  largest = plan_->comm.max(largest);
+  const double scale = largest > 0 ? largest : 1;
+  for (std::size_t i = 0; i < b.size(); ++i) first.b[i] = static_cast<float>(b[i] / scale);
+  solve(0);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = scale * first.x[i];
+}
+
+std::size_t BlockHierarchy::bytes() const {
+  std::size_t sum = factor_bytes_;
+  for (const Level& l : levels_)
+    sum +=
+        l.blocks.A.bytes() + bytes_of(l.group) + bytes_of(l.weights) + 4 * bytes_of(l.b) + 2 * bytes_of(l.x);
+  return sum;
+}
+
+}  // namespace bulbus

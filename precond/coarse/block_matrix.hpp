@@ -1,0 +1,46 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+namespace bulbus {
+
+/// A sparse matrix of 6 × 6 blocks in single precision: rows in compressed form, both triangles. On several
+/// ranks the rows of this one, columns by local numbers, its own rows first.
+class BlockMatrix {
+ public:
+  /// Row by row.
+  using Block = std::array<double, 36>;
+
+  BlockMatrix() = default;
+  /// Zeros at these block rows and columns, each given once.
+  BlockMatrix(int rows, std::vector<std::array<int, 2>> places);
+  void add(int row, int column, const Block& block);
+  /// Once all is added.
+  void invert_diagonal();
+  int rows() const { return static_cast<int>(start_.size()) - 1; }
+  std::span<const int> columns(int row) const {
+    return {column_.data() + start_[row], column_.data() + start_[row + 1]};
+  }
+  /// Of the k-th entry of a row.
+  Block block(int row, int k) const;
+  std::size_t entries() const { return column_.size(); }
+
+  /// y = A x; six numbers per block row.
+  void apply(std::span<const float> x, std::span<float> y) const;
+  /// r = b − A x.
+  void residual(std::span<const float> b, std::span<const float> x, std::span<float> r) const;
+  /// One sweep of block Gauss–Seidel on A x = b, from the first block row to the last or back.
+  void sweep(std::span<const float> b, std::span<float> x, bool forwards) const;
+  std::size_t bytes() const;
+
+ private:
+  using Sum = std::array<float, 8>;  // the last two entries are not used
+  void subtract(int row, std::span<const float> x, Sum& sum) const;
+
+  std::vector<int> start_, column_;
+  std::vector<float> value_;    // column by column, 36 a block; two more at the end, where eight are read
+  std::vector<float> inverse_;  // of the diagonal blocks, the same
+};
+
+}  // namespace bulbus
