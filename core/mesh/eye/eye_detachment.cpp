@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/error.hpp"
+#include "core/mesh/eye/degree.hpp"
 #include "core/mesh/eye/eye_parts.hpp"
 
 namespace bulbus {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 double middle_azimuth(const EyeSheet& sheet, int quad) {
   double sum = 0;
