@@ -5,25 +5,18 @@
 #include "core/io/log.hpp"
 
 namespace bulbus {
-namespace {
-
-void print(const Log& log, const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) log.info(line);
-}
-
-}  // namespace
 
 int check(const Scene& scene, const Comm& comm) {
   const Prepared prepared = prepare(scene, comm);
   const Problem& problem = *prepared.problem;
   const Sizes sizes = sizes_of(problem);
   const Log log("", comm);
-  print(log, lines_of(prepared.quality));
-  print(log, lines_of(sizes));
-  print(log, liquid_lines(problem));
+  log.info(lines_of(prepared.quality));
+  log.info(lines_of(sizes));
+  log.info(liquid_lines(problem));
   for (const std::string& warning : prepared.warnings) log.warn(warning);
   const MemoryForecast memory = forecast_memory(prepared, scene);
-  print(log, lines_of(memory, scene.solver.linear));
+  log.info(lines_of(memory, scene.solver.linear));
   comm.together([&] { refuse_what_cannot_fit(memory, scene.solver.linear); });
   return 0;
 }

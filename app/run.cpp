@@ -48,10 +48,6 @@ std::vector<std::string> lines_of_levels(const Problem& problem) {
   return lines;
 }
 
-void tell(const Log& log, const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) log.info(line);
-}
-
 void write_header(const Log& log, const Scene& scene, const std::string& scene_path,
                   const Prepared& prepared) {
   const Comm& comm = prepared.problem->comm();
@@ -60,11 +56,11 @@ void write_header(const Log& log, const Scene& scene, const std::string& scene_p
   log.info(made_of);
   log.info(fmt::format("{}{} on {} rank{}", scene_path, scene.title.empty() ? "" : ": " + scene.title,
                        comm.size(), comm.size() == 1 ? "" : "s"));
-  tell(log, lines_of(prepared.quality));
-  tell(log, lines_of(sizes_of(*prepared.problem)));
-  tell(log, liquid_lines(*prepared.problem));
+  log.info(lines_of(prepared.quality));
+  log.info(lines_of(sizes_of(*prepared.problem)));
+  log.info(liquid_lines(*prepared.problem));
   log.info("linear solver: " + name_of_solver(scene.solver.linear, *prepared.problem));
-  tell(log, lines_of_levels(*prepared.problem));
+  log.info(lines_of_levels(*prepared.problem));
   for (const std::string& warning : prepared.warnings) log.warn(warning);
 }
 

@@ -24,7 +24,7 @@ const RecordNames study_records{{"study.log", "study.csv", "study.json", "study.
 
 void tell(const Log& log, const std::vector<std::string>& lines) {
   if (!lines.empty()) log.info("");
-  for (const std::string& line : lines) log.info(line);
+  log.info(lines);
 }
 
 StudyResults nothing_yet(const Study& study, const std::vector<StudyRun>& runs) {

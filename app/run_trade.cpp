@@ -59,7 +59,7 @@ class TradeRunner {
         }
       }
     log_.info("");
-    for (const std::string& line : lines_of(trade_, results_)) log_.info(line);
+    log_.info(lines_of(trade_, results_));
     log_.info("");
     log_.info("trade.csv and trade.svg in " + folder_);
     return results_.converged(0) ? 0 : 1;

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "app/eye/degree.hpp"
 #include "app/eye/eye_parts.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 double middle_azimuth(const EyeSheet& sheet, int quad) {
   double sum = 0;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "app/eye/degree.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Height above its rim of a spherical cap of base radius a and height h, at a distance from the axis.
 double cap(double a, double h, double rho) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/memory.hpp"
 #include "core/element/mean_tangent.hpp"
 #include "core/solve/direct_memory.hpp"
 #include "core/solve/fgmres.hpp"
@@ -12,7 +13,7 @@ namespace bulbus {
 namespace {
 
 // Numbers of bytes that are not a count of what is stored are fitted to runs: benchmarks/notebook/memory.md.
-constexpr double megabyte = 1e6, number = sizeof(double), single = sizeof(float);
+constexpr double number = sizeof(double), single = sizeof(float);
 // Krylov vectors of a solve: only those that it needs are made
 constexpr int usual_basis = 20, basis_with_hierarchy = 18, basis_of_easy_solves = 8;
 

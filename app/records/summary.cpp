@@ -6,13 +6,12 @@
 
 #include "app/records/contact_summary.hpp"
 #include "app/version.hpp"
+#include "core/base/memory.hpp"
 
 namespace bulbus {
 namespace {
 
 using json = nlohmann::json;
-
-constexpr double megabyte = 1e6;
 
 // Largest and sum over the ranks; every rank keeps count of the same parts.
 json over_ranks(const Comm& comm, double value) {

@@ -7,11 +7,11 @@
 
 #include "app/scene/size_limits.hpp"
 #include "core/base/error.hpp"
+#include "core/base/memory.hpp"
 
 namespace bulbus {
 namespace {
 
-constexpr double megabyte = 1e6;
 // A triangle with its corners, neighbours and, while these are looked for, edges; a contact point with its
 // candidates and tangent; what a point remembers of each part of a body: benchmarks/notebook/memory.md.
 constexpr double of_facet = 450, of_point = 1700, of_slot = 100;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/scene/outline.hpp"
+#include "app/scene/wording.hpp"
 #include "app/study/study.hpp"
 
 namespace bulbus {
@@ -68,8 +69,12 @@ void write(const Topic& t, const Topic& around, Level most, int indent, std::str
 }
 
 template <class T>
-std::string help_of(std::string introduction, Level most) {
-  const Topic root = outline_of<T>("", About{""});
+Topic outline_of() {
+  T defaults;
+  return outline_of("", About{""}, parameters_of(defaults));
+}
+
+std::string help_of(const Topic& root, std::string introduction, Level most) {
   for (const Topic& part : root.parts) write(part, root, most, 0, introduction);
   return introduction;
 }
@@ -82,7 +87,7 @@ int count(const Topic& t, Level level) {
 }
 
 std::string what_is_left_out(Level most) {
-  const Topic root = outline_of<Scene>("", About{""});
+  const Topic root = outline_of<Scene>();
   const int expert = most < Level::expert ? count(root, Level::expert) : 0,
             debug = most < Level::debug ? count(root, Level::debug) : 0;
   if (debug == 0) return "";
@@ -98,7 +103,8 @@ std::string what_is_left_out(Level most) {
 }  // namespace
 
 std::string scene_help(Level most) {
-  return help_of<Scene>(
+  return help_of(
+             outline_of<Scene>(),
              "A scene is a YAML file. Lengths in mm, forces in N, stresses in MPa, angles in rad; a value "
              "may carry "
              "its own\n"
@@ -109,7 +115,8 @@ std::string scene_help(Level most) {
 }
 
 std::string study_help() {
-  return help_of<Study>(
+  return help_of(
+      outline_of<Study>(),
       "A study is a YAML file: a scene, and what to vary in it. Keys of the scene are paths such as\n"
       "steps.1.increments; entries of lists count from 0, or go by their name. Runs save no result fields\n"
       "unless `set` gives output.vtk: true.\n\n",

@@ -56,12 +56,4 @@ struct is_map<std::map<std::string, T>> : std::true_type {};
 template <class T>
 concept Map = is_map<T>::value;
 
-/// The keys of a described struct, in their order.
-template <Described T>
-std::vector<std::string> keys_of(T& object) {
-  std::vector<std::string> keys;
-  object.describe([&](const char* key, auto&, const About&) { keys.emplace_back(key); });
-  return keys;
-}
-
 }  // namespace bulbus::kinds

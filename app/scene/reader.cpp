@@ -1,6 +1,8 @@
 #include "app/scene/reader.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cstdlib>

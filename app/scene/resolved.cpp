@@ -4,8 +4,8 @@
 namespace bulbus {
 
 std::string resolved_yaml(const Scene& scene) {
-  Scene copy = scene;  // describe() visits members that may change
-  return to_yaml(writer::entry_of_struct(copy));
+  Scene copy = scene;  // values may change what they refer to
+  return to_yaml(entry_of(parameters_of(copy)));
 }
 
 }  // namespace bulbus

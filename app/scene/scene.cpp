@@ -68,7 +68,7 @@ void Scene::take_preset() { solver.linear.take_mesh(mesh.refine); }
 
 Scene scene_of(const Entry& root, const std::string& path) {
   Scene scene;
-  reader::read_struct(root, "", scene);
+  reader::read(root, parameters_of(scene));
   place_files(scene, path);
   return scene;
 }

@@ -4,6 +4,7 @@
 
 #include "app/scene/entry.hpp"
 #include "app/scene/mesh_source.hpp"
+#include "app/scene/value.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/model.hpp"
 #include "core/solve/settings.hpp"
@@ -64,6 +65,9 @@ struct Scene {
   /// override them.
   void take_preset();
 };
+
+/// The scene as a group of values, which reader, writer and outline go through.
+Value parameters_of(Scene& scene);
 
 /// A scene from its YAML as data. Relative files count from the folder of `path`, the scene's, and come out
 /// absolute. Throws InputError with file, line, key, value and remedy. Settings without effect are left to

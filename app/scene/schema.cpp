@@ -4,6 +4,7 @@
 #include "app/scene/help.hpp"
 #include "app/scene/outline.hpp"
 #include "app/scene/scene.hpp"
+#include "app/scene/wording.hpp"
 
 namespace bulbus {
 namespace {
@@ -94,7 +95,8 @@ json schema_of(const Topic& t) {
 }  // namespace
 
 nlohmann::json scene_schema() {
-  json s = shape_of(outline_of<Scene>("", About{""}));
+  Scene defaults;
+  json s = shape_of(outline_of("", About{""}, parameters_of(defaults)));
   s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   s["title"] = "Bulbus scene";
   s["properties"]["mesh"]["minProperties"] = s["properties"]["mesh"]["maxProperties"] = 1;

@@ -13,7 +13,6 @@
 namespace bulbus {
 namespace {
 
-constexpr double megabyte = 1e6;
 constexpr double indices = std::numeric_limits<int>::max();
 // Measured on blocks, shells and eyes: the program itself, what is resident of mesh and
 // problem when all is prepared, and what the making of a mesh needs at its peak

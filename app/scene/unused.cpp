@@ -6,6 +6,8 @@
 
 #include "app/scene/outline.hpp"
 #include "app/scene/reader.hpp"
+#include "app/scene/writer.hpp"
+#include "core/base/require_one.hpp"
 
 namespace bulbus {
 namespace {
@@ -33,7 +35,7 @@ void remove(Entry& map, const std::string& path) {
   map.key_places.erase(map.key_places.begin() + at);
 }
 
-Entry written(Scene scene) { return writer::entry_of_struct(scene); }
+Entry written(Scene scene) { return entry_of(parameters_of(scene)); }
 
 // What `auto` stands for is what conditions ask for.
 Entry choices_of(Scene scene) {
@@ -75,7 +77,7 @@ void collect(const Topic& group, const Entry& given, const std::string& path, co
 Scene without(const std::vector<UnusedSetting>& unused, Entry root) {
   for (const UnusedSetting& u : unused) remove(root, u.key);
   Scene scene;
-  reader::read_struct(root, "", scene);
+  reader::read(root, parameters_of(scene));
   return scene;
 }
 
@@ -89,7 +91,9 @@ InputError UnusedSetting::fault() const {
 
 std::vector<UnusedSetting> unused_settings(const Entry& root, const Scene& scene) {
   std::vector<UnusedSetting> unused;
-  collect(outline_of<Scene>("", About{""}), root, "", {written(scene), choices_of(scene)}, unused);
+  Scene defaults;
+  collect(outline_of("", About{""}, parameters_of(defaults)), root, "", {written(scene), choices_of(scene)},
+          unused);
   if (unused.empty()) return unused;
   const Entry others = written(without(unused, root));
   for (UnusedSetting& u : unused) u.otherwise = word_at(others, u.key);

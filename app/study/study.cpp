@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/scene/reader.hpp"
+#include "app/scene/value_of.hpp"
 
 namespace bulbus {
 namespace {
@@ -125,12 +126,14 @@ void Study::validate() const {
                       "take fewer values, or design: one_at_a_time");
 }
 
+Value parameters_of(Study& study) { return value_of(study); }
+
 Study study_of(const Entry& source, const std::string& path, const std::vector<std::string>& overrides) {
   namespace fs = std::filesystem;
   Study study;
   study.source = source;
   study.overrides = overrides;
-  reader::read_struct(source, "", study);
+  reader::read(source, parameters_of(study));
   study.scene = (fs::path(path).parent_path() / study.scene).lexically_normal().string();
   if (!fs::is_regular_file(study.scene))
     reader::refuse(*source.find("scene"), "scene", "there is no file '" + study.scene + "'",

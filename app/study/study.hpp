@@ -61,6 +61,9 @@ struct Study {
   std::vector<std::string> overrides;  ///< path.to.key=value for every run, after `set`
 };
 
+/// The study as a group of values, as parameters_of(Scene&).
+Value parameters_of(Study& study);
+
 /// Reads a study file and that of its scene, of which no key is judged yet. `overrides` are for the scene.
 /// Throws InputError.
 Study read_study(const std::string& path, const std::vector<std::string>& overrides = {});

@@ -1,5 +1,7 @@
 #include "contact/rigid/profile.hpp"
 
+#include "core/base/error.hpp"
+
 #include <Eigen/Sparse>
 
 #include <algorithm>

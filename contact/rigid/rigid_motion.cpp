@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/surfaces/meridians.hpp"
+#include "core/base/error.hpp"
 #include "core/problem/rigid_body.hpp"
 
 namespace bulbus {

@@ -7,6 +7,7 @@
 
 #include "contact/rigid/surface_triangulation.hpp"
 #include "contact/surfaces/meridians.hpp"
+#include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
 
 namespace bulbus {

@@ -8,7 +8,7 @@ namespace bulbus {
 namespace {
 
 constexpr double beside = 0.05;  // weights: what a crossing may miss a triangle by
-constexpr int longest_walk = 64;
+constexpr int longest_path = 64;
 
 // Distance to the plane of a triangle times the length of its normal, which is not a unit vector.
 struct Side {
@@ -58,7 +58,7 @@ int nearest_from(const MasterSurface& master, const Vec3<double>& x, int start) 
   int t = start, before = -1;
   Pair p = project(x, master.corners(t));
   double distance = nearest_point(x, master.corners(t)).distance;
-  for (int step = 0; step < longest_walk && std::ranges::min(p.weights) < 0; ++step) {
+  for (int step = 0; step < longest_path && std::ranges::min(p.weights) < 0; ++step) {
     const int next = master.facets.neighbours[t][std::ranges::min_element(p.weights) - p.weights.begin()];
     if (next < 0 || next == before) break;
     const double there = nearest_point(x, master.corners(next)).distance;

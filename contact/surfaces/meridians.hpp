@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/error.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 

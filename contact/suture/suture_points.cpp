@@ -11,6 +11,7 @@
 #include "contact/rigid/surface_triangulation.hpp"
 #include "contact/surfaces/facets.hpp"
 #include "contact/surfaces/meridians.hpp"
+#include "core/base/error.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/problem/closed_surface.hpp"
 

@@ -1,5 +1,7 @@
 #include "contact/suture/suture_term.hpp"
 
+#include "core/base/error.hpp"
+
 #include <algorithm>
 #include <unordered_map>
 

@@ -6,6 +6,8 @@
 
 namespace bulbus {
 
+inline constexpr double megabyte = 1e6;  ///< bytes
+
 /// Resident bytes of this process now, and the most it ever had (Linux /proc; 0 elsewhere).
 std::size_t resident_bytes();
 std::size_t peak_resident_bytes();

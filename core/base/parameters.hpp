@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/units.hpp"
@@ -48,55 +50,32 @@ struct About {
   Level level = Level::everyday;
   std::vector<Condition> conditions;  ///< the parameter acts where all of them hold
 
-  About(std::string help, Quantity quantity = Quantity::number) : help(std::move(help)), quantity(quantity) {}
-  About between(double a, double b) const {
-    About r = *this;
-    r.low = a, r.high = b;
-    return r;
-  }
-  About at_least(double a) const { return between(a, high); }
-  About positive() const {
-    About r = between(0, high);
-    r.above = true;
-    return r;
-  }
-  About needed() const {
-    About r = *this;
-    r.required = true;
-    return r;
-  }
-  About expression() const {
-    About r = *this;
-    r.formula = true;
-    return r;
-  }
-  About one_of(std::vector<std::string> words) const {
-    About r = *this;
-    r.choices = std::move(words);
-    return r;
-  }
+  About(std::string_view help, Quantity quantity = Quantity::number);
+  About(const About&);  // these too are compiled once, not in each of the hundreds of places that make one
+  About(About&&) noexcept;
+  About& operator=(const About&);
+  About& operator=(About&&) noexcept;
+  ~About();
+
+  About between(double a, double b) const;
+  About at_least(double a) const;
+  About positive() const;
+  About needed() const;
+  About expression() const;
+  About one_of(std::vector<std::string> words) const;
   /// Of an optional number: what the program chooses while it is empty stands as 0 in scenes.
-  About automatic() const {
-    About r = *this;
-    r.zero_is_automatic = true;
-    return r;
-  }
-  About expert() const { return at(Level::expert); }
-  About debug() const { return at(Level::debug); }
+  About automatic() const;
+  About expert() const;
+  About debug() const;
   /// The parameter acts only where `key` is one of these: elsewhere a scene that gives it is refused.
   template <Worded E, std::same_as<E>... More>
   About only_with(std::string key, E first, More... more) const {
-    About r = *this;
-    r.conditions.push_back({std::move(key), {word_of(first), word_of(more)...}});
-    return r;
+    return only_with_words(std::move(key), {word_of(first), word_of(more)...});
   }
 
  private:
-  About at(Level wanted) const {
-    About r = *this;
-    r.level = wanted;
-    return r;
-  }
+  About only_with_words(std::string key, std::vector<std::string> words) const;
+  About at(Level wanted) const;
 };
 
 }  // namespace bulbus

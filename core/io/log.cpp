@@ -43,6 +43,9 @@ Log::Log(const std::string& path, const Comm& comm, Screen screen, FileStart sta
 
 // The text goes in as an argument: braces in it are not a format.
 void Log::info(const std::string& line) const { logger_->info("{}", line); }
+void Log::info(const std::vector<std::string>& lines) const {
+  for (const std::string& line : lines) info(line);
+}
 void Log::warn(const std::string& line) const { logger_->warn("warning: {}", line); }
 void Log::error(const std::string& line) const { logger_->error("error: {}", line); }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/parallel.hpp"
 #include "core/io/text_file.hpp"
@@ -21,6 +22,7 @@ class Log {
       FileStart start = FileStart::anew);
 
   void info(const std::string& line) const;
+  void info(const std::vector<std::string>& lines) const;
   /// The line behind "warning: ".
   void warn(const std::string& line) const;
   /// The line behind "error: ".

@@ -6,6 +6,10 @@
 
 namespace bulbus {
 
+/// Corners of the unit cube in the order of a Hex.
+inline constexpr int unit_cube[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                        {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+
 /// The hexahedra around every node, and which of their corners it is.
 class Corners {
  public:

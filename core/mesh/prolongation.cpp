@@ -5,13 +5,10 @@
 
 #include "core/base/memory.hpp"
 #include "core/base/tensor.hpp"
+#include "core/mesh/corners.hpp"
 
 namespace bulbus {
 namespace {
-
-// Corners of the unit cube in the order of a Hex.
-constexpr double corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
 struct Weights {
   double value[8];
@@ -24,9 +21,9 @@ Weights weights_at(const Hex& hex, std::span<const double> places, const double*
   for (int c = 0; c < 3; ++c) rest[c] = x[c];
   for (int k = 0; k < 8; ++k) {
     double f[3];
-    for (int i = 0; i < 3; ++i) f[i] = corner[k][i] == 1 ? xi[i] : 1 - xi[i];
+    for (int i = 0; i < 3; ++i) f[i] = unit_cube[k][i] == 1 ? xi[i] : 1 - xi[i];
     N[k] = f[0] * f[1] * f[2];
-    for (int i = 0; i < 3; ++i) dN[k][i] = (corner[k][i] == 1 ? 1 : -1) * f[(i + 1) % 3] * f[(i + 2) % 3];
+    for (int i = 0; i < 3; ++i) dN[k][i] = (unit_cube[k][i] == 1 ? 1 : -1) * f[(i + 1) % 3] * f[(i + 2) % 3];
     for (int c = 0; c < 3; ++c) {
       const double p = places[3 * hex[k] + c];
       rest[c] -= N[k] * p;
@@ -109,7 +106,7 @@ Interpolation Prolongation::at(std::span<const double> coarse_x, std::span<const
     if (const Site& s = site[n]; s.hex >= 0) {
       const Hex& hex = coarse_.hexes[s.hex];
       double xi[3];
-      for (int i = 0; i < 3; ++i) xi[i] = .5 * (corner[s.child][i] + corner[s.corner][i]);
+      for (int i = 0; i < 3; ++i) xi[i] = .5 * (unit_cube[s.child][i] + unit_cube[s.corner][i]);
       const Weights w = weights_at(hex, coarse_x, xi, &fine_x[3 * n]);
       for (int k = 0; k < 8; ++k) I.add(hex[k], w.value[k]);
     } else if (n >= first_lone_) {

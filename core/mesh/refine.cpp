@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/sort_unique.hpp"
+#include "core/mesh/corners.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/hex_edges.hpp"
 #include "core/mesh/sorted.hpp"
@@ -11,10 +12,6 @@ namespace bulbus {
 namespace {
 
 using Edge = std::array<int, 2>;
-
-// Corners of the unit cube in the order of a Hex.
-constexpr int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                              {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
 // New nodes: edges in the order of their sorted ends, then faces, then hexahedra. Two sets of nodes that rise
 // together so get children that do.
@@ -81,7 +78,7 @@ std::array<int, 27> lattice(const Mesh& mesh, const NewNodes& nodes, int hex) {
   const auto place = [](const auto& corners) {  // the lattice point amid corners
     int sum[3] = {};
     for (int c : corners)
-      for (int i = 0; i < 3; ++i) sum[i] += corner[c][i];
+      for (int i = 0; i < 3; ++i) sum[i] += unit_cube[c][i];
     const int n = static_cast<int>(std::size(corners));
     return 2 * sum[0] / n + 3 * (2 * sum[1] / n) + 9 * (2 * sum[2] / n);
   };
@@ -97,10 +94,11 @@ void split_hexes(const Mesh& mesh, const NewNodes& nodes, Mesh& fine) {
   fine.region.reserve(8 * mesh.hexes.size());
   for (int h = 0; h < static_cast<int>(mesh.hexes.size()); ++h) {
     const auto at = lattice(mesh, nodes, h);
-    for (const auto& child : corner) {
+    for (const auto& child : unit_cube) {
       Hex hex;
       for (int c = 0; c < 8; ++c)
-        hex[c] = at[child[0] + corner[c][0] + 3 * (child[1] + corner[c][1]) + 9 * (child[2] + corner[c][2])];
+        hex[c] = at[child[0] + unit_cube[c][0] + 3 * (child[1] + unit_cube[c][1]) +
+                    9 * (child[2] + unit_cube[c][2])];
       fine.hexes.push_back(hex);
       fine.region.push_back(mesh.region[h]);
     }

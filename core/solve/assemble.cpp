@@ -51,7 +51,7 @@ class Numbering {
 // pile up.
 class Collector {
  public:
-  Collector(long long rows, Triangle part) : rows_(rows), upper_(part == Triangle::upper) {}
+  Collector(long long rows, Triangles part) : rows_(rows), upper_(part == Triangles::upper) {}
   void add(int r, int c, double v) {
     if ((v == 0 && r != c) || (upper_ && r > c)) return;
     auto& row = rows_[r];
@@ -104,8 +104,8 @@ class Collector {
 // The same of nodes alone, block by block: nodes meet far fewer others than unknowns do.
 class BlockCollector {
  public:
-  BlockCollector(const LocalMesh& mesh, Triangle part)
-      : mesh_(mesh), rows_(mesh.all_nodes), upper_(part == Triangle::upper) {}
+  BlockCollector(const LocalMesh& mesh, Triangles part)
+      : mesh_(mesh), rows_(mesh.all_nodes), upper_(part == Triangles::upper) {}
   // What bodies have is left out.
   void add(std::span<const int> dofs, std::span<const double> K) {
     const int nodal = 3 * mesh_.nodes();
@@ -211,7 +211,7 @@ void add_liquids(const CoupledSystem& system, const CoupledOperator* augmented, 
   }
 }
 
-Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented, Triangle part) {
+Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented, Triangles part) {
   const Numbering number(system);
   const Layout& layout = system.layout();
   Collector out(global_size(system), part);
@@ -251,13 +251,13 @@ long long global_size(const CoupledSystem& system) {
   return n;
 }
 
-Triplets assemble(const CoupledOperator& A, Triangle part) { return assemble(A.system(), &A, part); }
+Triplets assemble(const CoupledOperator& A, Triangles part) { return assemble(A.system(), &A, part); }
 
-Triplets assemble_plain(const CoupledSystem& system, Triangle part) {
+Triplets assemble_plain(const CoupledSystem& system, Triangles part) {
   return assemble(system, nullptr, part);
 }
 
-Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
+Triplets assemble_displacement(const CoupledSystem& system, Triangles part) {
   const LocalMesh& mesh = system.problem().mesh();
   BlockCollector out(mesh, part);
   for_each_condensed_matrix(system, Matrices::augmented,
@@ -266,8 +266,8 @@ Triplets assemble_displacement(const CoupledSystem& system, Triangle part) {
   return out.take();
 }
 
-long long liquid_entries(const CoupledSystem& system, Triangle part) {
-  const bool upper = part == Triangle::upper;
+long long liquid_entries(const CoupledSystem& system, Triangles part) {
+  const bool upper = part == Triangles::upper;
   long long entries = 0;
   for (const auto& g : system.liquid_columns()) {
     const long long own = std::ranges::count_if(g, [](double v) { return v != 0; }),

@@ -77,7 +77,7 @@ FactorReport DirectFallback::factorise(const CoupledSystem& system, Mumps& mumps
   const auto scope = profiler_.clock.measure("factorisation");
   const bool symmetric = system.problem().symmetric();
   const FactorReport factor = mumps.factorise(
-      assemble_plain(system, symmetric ? Triangle::upper : Triangle::both), global_size(system), symmetric);
+      assemble_plain(system, symmetric ? Triangles::upper : Triangles::both), global_size(system), symmetric);
   if (factor.too_large) fits_ = false;
   profiler_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
   return factor;

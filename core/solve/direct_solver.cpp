@@ -43,7 +43,7 @@ class DirectSolver final : public LinearSolver {
  private:
   FactorReport factorised(const CoupledSystem& system) {
     symmetric_ = system.problem().symmetric();
-    const Triangle part = symmetric_ ? Triangle::upper : Triangle::both;
+    const Triangles part = symmetric_ ? Triangles::upper : Triangles::both;
     const double entries = static_cast<double>(liquid_entries(system, part)),
                  dense_mb = 1e-6 * bytes_per_entry * entries;
     if (dense_mb > limit_mb_)

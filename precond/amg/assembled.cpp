@@ -73,7 +73,7 @@ ExactBlock::ExactBlock(const CoupledSystem& system, std::shared_ptr<Mumps> mumps
       mumps_(std::move(mumps)) {
   const bool symmetric = system.problem().symmetric();
   const FactorReport f =
-      mumps_->factorise(assemble_displacement(system, symmetric ? Triangle::upper : Triangle::both),
+      mumps_->factorise(assemble_displacement(system, symmetric ? Triangles::upper : Triangles::both),
                         3 * system.problem().mesh().all_nodes, symmetric, keep);
   keeps_factors_ = f.kept;
   if (!f.ok) setup_error_ = "displacement block: " + f.reason;

@@ -1,5 +1,6 @@
 // The small half eye: nothing done to it, a deep buckle and back, a retina far off its bed, zonules slack and
 // cut.
+#include "core/base/error.hpp"
 #include "tests/extremes/run.hpp"
 #include "tests/support/small_eye.hpp"
 

@@ -1,4 +1,5 @@
 // Tissues of very different stiffness, thin layers, long cells, flat cells, large stretches.
+#include "core/base/error.hpp"
 #include "core/mesh/quality.hpp"
 #include "tests/extremes/spheres.hpp"
 

@@ -3,9 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.hpp"
 #include "core/base/parameters.hpp"
-#include "core/base/require_one.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus {
@@ -183,7 +181,7 @@ struct RigidBodySpec {
       About{"direction of `close`; zero: against the radius of each arc's middle, along a plane's normal"});
   }
   /// Throws InputError unless exactly one shape is given.
-  void validate() const { require_one("the rigid body", "shape", optional_members(*this)); }
+  void validate() const;
 };
 
 /// Motion of a rigid body over a step, reached linearly by its end: all parts turn together, shift together
@@ -248,15 +246,7 @@ struct SutureSpec {
     meridians.describe(v);
   }
   /// Throws InputError unless the points are given in exactly one way.
-  void validate() const {
-    require_one("the suture", "placement",
-                {{"pair", pair.has_value()}, {"points", !points.empty()}, {"sets", !sets.empty()}});
-    if (points.size() > 2 || sets.size() > 2)
-      throw input_error("a suture has more than two points", "make two sutures of it");
-    if (sets.empty() && surface.empty())
-      throw input_error("the suture has no surface",
-                        "add 'surface: ...', the surface of the mesh that its points lie on");
-  }
+  void validate() const;
 };
 
 }  // namespace bulbus

@@ -8,6 +8,7 @@
 #include "app/scene/help.hpp"
 #include "app/scene/outline.hpp"
 #include "app/scene/unused.hpp"
+#include "app/scene/value_of.hpp"
 #include "app/study/study_design.hpp"
 #include "scenes.hpp"
 
@@ -34,7 +35,8 @@ void walk(const Topic& topic, const std::string& path, See&& see) {
 
 template <class See>
 void walk_solver(See&& see) {
-  walk(outline_of<SolverSettings>("solver", About{""}), "solver", see);
+  SolverSettings defaults;
+  walk(outline_of("solver", About{""}, value_of(defaults)), "solver", see);
 }
 
 std::vector<std::string> keys_at(Level level) {

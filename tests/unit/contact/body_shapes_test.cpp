@@ -8,6 +8,7 @@
 #include "contact/rigid/surface_triangulation.hpp"
 #include "contact/surfaces/meridians.hpp"
 #include "contact/surfaces/sharp_edges.hpp"
+#include "core/base/error.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/support/not_empty.hpp"

@@ -8,7 +8,8 @@
 namespace bulbus {
 namespace {
 
-ProbeSpec probe(const std::string& kind, const std::string& since, const std::string& statistic = "mean") {
+ProbeSpec probe_since(const std::string& kind, const std::string& since,
+                      const std::string& statistic = "mean") {
   ProbeSpec p;
   p.name = kind + " since " + since + " " + statistic;
   p.kind = kind, p.set = "xmax", p.to = "xmin", p.component = "y", p.since = since, p.statistic = statistic;
@@ -49,7 +50,7 @@ struct Pushed {
 };
 
 TEST(ProbeRecord, CountsFromTheEndOfAStep) {
-  Pushed p({probe("distance", ""), probe("distance", "second")});
+  Pushed p({probe_since("distance", ""), probe_since("distance", "second")});
   const State one = p.state([](double x, double) { return -x; }),
               two = p.state([](double x, double) { return -3 * x; });
   p.end(0, one);
@@ -67,7 +68,7 @@ TEST(ProbeRecord, CountsFromTheEndOfAStep) {
 
 /// The largest change of a node is not the change of the largest.
 TEST(ProbeRecord, DisplacementsCountNodeByNode) {
-  Pushed p({probe("displacement", "first", "max"), probe("position", "first", "max")});
+  Pushed p({probe_since("displacement", "first", "max"), probe_since("position", "first", "max")});
   p.end(0, p.state([](double, double y) { return y; }));
   const auto v = p.values(p.state([](double, double y) { return 1 - y; }));  // all at y = 1, up from 2 y
   EXPECT_NEAR(*v[0], 1, 1e-14);
@@ -75,7 +76,7 @@ TEST(ProbeRecord, DisplacementsCountNodeByNode) {
 }
 
 TEST(ProbeRecord, ScalesAndNamesTheUnit) {
-  ProbeSpec dioptres = probe("displacement", "first");
+  ProbeSpec dioptres = probe_since("displacement", "first");
   dioptres.unit = "cm", dioptres.scale = -2.5, dioptres.label = "D";
   Pushed p({dioptres});
   EXPECT_EQ(p.probes.unit(0), "D");
@@ -84,7 +85,7 @@ TEST(ProbeRecord, ScalesAndNamesTheUnit) {
 }
 
 TEST(ProbeRecord, RefusesAStepThatIsNotThere) {
-  Scene scene = block({probe("displacement", "secnd")});
+  Scene scene = block({probe_since("displacement", "secnd")});
   try {
     Problem problem(scene.mesh, scene.model, Comm());
     ADD_FAILURE();

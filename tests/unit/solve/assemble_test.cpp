@@ -114,9 +114,9 @@ struct Counted {
     for (int node : nodes)
       for (double x : scene.mesh.points[node]) bounds += std::abs(x) < 1e-9;
     EXPECT_EQ(liquid_entries(system), formulation == Formulation::bordered ? 2 * wet + 1 : wet * wet + 1);
-    EXPECT_EQ(liquid_entries(system, Triangle::upper),
+    EXPECT_EQ(liquid_entries(system, Triangles::upper),
               formulation == Formulation::bordered ? wet + 1 : wet * (wet + 1) / 2 + 1);
-    EXPECT_EQ(assemble(CoupledOperator(system), Triangle::upper).row.size(),
+    EXPECT_EQ(assemble(CoupledOperator(system), Triangles::upper).row.size(),
               (t.row.size() + system.size()) / 2);
   }
 };
