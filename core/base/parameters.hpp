@@ -32,7 +32,7 @@ struct Condition {
 ///       }
 ///     };
 ///
-/// The scene reader, `help scene`, the schema, resolved.yaml and the docs are visitors of describe(). Members
+/// The scene reader, `help scene`, the schema, resolved.yaml and the docs follow from describe(). Members
 /// may be bool, int, double, std::string, an enumeration with words, Point, std::vector of these, another
 /// such struct, std::optional of any of them, and std::vector or std::map<std::string, ...> of any of them. A
 /// string with About::formula holds a number with its unit or an expression. Level and conditions of a struct

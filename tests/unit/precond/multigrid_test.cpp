@@ -1,4 +1,5 @@
 #include "precond/coarse/multigrid.hpp"
+#include "core/base/error.hpp"
 
 #include <gtest/gtest.h>
 
