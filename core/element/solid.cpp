@@ -67,20 +67,36 @@ void Solid::residual(std::span<const double> x, std::span<const double> lambda, 
   });
 }
 
-double Solid::least_jacobian(std::span<const double> x, int* hex) const {
-  double least = std::numeric_limits<double>::infinity();
+// use(hexahedron, its least J).
+template <class Use>
+void Solid::for_each_least_jacobian(std::span<const double> x, Use use) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   for_each_pack([&](const auto&, int p, int first) {
     const auto gx = reference_gradient(gather(packs_[p], x)),
                gX = reference_gradient(gather<8>(packs_[p], X_));
+    std::array<double, lanes> least;
+    least.fill(infinity);
     for_each_gauss_point([&](int i, int j, int k) {
       const Pack J = determinant(gx.at(i, j, k)) / determinant(gX.at(i, j, k));
-      for (int l = 0; l < packs_[p].used; ++l)
-        if (!(J[l] >= least)) {  // a NaN counts as inverted
-          least = std::isnan(J[l]) ? -std::numeric_limits<double>::infinity() : J[l];
-          if (hex) *hex = first + l;
-        }
+      for (int l = 0; l < lanes; ++l) least[l] = std::isnan(J[l]) ? -infinity : std::min(least[l], J[l]);
     });
+    for (int l = 0; l < packs_[p].used; ++l) use(first + l, least[l]);
   });
+}
+
+double Solid::least_jacobian(std::span<const double> x, int* hex) const {
+  double least = std::numeric_limits<double>::infinity();
+  for_each_least_jacobian(x, [&](int h, double J) {
+    if (J >= least) return;
+    least = J;
+    if (hex) *hex = h;
+  });
+  return least;
+}
+
+std::vector<double> Solid::least_jacobians(std::span<const double> x) const {
+  std::vector<double> least(V0_.size(), 1);
+  for_each_least_jacobian(x, [&](int h, double J) { least[h] = J; });
   return least;
 }
 

@@ -52,6 +52,8 @@ class Solid {
 
   /// Smallest J of any Gauss point (+∞ without hexahedra), and its hexahedron.
   double least_jacobian(std::span<const double> x, int* hex = nullptr) const;
+  /// The same of every hexahedron; a NaN counts as −∞. Those of no region have 1.
+  std::vector<double> least_jacobians(std::span<const double> x) const;
 
   /// Fixes the state of the tangent; x and lambda must stay where they are until the next call.
   /// `gamma` augments: penalty_e = γ μ_e / V0_e with the current μ_e = 2 (W1 + W2), floored at a tenth of the
@@ -105,6 +107,8 @@ class Solid {
           },
           r.material);
   }
+  template <class Use>
+  void for_each_least_jacobian(std::span<const double> x, Use use) const;
   void update_moduli();
   void fill_cache();
   void round_places() const;

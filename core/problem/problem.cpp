@@ -5,6 +5,7 @@
 
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
+#include "core/problem/coarse_positions.hpp"
 #include "core/problem/enclosed_parts.hpp"
 #include "core/problem/validate.hpp"
 
@@ -69,6 +70,7 @@ void Problem::build() {
 State Problem::coarsened(const State& state) const {
   State coarse = coarser_->initial_state();
   level_.prolongation->inject(state.x, coarse.x);
+  relax_inverted(*coarser_, coarse.x);
   const auto V0 = solid_->reference_volumes();
   for (std::size_t h = 0; h < coarse.lambda.size(); ++h) {
     double sum = 0, volume = 0;

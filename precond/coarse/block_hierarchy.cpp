@@ -11,9 +11,9 @@
 namespace bulbus {
 namespace {
 
-constexpr int blocks_of_aggregate = 10;
-constexpr int degree = 3;  // of the polynomial in a level's cycle
-constexpr int lanczos_steps = 6;
+constexpr int blocks_of_aggregate = 6;
+constexpr int degree = 5;  // of the polynomial in a level's cycle
+constexpr int lanczos_steps = 10;
 // The spectrum of a cycle times its matrix ends at 1 and begins where Lanczos' method has come to, or a
 // little below. A polynomial for less than the least would be too weak on all the rest.
 constexpr double below = 0.7, least = 0.02, most = 0.5;
