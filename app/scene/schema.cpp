@@ -95,7 +95,8 @@ nlohmann::json scene_schema() {
   json s = shape_of(outline_of<Scene>("", About{""}));
   s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   s["title"] = "Bulbus scene";
-  s["properties"]["mesh"]["minProperties"] = s["properties"]["mesh"]["maxProperties"] = 1;
+  for (const Topic& part : outline_of<MeshSource>("", About{""}).parts)
+    if (part.optional) s["properties"]["mesh"]["oneOf"].push_back({{"required", json::array({part.key})}});
   return s;
 }
 
