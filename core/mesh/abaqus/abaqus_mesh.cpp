@@ -55,7 +55,12 @@ class Assembler {
  private:
   void add_instance(int i) {
     const AbaqusPart& part = resolver_.part(i);
-    for (const Point& p : part.points) mesh_.points.push_back(placed(model_.instances[i], p));
+    for (const Point& p : part.points) {
+      const Point& x = mesh_.points.emplace_back(placed(model_.instances[i], p));
+      if (!std::ranges::all_of(x, [](double c) { return std::isfinite(c); }))
+        model_.fail(model_.instances[i].place, "the instance moves nodes to no finite place",
+                    "give a translation and an axis of a size like that of the mesh");
+    }
     for (const auto& e : part.elements) {
       Hex& h = mesh_.hexes.emplace_back();
       for (int c = 0; c < 8; ++c) {
