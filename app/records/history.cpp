@@ -1,0 +1,86 @@
+#include "app/records/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/records/record_names.hpp"
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+// Columns before and after the probes.
+constexpr std::size_t before = 3, after = 4;
+
+// Cells of a line of RFC 4180 without line ends inside of quotes, which no run writes.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool doubled = quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
+    if (doubled)
+      cells.back() += line[i++];
+    else if (line[i] == '"')
+      quoted = !quoted;
+    else if (line[i] == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += line[i];
+  }
+  return cells;
+}
+
+InputError no_history(const std::string& path, const std::string& why) {
+  return input_error(path, 0, why, "Name the folder of the results of a run.");
+}
+
+std::optional<double> number(const std::string& cell) {
+  if (cell.empty()) return std::nullopt;
+  return std::strtod(cell.c_str(), nullptr);
+}
+
+void take_row(const std::vector<std::string>& cells, History& history) {
+  History::Row row{cells[1], std::strtod(cells[2].c_str(), nullptr), {}};
+  for (std::size_t p = 0; p < history.probes.size(); ++p) {
+    row.values.push_back(number(cells[before + p]));
+    history.largest[p] = std::max(history.largest[p], std::abs(row.values.back().value_or(0)));
+  }
+  if (!history.ends.empty() && history.ends.back().step == row.step) history.ends.pop_back();
+  history.ends.push_back(row);
+  history.increments.push_back(std::move(row));
+}
+
+void read_units(const std::string& folder, History& history) {
+  std::ifstream in(folder + "/" + summary_file);
+  const auto summary = in ? nlohmann::json::parse(in, nullptr, false) : nlohmann::json();
+  if (!summary.is_object() || !summary.contains("units")) return;
+  for (const auto& [probe, unit] : summary["units"].items())
+    if (unit.is_string()) history.units[probe] = unit;
+}
+
+}  // namespace
+
+History read_history(const std::string& folder) {
+  const std::string path = folder + "/" + history_file;
+  std::ifstream in(path);
+  std::string line;
+  if (!in || !std::getline(in, line)) throw no_history(path, "cannot be read");
+  const std::vector<std::string> header = cells_of(line);
+  if (header.size() < before + after || header[1] != "step" || header[2] != "time")
+    throw no_history(path, "is no history of a run");
+  History history;
+  history.probes.assign(header.begin() + before, header.end() - after);
+  history.largest.resize(history.probes.size());
+  while (std::getline(in, line)) {
+    const std::vector<std::string> row = cells_of(line);
+    if (row.size() != header.size()) throw no_history(path, "has a row of another length than its header");
+    take_row(row, history);
+  }
+  read_units(folder, history);
+  return history;
+}
+
+}  // namespace bulbus
