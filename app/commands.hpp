@@ -48,7 +48,8 @@ struct CompareOptions {
 };
 
 /// Prints the probes of two runs' folders at the end of every step, and their differences. Returns the exit
-/// status: 0 none differs, 1 some do. Throws InputError if a folder has no history. Not collective.
+/// status: 0 none differs, 1 some do. Throws InputError if a folder has no history, a probe has two units, or
+/// there is nothing to compare. Not collective.
 int compare(const std::string& first, const std::string& second, const CompareOptions& options,
             std::ostream& out);
 

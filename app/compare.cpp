@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "app/records/history.hpp"
 #include "app/study/study_results.hpp"
+#include "core/base/error.hpp"
 
 namespace bulbus {
 namespace {
@@ -37,6 +38,14 @@ std::vector<std::string> united(std::vector<std::string> names, const std::vecto
   for (const std::string& name : more)
     if (std::ranges::count(names, name) == 0) names.push_back(name);
   return names;
+}
+
+void refuse_other_units(const History& a, const History& b) {
+  for (const auto& [probe, unit] : a.units)
+    if (const auto other = b.units.find(probe); other != b.units.end() && other->second != unit)
+      throw input_error(fmt::format("the probe '{}' is in '{}' in the first run and in '{}' in the second",
+                                    probe, unit, other->second),
+                        "give it the same `unit` in both scenes");
 }
 
 std::vector<std::string> steps_of(const History& history) {
@@ -101,7 +110,11 @@ std::vector<std::string> table_of(const std::vector<Figure>& figures, const Comp
 
 int compare(const std::string& first, const std::string& second, const CompareOptions& options,
             std::ostream& out) {
-  const std::vector<Figure> figures = figures_of(read_history(first), read_history(second));
+  const History a = read_history(first), b = read_history(second);
+  refuse_other_units(a, b);
+  const std::vector<Figure> figures = figures_of(a, b);
+  if (figures.empty())
+    throw input_error("the two histories have no figures", "give the scenes probes, and run them");
   const auto different = std::ranges::count_if(figures, [&](const Figure& f) { return differs(f, options); });
   out << "first: " << first << "\nsecond: " << second << "\n";
   for (const std::string& line : table_of(figures, options)) out << line << "\n";

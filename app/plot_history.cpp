@@ -4,7 +4,7 @@
 #include "app/plot/chart.hpp"
 #include "app/records/history.hpp"
 #include "app/study/study_results.hpp"
-#include "core/base/error.hpp"
+#include "core/base/did_you_mean.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 
@@ -14,9 +14,8 @@ namespace {
 std::size_t index_of(const std::string& probe, const History& history) {
   const auto at = std::ranges::find(history.probes, probe);
   if (at != history.probes.end()) return at - history.probes.begin();
-  const std::string guess = nearest(probe, history.probes);
   throw input_error("there is no probe '" + probe + "' in the history",
-                    guess.empty() ? "Name columns of history.csv." : "Did you mean '" + guess + "'?");
+                    did_you_mean(probe, history.probes, "Name columns of history.csv."));
 }
 
 Chart::Panel panel_of(const History& history, const std::string& probe,

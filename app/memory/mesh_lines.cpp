@@ -13,13 +13,9 @@ namespace {
 constexpr double poor = .1;  // a quarter of the least value in the eye that is drawn
 constexpr std::size_t most_listed = 50;
 
-Point place(const LocalMesh& mesh, int node) {
-  return {mesh.X[3 * node], mesh.X[3 * node + 1], mesh.X[3 * node + 2]};
-}
-
 // Half the cross product of the diagonals: exact for plane faces.
 double area_of(const LocalMesh& mesh, const Quad& q) {
-  return .5 * norm(cross(place(mesh, q[2]) - place(mesh, q[0]), place(mesh, q[3]) - place(mesh, q[1])));
+  return .5 * norm(cross(at(mesh.X, q[2]) - at(mesh.X, q[0]), at(mesh.X, q[3]) - at(mesh.X, q[1])));
 }
 
 struct PoorCell {
@@ -36,7 +32,7 @@ std::vector<PoorCell> poor_cells(const LocalMesh& mesh) {
   cell.hexes = {{0, 1, 2, 3, 4, 5, 6, 7}};
   for (std::size_t r = 0; r < mesh.regions.size(); ++r)
     for (int h = mesh.regions[r].first; h < mesh.regions[r].first + mesh.regions[r].count; ++h) {
-      for (int k = 0; k < 8; ++k) cell.points[k] = place(mesh, mesh.hexes[h][k]);
+      for (int k = 0; k < 8; ++k) cell.points[k] = at(mesh.X, mesh.hexes[h][k]);
       const double q = scaled_jacobian(cell, 0);
       if (q >= poor) continue;
       const Point c = center(cell, 0);
@@ -70,7 +66,6 @@ std::vector<std::string> surface_lines(const LocalMesh& mesh) {
 std::vector<std::string> set_lines(const LocalMesh& mesh) {
   std::vector<std::string> lines;
   for (const auto& [name, nodes] : mesh.sets) {
-    if (mesh.surfaces.contains(name)) continue;  // the nodes of the surface
     const auto owned = std::ranges::count_if(nodes, [&](int n) { return n < mesh.owned; });
     lines.push_back(fmt::format("{:<20} {:>10}", name, mesh.comm.sum(static_cast<long long>(owned))));
   }

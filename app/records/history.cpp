@@ -1,13 +1,16 @@
 #include "app/records/history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/records/record_names.hpp"
 #include "core/base/error.hpp"
+#include "core/base/printable.hpp"
 
 namespace bulbus {
 namespace {
@@ -33,19 +36,29 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-InputError no_history(const std::string& path, const std::string& why) {
-  return input_error(path, 0, why, "Name the folder of the results of a run.");
+// A line of the table that is being read.
+struct Place {
+  const std::string& path;
+  int line;
+};
+
+InputError no_history(const Place& at, const std::string& why) {
+  return input_error(at.path, at.line, why, "Name the folder of the results of a run.");
 }
 
-std::optional<double> number(const std::string& cell) {
-  if (cell.empty()) return std::nullopt;
-  return std::strtod(cell.c_str(), nullptr);
+double number(const std::string& cell, const Place& at) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (failure != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
+    throw no_history(at, "'" + printable(cell) + "' is no finite number");
+  return value;
 }
 
-void take_row(const std::vector<std::string>& cells, History& history) {
-  History::Row row{cells[1], std::strtod(cells[2].c_str(), nullptr), {}};
+void take_row(const std::vector<std::string>& cells, const Place& at, History& history) {
+  History::Row row{cells[1], number(cells[2], at), {}};
   for (std::size_t p = 0; p < history.probes.size(); ++p) {
-    row.values.push_back(number(cells[before + p]));
+    const std::string& cell = cells[before + p];
+    row.values.push_back(cell.empty() ? std::nullopt : std::optional(number(cell, at)));
     history.largest[p] = std::max(history.largest[p], std::abs(row.values.back().value_or(0)));
   }
   if (!history.ends.empty() && history.ends.back().step == row.step) history.ends.pop_back();
@@ -67,17 +80,18 @@ History read_history(const std::string& folder) {
   const std::string path = folder + "/" + history_file;
   std::ifstream in(path);
   std::string line;
-  if (!in || !std::getline(in, line)) throw no_history(path, "cannot be read");
+  if (!in || !std::getline(in, line)) throw no_history({path, 0}, "cannot be read");
   const std::vector<std::string> header = cells_of(line);
   if (header.size() < before + after || header[1] != "step" || header[2] != "time")
-    throw no_history(path, "is no history of a run");
+    throw no_history({path, 1}, "is no history of a run");
   History history;
   history.probes.assign(header.begin() + before, header.end() - after);
   history.largest.resize(history.probes.size());
-  while (std::getline(in, line)) {
+  for (int at = 2; std::getline(in, line); ++at) {
     const std::vector<std::string> row = cells_of(line);
-    if (row.size() != header.size()) throw no_history(path, "has a row of another length than its header");
-    take_row(row, history);
+    if (row.size() != header.size())
+      throw no_history({path, at}, fmt::format("has {} cells, its header has {}", row.size(), header.size()));
+    take_row(row, {path, at}, history);
   }
   read_units(folder, history);
   return history;

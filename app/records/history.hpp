@@ -20,7 +20,7 @@ struct History {
   std::map<std::string, std::string> units;  ///< of the probes, from summary.json; none without that file
 };
 
-/// Throws InputError if the folder has no history.csv, or it is none of a run.
+/// Throws InputError with file and line if the folder has no history.csv, or it is none of a run.
 History read_history(const std::string& folder);
 
 }  // namespace bulbus

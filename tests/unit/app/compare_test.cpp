@@ -63,6 +63,22 @@ TEST(Compare, RefusesWhatIsNoFolderOfResults) {
   EXPECT_EQ(compared(a, empty).status, 2);
   std::ofstream(empty / "history.csv") << header << "1,fill\n";
   EXPECT_EQ(compared(a, empty).status, 2);
+  for (const char* cell : {"many", "nan", "5x"}) {
+    const Ran r = compared(a, history("b", replaced(rows, "1,10,", std::string("1,") + cell + ",")));
+    EXPECT_EQ(r.status, 2);
+    EXPECT_NE(r.err.find("history.csv:3: '" + std::string(cell) + "' is no finite number"), std::string::npos)
+        << r.err;
+  }
+}
+
+TEST(Compare, RefusesProbesOfTwoUnitsAndNothingToCompare) {
+  const auto a = history("a", rows), b = history("b", rows);
+  std::ofstream(a / "summary.json") << R"({"units": {"iop": "mmHg"}})";
+  std::ofstream(b / "summary.json") << R"({"units": {"iop": "kPa"}})";
+  const Ran r = compared(a, b);
+  EXPECT_EQ(r.status, 2);
+  EXPECT_NE(r.err.find("'iop' is in 'mmHg' in the first run and in 'kPa'"), std::string::npos) << r.err;
+  EXPECT_EQ(compared(history("a", ""), history("b", "")).status, 2);
 }
 
 TEST(PlotHistory, DrawsAPanelPerProbe) {
