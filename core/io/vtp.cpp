@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/io/base64.hpp"
+#include "core/base/base64.hpp"
 #include "core/io/text_file.hpp"
 
 namespace bulbus {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/base64.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -50,16 +52,7 @@ struct VtuStyle {
 };
 
 inline std::string base64(const std::string& bytes) {
-  const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
+  return bulbus::base64(std::as_bytes(std::span(bytes)));
 }
 
 /// A VTU file of a mesh: regions as the cell array `region` from 1 on, node sets as point arrays of 0 and 1.

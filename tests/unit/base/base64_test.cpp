@@ -1,4 +1,4 @@
-#include "core/io/base64.hpp"
+#include "core/base/base64.hpp"
 
 #include <gtest/gtest.h>
 
