@@ -54,6 +54,9 @@ class Reader {
                                                 "ELSET", "SURFACE", "SOLID SECTION"};
     if (in_instance_ && of_parts.contains(name))
       in_.fail(keyword.place, "*" + name + " inside of *INSTANCE is not read", "write it into the *PART");
+    if (const std::string* file = keyword.find("INPUT"); file && of_parts.contains(name))
+      in_.fail(keyword.place, "*" + name + " with INPUT='" + printable(*file, true) + "' is not read",
+               "write the data below the keyword, or *INCLUDE, INPUT=" + printable(*file, true) + " there");
     if (name == "NODE") return nodes(keyword);
     if (name == "ELEMENT") return elements(keyword);
     if (name == "NSET" || name == "ELSET") return read_abaqus_set(in_, keyword, scope(), in_assembly_);

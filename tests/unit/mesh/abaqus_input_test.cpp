@@ -172,6 +172,8 @@ TEST(AbaqusInput, RefusesWhatDoesNotFit) {
   expect_refusal(nodes + cubes + "*SURFACE,NAME=a\n5, S7\n", {"m.inp:23: 'S7' is no face", "S1 to S6"});
   expect_refusal(nodes + cubes + "*NGEN\n1,2\n", {"m.inp:22: *NGEN is not read"});
   expect_refusal("*NODE, SYSTEM=C\n", {"m.inp:1: nodes in the coordinate system 'C'"});
+  expect_refusal("*NODE, INPUT=nodes.dat\n" + cubes,
+                 {"m.inp:1: *NODE with INPUT='nodes.dat' is not read", "*INCLUDE, INPUT=nodes.dat"});
   expect_refusal("*NODE,\n1,0,0,0\n", {"m.inp:1: *NODE continues with the number '1'"});
   expect_refusal(part + "*Instance, name=a, part=Q\n", {"is of the part 'Q', which the file lacks"});
 }
