@@ -3,7 +3,8 @@
 
     pvpython --force-offscreen-rendering tests/open_in_paraview.py build/bulbus SCENE.yaml ... DIR ...
 
-Scenes are run first. Needs Debian's python3-paraview and python3-h5py. Exit status: 0 if everything opens and agrees, 1 if not.
+Scenes are run first. Needs Debian's python3-paraview and python3-h5py. Exit status: 0 if everything opens and agrees, 1 if
+not, 77 without h5py.
 """
 import json
 import os
@@ -13,7 +14,11 @@ import subprocess
 import sys
 import tempfile
 
-import h5py
+try:
+    import h5py
+except ModuleNotFoundError:
+    print("h5py is not installed")
+    sys.exit(77)
 from paraview import servermanager, simple
 
 faults = []
