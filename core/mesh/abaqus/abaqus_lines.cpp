@@ -15,6 +15,7 @@ namespace bulbus {
 namespace {
 
 constexpr std::size_t most_files = 1000;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8, as editors on Windows write it
 
 std::string_view trimmed(std::string_view text) {
   const std::string_view blanks = " \t\r\v\f";
@@ -58,6 +59,7 @@ AbaqusLines::AbaqusLines(const std::string& path) {
 
 void AbaqusLines::open(const std::string& path) {
   texts_.push_back(whole_file(path, "mesh file"));
+  if (texts_.back().starts_with(byte_order_mark)) texts_.back().erase(0, byte_order_mark.size());
   files_.push_back(path);
   open_.push_back({static_cast<int>(files_.size()) - 1});
 }

@@ -90,7 +90,8 @@ class Reader {
     const std::string name(word());
     const auto at = types.find(name);
     if (at == types.end())
-      fail(fmt::format("numbers of type '{}' are not read", printable(name)), "write int, float or double");
+      fail(fmt::format("an array of type '{}' is not read", printable(name)),
+           "leave it out (in ParaView: Pass Arrays), or write int, float or double");
     return at->second;
   }
 
@@ -126,10 +127,20 @@ class Reader {
     } else if (key == "POINT_DATA") {
       begin_data(grid_.point_arrays, grid_.points.size() / 3, "points");
     } else if (key == "METADATA") {
-      skip_line();
-      while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') skip_line();
+      metadata();
     } else {
       attribute(key);
+    }
+  }
+
+  // Up to an empty line; of the array before it, each component may have a line with its name or an empty
+  // one.
+  void metadata() {
+    skip_line();
+    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') {
+      const bool names = text_.substr(at_).starts_with("COMPONENT_NAMES");
+      skip_line();
+      for (long long c = 0; names && c < components_; ++c) skip_line();
     }
   }
 
@@ -167,6 +178,7 @@ class Reader {
 
   void take(std::string name, long long components, VtkType type, long long tuples) {
     if (components < 1 || components > 1000) fail(fmt::format("an array has {} components", components));
+    components_ = components;
     VtkArray array{std::move(name), static_cast<int>(components), is_whole(type),
                    numbers(components * tuples, type)};
     if (arrays_ && tuples == tuples_) arrays_->push_back(std::move(array));
@@ -231,7 +243,7 @@ class Reader {
   std::string_view text_;
   std::size_t at_ = 0;
   bool binary_ = false;
-  long long tuples_ = -1;
+  long long tuples_ = -1, components_ = 3;   ///< of the data; of the array read last, at first of the points
   std::vector<VtkArray>* arrays_ = nullptr;  ///< of the cells or the points; null before either
 };
 

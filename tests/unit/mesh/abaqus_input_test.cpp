@@ -51,6 +51,10 @@ TEST(AbaqusInput, ElementSetsOfElementsAreRegions) {
   EXPECT_TRUE(r.notes.empty());
 }
 
+TEST(AbaqusInput, AByteOrderMarkIsPassedOver) {
+  EXPECT_EQ(read("\xEF\xBB\xBF" + nodes + cubes).mesh.hexes.size(), 2u);
+}
+
 TEST(AbaqusInput, SectionsAreRegionsWhereThereAreAny) {
   const ReadMesh r =
       read(nodes + cubes +

@@ -101,6 +101,18 @@ TEST(VtkInput, VoxelsCountOtherwise) {
   EXPECT_EQ(read_back.hexes, row().hexes);
 }
 
+// As VTK writes them: the last two of three components have no name.
+TEST(VtkInput, MetadataOfArraysArePassedOver) {
+  const std::string information =
+      "\nMETADATA\nCOMPONENT_NAMES\nx\n\n\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\n"
+      "DATA 2 0 4.2\n\n";
+  expect_same(read(replaced(legacy_vtk_text(row()), "\nCELLS", information + "CELLS")).mesh, row());
+  expect_same(
+      read(replaced(legacy_vtk_text(row()), "FieldData 1\n", "FieldData 2\nu 3 1 float\n0 0 0" + information))
+          .mesh,
+      row());
+}
+
 TEST(VtkInput, RefusesOtherCellsWithTheirNumbers) {
   expect_refusal(replaced(vtu_text(row()), "12 12 12 12", "12 10 9 10"),
                  {".vtu: 3 of 4 cells are no 8-node hexahedra: 1 quads, 2 tetrahedra"});
