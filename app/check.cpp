@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/memory/memory_forecast.hpp"
+#include "app/memory/mesh_lines.hpp"
 #include "app/memory/sizes.hpp"
 #include "app/prepare.hpp"
 #include "core/io/log.hpp"
@@ -11,7 +12,11 @@ int check(const Scene& scene, const Comm& comm) {
   const Problem& problem = *prepared.problem;
   const Sizes sizes = sizes_of(problem);
   const Log log("", comm);
+  log.info(prepared.notes);
   log.info(lines_of(prepared.quality));
+  log.info(surface_lines(problem.mesh()));
+  log.info(set_lines(problem.mesh()));
+  log.info(poor_cell_lines(problem.mesh()));
   log.info(lines_of(sizes));
   log.info(liquid_lines(problem));
   for (const std::string& warning : prepared.warnings) log.warn(warning);

@@ -22,10 +22,11 @@ namespace bulbus {
 namespace {
 
 struct Arguments {
-  std::string scene, out, restart, topic;
-  std::vector<std::string> set;
+  std::string scene, out, restart, topic, first, second;
+  std::vector<std::string> set, probes;
   bool text = false, expert = false, all = false;
   int repeat = 1;
+  CompareOptions tolerances;
 };
 
 struct Parser {
@@ -39,6 +40,9 @@ struct Parser {
   CLI::App* check =
       app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
+  CLI::App* compare = app.add_subcommand(
+      "compare", "probes of two runs at the end of each step: exit status 0 if they agree, 1 if they differ");
+  CLI::App* plot = app.add_subcommand("plot", "draw probes of a run over its steps (SVG)");
   CLI::App* help =
       app.add_subcommand("help", "the keys of a scene or a study, or the JSON schema of a scene");
 
@@ -67,6 +71,22 @@ struct Parser {
             ->expected(0, 1);
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
     mesh->add_flag("--text", given.text, "write MSH 2.2 text instead");
+    compare->add_option("DIR", given.first, "folder of the results of a run")->required();
+    compare->add_option("DIR2", given.second, "and of another")->required();
+    compare
+        ->add_option("--relative", given.tolerances.relative,
+                     "difference that counts as none, in parts of the probe's largest value")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    compare
+        ->add_option("--absolute", given.tolerances.absolute,
+                     "difference that counts as none, in the probe's unit")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    plot->add_option("DIR", given.first, "folder of the results of a run")->required();
+    plot->add_option("PROBE", given.probes, "columns of history.csv (default: every probe)");
+    plot->add_option("-o", given.out, "file to write (default: history.svg in the folder)")
+        ->type_name("FILE.svg");
     help->add_option("TOPIC", given.topic, "scene, study or schema")
         ->required()
         ->check(CLI::IsMember({"scene", "study", "schema"}));
@@ -163,6 +183,17 @@ int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
   const Arguments& given = parser.given;
   if (*parser.help) {
     print_topic(given, out);
+    return 0;
+  }
+  if (*parser.compare) {
+    int status = 0;
+    comm.together([&] { status = compare(given.first, given.second, given.tolerances, out); });
+    return status;
+  }
+  if (*parser.plot) {
+    const std::string file = given.out.empty() ? given.first + "/history.svg" : given.out;
+    plot_history(given.first, given.probes, file, comm);
+    out << file << "\n";
     return 0;
   }
   const auto [out_dir, checkpoint] = places_of(parser);

@@ -1,5 +1,7 @@
 #pragma once
+#include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "app/study/study.hpp"
 #include "core/base/parallel.hpp"
@@ -38,6 +40,23 @@ struct TradeOptions {
 /// before the first run.
 int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir,
               const TradeOptions& options, const Comm& comm);
+
+/// Differences that count as none.
+struct CompareOptions {
+  double relative = 1e-6;  ///< parts of the largest magnitude that the probe has in both runs
+  double absolute = 0;     ///< in the probe's unit
+};
+
+/// Prints the probes of two runs' folders at the end of every step, and their differences. Returns the exit
+/// status: 0 none differs, 1 some do. Throws InputError if a folder has no history, a probe has two units, or
+/// there is nothing to compare. Not collective.
+int compare(const std::string& first, const std::string& second, const CompareOptions& options,
+            std::ostream& out);
+
+/// Draws probes of a run's folder over the steps done as an SVG file, a panel each; all if none is named.
+/// Collective. Throws InputError and OutputError.
+void plot_history(const std::string& folder, std::vector<std::string> probes, const std::string& file,
+                  const Comm& comm);
 
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);

@@ -13,13 +13,13 @@
 namespace bulbus {
 namespace {
 
-MeshHierarchy meshes_of(const Scene& scene, const Comm& comm) {
+MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, std::vector<std::string>& notes) {
   MeshHierarchy meshes;
   try {
     comm.together([&] {
       refuse_too_many_facets(scene, comm.size());
       if (const auto base = count_of(scene.mesh)) refuse_too_large(*base, scene, comm.size());
-      meshes = make_meshes(scene.mesh);
+      meshes = make_meshes(scene.mesh, &notes);
       if (scene.mesh.file) refuse_too_large(count(meshes.base), scene, comm.size());
       refuse_too_many_points(meshes.base, scene, comm.size());
       move_onto_planes(meshes.base, scene.model);
@@ -59,14 +59,20 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
   refuse_outside(scene);
   auto inputs = input_files(scene, comm);
-  const MeshHierarchy meshes = meshes_of(scene, comm);
+  std::vector<std::string> notes;
+  const MeshHierarchy meshes = meshes_of(scene, comm, notes);
   Model model = scene.model;
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
-  Prepared prepared{std::make_unique<Problem>(std::move(levels), model), nullptr, {}, {}, std::move(inputs)};
+  Prepared prepared{std::make_unique<Problem>(std::move(levels), model),
+                    nullptr,
+                    {},
+                    std::move(notes),
+                    {},
+                    std::move(inputs)};
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
   prepared.warnings = warnings_of(meshes.base, model);

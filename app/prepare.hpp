@@ -15,6 +15,7 @@ struct Prepared {
   std::unique_ptr<Problem> problem;
   std::shared_ptr<const Interactions> interactions;
   std::vector<RegionQuality> quality;
+  std::vector<std::string> notes;     ///< on what of the mesh's file was left out
   std::vector<std::string> warnings;  ///< of mesh and model, the same on every rank
   std::vector<InputFile> inputs;      ///< as they were read
 };

@@ -6,6 +6,7 @@ find_package(Eigen3 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
 
 # Trilinos gives variables, no usable targets; its TPL list would drag in a second MUMPS.
 find_package(Trilinos REQUIRED COMPONENTS Belos Teuchos)

@@ -102,7 +102,7 @@ def main():
     window.SetSize(width, 560)
     table = colours(1e-4, 0.15)
     for i, (number, title) in enumerate(states):
-        surface = deformed(f"{folder}/result_{int(number):04d}.vtkhdf")
+        surface = deformed(f"{folder}/result_{int(number):04d}.hdf")
         renderer = view(surface, table, title, 640 * i / width, 640 * (i + 1) / width)
         rigid = f"{folder}/bodies_{int(number):04d}.vtp"
         if os.path.exists(rigid):

@@ -8,11 +8,14 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FLOORS = [["core/base"], ["core/mesh"], ["core/io"], ["core/material"], ["core/element"], ["core/problem"], ["core/solve"],
           ["precond", "contact", "app/eye"], ["app"], ["tests", "benchmarks"]]
+MESH_FILES = ["core/mesh/gmsh", "core/mesh/abaqus", "core/mesh/vtk"]
 # Within a floor: folder -> the folders beside it that it may not include.
 ROOMS = {
-    "core/mesh/generate": ["core/mesh/distributed", "core/mesh/gmsh"],
-    "core/mesh/distributed": ["core/mesh/gmsh"],
-    "core/mesh/gmsh": ["core/mesh/distributed"],
+    "core/mesh/generate": ["core/mesh/distributed", *MESH_FILES],
+    "core/mesh/distributed": [*MESH_FILES],
+    "core/mesh/gmsh": ["core/mesh/distributed", "core/mesh/abaqus", "core/mesh/vtk"],
+    "core/mesh/abaqus": ["core/mesh/distributed", "core/mesh/generate", "core/mesh/gmsh", "core/mesh/vtk"],
+    "core/mesh/vtk": ["core/mesh/distributed", "core/mesh/generate", "core/mesh/gmsh", "core/mesh/abaqus"],
     "precond/smoothers": ["precond/amg", "precond/coarse", "precond/schur"],
     "precond/schur": ["precond/amg", "precond/coarse"],
     "precond/amg": ["precond/schur"],
@@ -34,6 +37,7 @@ WRAPPED = {  # header pattern: the sources that may include it
     r"_?hypre\w*\.h|HYPRE\w*\.h": r"precond/amg/boomeramg\.cpp",
     r"dmumps_c\.h": r"core/solve/mumps\.cpp",
     r"hdf5\.h|H5\w*\.h": r"core/io/hdf5_\w+\.(cpp|hpp)|core/solve/dump\.cpp|core/io/vtkhdf\.cpp",
+    r"zlib\.h": r"core/mesh/vtk/vtu_bytes\.cpp",
     r"metis\.h": r"core/mesh/distributed/partition\.cpp",
     r"yaml-cpp/.*": r"app/.*",
     r"muParser\.h": r"core/problem/formula\.cpp",

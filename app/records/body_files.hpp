@@ -6,7 +6,8 @@
 namespace bulbus {
 
 /// The rigid bodies where they are, beside the result files: bodies_0001.vtp and so on with bodies.pvd. The
-/// triangles carry the number of their body (by name) and of its part. Not collective: for one rank.
+/// triangles carry the number of their body, of which a label `body_NAME` says the name, and of its part. Not
+/// collective: for one rank.
 class BodyFiles {
  public:
   BodyFiles(std::shared_ptr<const Interactions> interactions, const std::string& folder)

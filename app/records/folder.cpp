@@ -142,8 +142,9 @@ void ResultsFolder::take_over(const std::string& from, int last) {
 }
 
 void ResultsFolder::remove_after(int last) {
-  // The two indices are written again from the checkpoint.
-  for (const char* file : {summary_file, series_file, bodies_index}) manifest_->remove_file(file);
+  // The indices are written again from the checkpoint.
+  for (const char* file : {summary_file, series_file, bodies_index, lines_index})
+    manifest_->remove_file(file);
   for (const std::string& name : manifest_->names())
     if (increment_of(name) > last) manifest_->remove_file(name);
   for (const char* table : {history_file, krylov_file}) cut_table(path_ + "/" + table, last);

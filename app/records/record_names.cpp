@@ -11,17 +11,20 @@
 
 namespace bulbus {
 
-std::string result_file(int increment) { return fmt::format("result_{:04d}.vtkhdf", increment); }
+std::string result_file(int increment) { return fmt::format("result_{:04d}.hdf", increment); }
 std::string bodies_file(int increment) { return fmt::format("bodies_{:04d}.vtp", increment); }
+std::string lines_file(int increment) { return fmt::format("lines_{:04d}.vtp", increment); }
 
 int increment_of(const std::string& name) {
   const auto bar = name.find('_');
   const int number = bar == std::string::npos ? -1 : std::atoi(name.c_str() + bar + 1);
-  return number >= 0 && (name == result_file(number) || name == bodies_file(number)) ? number : -1;
+  const bool known = name == result_file(number) || name == bodies_file(number) || name == lines_file(number);
+  return number >= 0 && known ? number : -1;
 }
 
 bool is_continued(const std::string& name) {
-  static const std::set<std::string> names{history_file, krylov_file, log_file, series_file, bodies_index};
+  static const std::set<std::string> names{history_file, krylov_file,  log_file,
+                                           series_file,  bodies_index, lines_index};
   return names.contains(name);
 }
 
@@ -35,7 +38,7 @@ RecordNames record_names(const Scene& scene) {
   const LinearSettings& linear = scene.solver.linear;
   if (linear.record_krylov || linear.record_spectrum) records.names.insert(krylov_file);
   if (!scene.output.vtk) return records;
-  records.names.insert({series_file, bodies_index});
+  records.names.insert({series_file, bodies_index, lines_index});
   records.increments = 0;
   for (const StepSpec& step : scene.model.steps)
     records.increments += increments_of(step, scene.solver.stepping);

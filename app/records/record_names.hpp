@@ -9,11 +9,13 @@ namespace bulbus {
 /// Files of a run's folder.
 inline constexpr const char *summary_file = "summary.json", *history_file = "history.csv",
                             *krylov_file = "krylov.csv", *resolved_file = "resolved.yaml",
-                            *log_file = "run.log", *series_file = "result.vtkhdf.series",
-                            *bodies_index = "bodies.pvd", *checkpoint_file = "checkpoint.h5";
-/// Those of an increment: result_0012.vtkhdf, bodies_0012.vtp.
+                            *log_file = "run.log", *series_file = "result.hdf.series",
+                            *bodies_index = "bodies.pvd", *lines_index = "lines.pvd",
+                            *checkpoint_file = "checkpoint.h5";
+/// Those of an increment: result_0012.hdf, bodies_0012.vtp, lines_0012.vtp.
 std::string result_file(int increment);
 std::string bodies_file(int increment);
+std::string lines_file(int increment);
 /// The increment of such a file, -1 of others.
 int increment_of(const std::string& name);
 

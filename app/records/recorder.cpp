@@ -33,7 +33,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       witness_(problem_, static_cast<int>(stable_pivots(problem_))),
       probes_(problem_, interaction_probes(interactions_)),
       record_(probes_),
-      results_(scene.output, interactions_, folder),
+      results_(scene.output, problem_, interactions_, folder),
       checkpoints_(scene, prepared, *this, folder) {
   const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
   folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file}
@@ -51,6 +51,13 @@ void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
   witness_.step_begins(step, start);
   checkpoints_.step_begins(start);
   profiler_.memory.set("checkpoints", checkpoints_.bytes());
+}
+
+void Recorder::step_begun(int step, const State& start) {
+  if (step > 0) return;
+  const auto scope = profiler_.clock.measure("records");
+  Snapshot snapshot(problem_, start);
+  results_.begin(snapshot);
 }
 
 void Recorder::increment_begins(int step, double from, double to) {

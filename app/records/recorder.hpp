@@ -25,6 +25,7 @@ class Recorder final : public MarchObserver, public Archived {
            Profiler& profiler, FileStart start = FileStart::anew);
 
   void step_begins(int step, const StepSpec& spec, const State& start) override;
+  void step_begun(int step, const State& start) override;
   void increment_begins(int step, double from, double to) override;
   void newton_iteration(const NewtonIteration& iteration) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;

@@ -1,9 +1,10 @@
 #include "app/scene/mesh_source.hpp"
 
 #include "app/eye/eye_count.hpp"
+#include "app/scene/mesh_sets.hpp"
 #include "core/base/error.hpp"
 #include "core/base/require_one.hpp"
-#include "core/mesh/gmsh/gmsh.hpp"
+#include "core/mesh/read_mesh.hpp"
 
 namespace bulbus {
 
@@ -11,20 +12,24 @@ void MeshSource::validate() const {
   if (scale != 1 && !file)
     throw input_error("`scale` is given for a mesh that is not read from a file",
                       "leave it out, or give the shape its lengths in mm");
+  if (regions != MeshSource{}.regions && !(file && is_vtk(*file)))
+    throw input_error("`regions` is given for a mesh that is not read from a .vtu or .vtk file",
+                      "leave it out: the file or the shape names its regions itself");
   require_one("the mesh", "source", optional_members(*this));
 }
 
 namespace {
 
-Mesh read_scaled(const std::string& file, double scale) {
-  Mesh mesh = read_gmsh(file);
-  for (Point& p : mesh.points)
-    for (double& x : p) x *= scale;
-  return mesh;
+Mesh read_scaled(const MeshSource& source, std::vector<std::string>* notes) {
+  ReadMesh read = read_mesh(*source.file, source.regions);
+  for (Point& p : read.mesh.points)
+    for (double& x : p) x *= source.scale;
+  if (notes) notes->insert(notes->end(), read.notes.begin(), read.notes.end());
+  return std::move(read.mesh);
 }
 
-Mesh make_base(const MeshSource& source) {
-  if (source.file) return read_scaled(*source.file, source.scale);
+Mesh make_base(const MeshSource& source, std::vector<std::string>* notes) {
+  if (source.file) return read_scaled(source, notes);
   if (source.eye) return generate(*source.eye);
   if (source.block) return generate(*source.block);
   if (source.shell) return generate(*source.shell);
@@ -44,9 +49,12 @@ std::optional<MeshCount> count_of(const MeshSource& source) {
   return {};
 }
 
-MeshHierarchy make_meshes(const MeshSource& source) {
+MeshHierarchy make_meshes(const MeshSource& source, std::vector<std::string>* notes) {
   source.validate();
-  return refined(make_base(source), source.refine);
+  Mesh base = make_base(source, notes);
+  add_sets(base, source.sets);
+  add_surfaces(base, source.surfaces);
+  return refined(std::move(base), source.refine);
 }
 
 }  // namespace bulbus

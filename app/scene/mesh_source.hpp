@@ -1,6 +1,8 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/eye/eye.hpp"
 #include "core/base/parameters.hpp"
@@ -19,16 +21,27 @@ struct MeshSource {
   std::optional<BallShape> ball;
   std::optional<CylinderShape> cylinder;
   double scale = 1;
+  std::string regions = "region";
+  std::map<std::string, std::string> sets, surfaces;
   int refine = 0;
   template <class V>
   void describe(V&& v) {
-    v("file", file, About{"Gmsh file (MSH 4.1 or 2.2) of 8-node hexahedra; lengths in mm, but for `scale`"});
+    v("file", file,
+      About{"mesh of 8-node hexahedra: Gmsh (MSH 4.1 or 2.2), Abaqus (.inp) or VTK (.vtu, .vtk); lengths in "
+            "mm, "
+            "but for `scale`"});
     v("scale", scale, About{"multiplies the coordinates of `file`: 1000 for a file in metres"}.positive());
+    v("regions", regions, About{"cell array of a .vtu or .vtk `file` whose whole numbers name the regions"});
     v("eye", eye, About{"the parametric half eye"});
     v("block", block, About{"a box of equal cells"});
     v("shell", shell, About{"a spherical shell, or a part of one"});
     v("ball", ball, About{"a solid ball, or a part of one"});
     v("cylinder", cylinder, About{"a solid cylinder about z"});
+    v("sets", sets,
+      About{"node sets by a condition on X, Y, Z (mm) before `refine`: \"X < 0.1\""}.expression());
+    v("surfaces", surfaces,
+      About{"surfaces by a condition: the outer faces all of whose nodes satisfy it, \"X*X + Y*Y < 1.01\""}
+          .expression());
     v("refine", refine,
       About{"times that every hexahedron is split in eight: new nodes lie on the generated shape, amid those "
             "of a file"}
@@ -42,7 +55,8 @@ struct MeshSource {
 /// contradicts itself.
 std::optional<MeshCount> count_of(const MeshSource& source);
 
-/// Reads or generates the base, whole on every rank. Throws InputError.
-MeshHierarchy make_meshes(const MeshSource& source);
+/// Reads or generates the base, whole on every rank; `notes` gains lines on what of a file was left out.
+/// Throws InputError.
+MeshHierarchy make_meshes(const MeshSource& source, std::vector<std::string>* notes = nullptr);
 
 }  // namespace bulbus

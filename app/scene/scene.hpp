@@ -20,17 +20,19 @@ struct OutputSettings {
   template <class V>
   void describe(V&& v) {
     v("vtk", vtk,
-      About{"write result_*.vtkhdf and their series, and the rigid bodies as bodies_*.vtp with bodies.pvd"});
+      About{"write result_*.hdf (VTKHDF) and result.hdf.series, the rigid bodies as bodies_*.vtp with "
+            "bodies.pvd, bars and sutures as lines_*.vtp with lines.pvd"});
     v("every", every, About{"save each n-th converged increment, and always the last"}.between(1, 1000000));
     v("checkpoint", checkpoint,
       About{"write checkpoint.h5, from which --restart goes on, at each n-th converged increment and at the "
             "end; 0: only where the run is interrupted"}
           .between(0, 1000000));
     v("fields", fields,
-      About{"what is saved; the last three where the scene has contacts: gap in mm, pressure in MPa, 1 where "
-            "closed"}
+      About{"what is saved: Cauchy stress in MPa (xx, yy, zz, xy, yz, xz), pressure (positive in "
+            "compression) with J, Green-Lagrange strain, principal values with the largest first; where the "
+            "scene has contacts gap in mm, pressure in MPa, status 1 where closed, NaN away from contacts"}
           .one_of({"displacement", "stress", "mises", "pressure", "region", "gap", "contact_pressure",
-                   "contact_status"}));
+                   "contact_status", "strain", "principal_stresses", "principal_stretches"}));
   }
 };
 

@@ -99,7 +99,9 @@ nlohmann::json scene_schema() {
   json s = shape_of(outline_of("", About{""}, parameters_of(defaults)));
   s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   s["title"] = "Bulbus scene";
-  s["properties"]["mesh"]["minProperties"] = s["properties"]["mesh"]["maxProperties"] = 1;
+  json& sources = s["properties"]["mesh"]["oneOf"];
+  for (const Topic& part : outline_of<MeshSource>("", About{""}).parts)
+    if (part.optional) sources.push_back(json{{"required", json::array({part.key})}});
   return s;
 }
 

@@ -4,7 +4,7 @@
 
 namespace bulbus {
 
-/// The index of saved states that ParaView opens: `result.vtkhdf.series`. Not collective: for one rank.
+/// The index of saved states that ParaView opens: `result.hdf.series`. Not collective: for one rank.
 class Series {
  public:
   explicit Series(std::string path) : path_(std::move(path)) {}

@@ -25,8 +25,9 @@ std::string fault_of(const Field& field, std::size_t items) {
   if (field.components < 1 || field.values.size() != items * static_cast<std::size_t>(field.components))
     return "the field '" + field.name + "' has " + std::to_string(field.values.size()) + " values for " +
            std::to_string(items) + " items of " + std::to_string(field.components) + " components";
+  const auto allowed = [&](float v) { return std::isfinite(v) || (field.sparse && std::isnan(v)); };
   for (std::size_t i = 0; i < field.values.size(); ++i)
-    if (!std::isfinite(static_cast<float>(field.values[i])))
+    if (!allowed(static_cast<float>(field.values[i])))
       return "the field '" + field.name + "' is not finite at item " + std::to_string(i / field.components);
   return "";
 }
@@ -59,19 +60,24 @@ void refuse_faults(const std::string& path, const Piece& piece, const Comm& comm
   if (!same_fields(piece, comm)) throw std::runtime_error(path + ": not written: the ranks' fields differ");
 }
 
+void write_text_attribute(hid_t object, const std::string& name, const std::string& words) {
+  const std::string fault = "the attribute " + name + " cannot be written";
+  Handle text(H5Tcopy(H5T_C_S1), H5Tclose, fault);
+  hdf5::check(H5Tset_size(text, words.size()), fault);
+  hdf5::check(H5Tset_strpad(text, H5T_STR_NULLPAD), fault);
+  Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, fault);
+  Handle attribute(H5Acreate2(object, name.c_str(), text, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, fault);
+  hdf5::check(H5Awrite(attribute, text, words.data()), fault);
+}
+
 void write_attributes(hid_t root) {
-  const std::string fault = "the attributes of VTKHDF cannot be written", kind = "UnstructuredGrid";
+  const std::string fault = "the version of VTKHDF cannot be written";
   const hsize_t two = 2;
   const int version[2] = {1, 0};
   Handle pair(H5Screate_simple(1, &two, nullptr), H5Sclose, fault);
   Handle number(H5Acreate2(root, "Version", H5T_NATIVE_INT, pair, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, fault);
   hdf5::check(H5Awrite(number, H5T_NATIVE_INT, version), fault);
-  Handle text(H5Tcopy(H5T_C_S1), H5Tclose, fault);
-  hdf5::check(H5Tset_size(text, kind.size()), fault);
-  hdf5::check(H5Tset_strpad(text, H5T_STR_NULLPAD), fault);
-  Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, fault);
-  Handle type(H5Acreate2(root, "Type", text, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, fault);
-  hdf5::check(H5Awrite(type, text, kind.data()), fault);
+  write_text_attribute(root, "Type", "UnstructuredGrid");
 }
 
 void write_count(hid_t root, const std::string& name, std::size_t count, const Comm& comm) {
@@ -104,13 +110,26 @@ void write_fields(hid_t root, const std::string& name, const std::vector<Field>&
     const std::vector<float> values(f.values.begin(), f.values.end());
     hdf5::write_rows(group, f.name, std::span<const float>(values), f.components == 1 ? 0 : f.components,
                      comm);
+    if (f.unit.empty()) continue;
+    Handle set(H5Dopen2(group, f.name.c_str(), H5P_DEFAULT), H5Dclose, f.name);
+    write_text_attribute(set, "unit", f.unit);
   }
 }
 
-// Of the numbers of a piece as they are written.
+void write_labels(hid_t root, const std::vector<Label>& labels, const Comm& comm) {
+  Handle group(H5Gcreate2(root, "FieldData", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "FieldData");
+  for (const Label& label : labels) {
+    const long long value = label.value;
+    hdf5::write_rows(group, label.name, std::span(&value, comm.rank() == 0 ? 1 : 0), 0, comm);
+  }
+}
+
+// Of the numbers of a piece as they are written; a label is hardly more than the name of its dataset.
 double bytes_of(const Piece& piece) {
+  constexpr double label = 1024;
   constexpr double point = 3 * sizeof(double), hexahedron = 9 * sizeof(long long) + 1;
-  double bytes = point * piece.points.size() + hexahedron * piece.hexes.size() + 4 * sizeof(long long);
+  double bytes = point * piece.points.size() + hexahedron * piece.hexes.size() + 4 * sizeof(long long) +
+                 label * piece.labels.size();
   for (const auto* fields : {&piece.point_fields, &piece.cell_fields})
     for (const Field& f : *fields) bytes += sizeof(float) * f.values.size();
   return bytes;
@@ -123,9 +142,16 @@ void write_content(hid_t file, const Piece& piece, const Comm& comm) {
   write_mesh(root, piece, comm);
   write_fields(root, "PointData", piece.point_fields, comm);
   write_fields(root, "CellData", piece.cell_fields, comm);
+  write_labels(root, piece.labels, comm);
 }
 
 }  // namespace
+
+std::string safe_name(std::string name) {
+  for (char& c : name)
+    if (std::string("/<>&\"'").find(c) != std::string::npos) c = '_';
+  return name;
+}
 
 void write_vtkhdf(const std::string& path, const Piece& piece, const Comm& comm) {
   refuse_faults(path, piece, comm);

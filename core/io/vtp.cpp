@@ -1,32 +1,52 @@
 #include "core/io/vtp.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstdint>
+
+#include "core/base/base64.hpp"
 #include "core/io/text_file.hpp"
 
 namespace bulbus {
 namespace {
 
-std::string array_of(const std::string& type, const std::string& name, int components,
-                     const std::string& numbers) {
-  return fmt::format(
-      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n{}\n</DataArray>\n",
-      type, name, components, numbers);
+// The number of bytes as UInt64, then the bytes: one base64 text.
+template <class T>
+std::string inline_binary(const std::vector<T>& values) {
+  std::vector<std::byte> bytes(sizeof(std::uint64_t) + sizeof(T) * values.size());
+  const std::uint64_t count = sizeof(T) * values.size();
+  std::copy_n(reinterpret_cast<const std::byte*>(&count), sizeof count, bytes.begin());
+  std::copy_n(reinterpret_cast<const std::byte*>(values.data()), count, bytes.begin() + sizeof count);
+  return base64(bytes);
 }
 
 std::string reals(const std::string& name, int components, std::span<const double> values) {
-  return array_of("Float64", name, components, fmt::format("{:.9g}", fmt::join(values, " ")));
+  return fmt::format(
+      "<DataArray type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}</DataArray>\n",
+      name, components, inline_binary(std::vector<float>(values.begin(), values.end())));
 }
 
-std::string polygons(std::span<const std::array<int, 3>> triangles) {
-  std::string corners, ends;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    corners += fmt::format("{} ", fmt::join(triangles[t], " "));
-    ends += fmt::format("{} ", 3 * (t + 1));
+std::string integers(const std::string& name, const std::vector<std::int32_t>& values) {
+  return fmt::format("<DataArray type=\"Int32\" Name=\"{}\" format=\"binary\">{}</DataArray>\n", name,
+                     inline_binary(values));
+}
+
+template <std::size_t corners>
+std::string cells(const std::string& kind, std::span<const std::array<int, corners>> all) {
+  std::vector<std::int32_t> connectivity, offsets;
+  for (const auto& cell : all) {
+    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
+    offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
   }
-  return "<Polys>\n" + array_of("Int64", "connectivity", 1, corners) + array_of("Int64", "offsets", 1, ends) +
-         "</Polys>\n";
+  return fmt::format("<{0}>\n{1}{2}</{0}>\n", kind, integers("connectivity", connectivity),
+                     integers("offsets", offsets));
+}
+
+std::string label(const Label& l) {
+  return fmt::format(
+      "<DataArray type=\"Int32\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n", l.name,
+      l.value);
 }
 
 std::string file_of(const std::string& type, const std::string& content) {
@@ -38,15 +58,18 @@ std::string file_of(const std::string& type, const std::string& content) {
 
 }  // namespace
 
-void write_vtp(const std::string& path, std::span<const double> points,
-               std::span<const std::array<int, 3>> triangles, const std::vector<Field>& cell_fields) {
-  std::string fields;
-  for (const Field& f : cell_fields) fields += reals(f.name, f.components, f.values);
-  write_whole(path, file_of("PolyData", fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
-                                                    points.size() / 3, triangles.size()) +
-                                            "<Points>\n" + reals("Points", 3, points) + "</Points>\n" +
-                                            polygons(triangles) + "<CellData>\n" + fields +
-                                            "</CellData>\n</Piece>\n"));
+void write_vtp(const std::string& path, const Polygons& p) {
+  std::string labels, fields;
+  for (const Label& l : p.labels) labels += label(l);
+  for (const Field& f : p.cell_fields) fields += reals(f.name, f.components, f.values);
+  write_whole(
+      path,
+      file_of("PolyData",
+              "<FieldData>\n" + labels + "</FieldData>\n" +
+                  fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\" NumberOfPolys=\"{}\">\n",
+                              p.points.size() / 3, p.lines.size(), p.triangles.size()) +
+                  "<Points>\n" + reals("Points", 3, p.points) + "</Points>\n" + cells("Lines", p.lines) +
+                  cells("Polys", p.triangles) + "<CellData>\n" + fields + "</CellData>\n</Piece>\n"));
 }
 
 void Collection::add(const std::string& file, double time) {

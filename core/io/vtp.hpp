@@ -8,10 +8,18 @@
 
 namespace bulbus {
 
-/// Writes triangles as a VTK XML PolyData file (text): 3 numbers per point, fields of the triangles. Whole or
-/// not at all. Throws std::runtime_error. Not collective.
-void write_vtp(const std::string& path, std::span<const double> points,
-               std::span<const std::array<int, 3>> triangles, const std::vector<Field>& cell_fields);
+/// Triangles or lines (not both) with fields of them: 3 numbers per point.
+struct Polygons {
+  std::span<const double> points;
+  std::span<const std::array<int, 3>> triangles;
+  std::span<const std::array<int, 2>> lines;
+  std::vector<Field> cell_fields;
+  std::vector<Label> labels;
+};
+
+/// Writes a VTK XML PolyData file: arrays in single precision, base64. Whole or not at all. Throws
+/// std::runtime_error. Not collective.
+void write_vtp(const std::string& path, const Polygons& polygons);
 
 /// The index of saved VTK XML files that ParaView opens: `bodies.pvd`. Not collective: for one rank.
 class Collection {

@@ -16,6 +16,8 @@ namespace {
 constexpr std::array<std::array<int, 3>, 8> edges{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
+constexpr std::size_t most_listed = 50;  // cells in one message
+
 double at_corner(const std::array<Point, 8>& x, int a) {
   const Point u = x[edges[a][0]] - x[a], v = x[edges[a][1]] - x[a], w = x[edges[a][2]] - x[a];
   const double lengths = norm(u) * norm(v) * norm(w);
@@ -56,12 +58,13 @@ void summarise(RegionQuality& q, std::vector<double> values, const Comm& comm) {
   q.mean = comm.sum(std::accumulate(values.begin(), values.end(), 0.0)) / static_cast<double>(count);
 }
 
-void refuse(const std::array<Point, 8>& x, int input_hex, const std::string& region) {
+void refuse(const std::array<Point, 8>& x, int input_hex, const std::string& region,
+            const std::string& others = "") {
   Point c{};
   for (const Point& p : x) c = c + .125 * p;
   throw input_error(fmt::format("hexahedron {} of region '{}' about ({:.4g}, {:.4g}, {:.4g}) mm is inside "
-                                "out or flat (scaled Jacobian {:.3g})",
-                                input_hex + 1, region, c[0], c[1], c[2], scaled_jacobian(x)),
+                                "out or flat (scaled Jacobian {:.3g}){}",
+                                input_hex + 1, region, c[0], c[1], c[2], scaled_jacobian(x), others),
                     "smooth or refine the mesh there");
 }
 
@@ -102,9 +105,18 @@ std::vector<RegionQuality> quality(const LocalMesh& mesh) {
 }
 
 void refuse_inverted(const Mesh& mesh) {
+  std::vector<std::pair<double, int>> bad;
   for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-    if (const auto x = corners(mesh, e); !(scaled_jacobian(x) > 0))
-      refuse(x, static_cast<int>(e), mesh.region_names[mesh.region[e]]);
+    if (const double q = scaled_jacobian(mesh, static_cast<int>(e)); !(q > 0))
+      bad.emplace_back(q <= 0 ? q : -2, static_cast<int>(e));  // what is not a number is worst
+  if (bad.empty()) return;
+  std::ranges::sort(bad);
+  std::string others = bad.size() > 1 ? fmt::format("; so are {} others, worst first:", bad.size() - 1) : "";
+  for (std::size_t i = 1; i < bad.size() && i <= most_listed; ++i)
+    others += fmt::format("{} {} ({:.3g})", i > 1 ? "," : "", bad[i].second + 1, bad[i].first);
+  if (bad.size() > most_listed + 1) others += ", ...";
+  const int worst = bad[0].second;
+  refuse(corners(mesh, worst), worst, mesh.region_names[mesh.region[worst]], others);
 }
 
 void refuse_inverted(const LocalMesh& mesh) {

@@ -98,4 +98,23 @@ void Formula::require_uniform() const {
                         "into several for a pressure that varies.");
 }
 
+bool Formula::holds(const Vec3<double>& X) const {
+  const double value = (*this)(X, 0, 0);
+  if (value != 0 && value != 1)
+    throw scene_error(where_,
+                      fmt::format("'{}' is no condition: at X = {:.6g}, Y = {:.6g}, Z = {:.6g} it is {:.6g}",
+                                  text_, X[0], X[1], X[2], value),
+                      "Compare, as in \"X < 0.1\" or \"X*X + Y*Y < 1.01 && Z > 0\".");
+  return value == 1;
+}
+
+void Formula::require_timeless() const {
+  if (constant_) return;
+  for (const auto& [name, variable] : parser_->expression.GetUsedVar())
+    if (name == "s" || name == "t")
+      throw scene_error(where_,
+                        "the formula '" + text_ + "' depends on " + name + ", but a mesh has no steps",
+                        "Give a condition in X, Y and Z, such as \"X < 0.1\".");
+}
+
 }  // namespace bulbus

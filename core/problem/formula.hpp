@@ -7,7 +7,8 @@
 namespace bulbus {
 
 /// A number, with or without the unit it is kept in, or an expression in the reference place X, Y, Z (mm),
-/// the part s of the step done and the time t.
+/// the part s of the step done and the time t. Comparisons (<, <=, >, >=, ==, !=, &&, ||) are 1 where they
+/// hold, else 0.
 class Formula {
  public:
   /// `where` names the key in error messages. Throws InputError if the text cannot be read or has a decimal
@@ -26,6 +27,11 @@ class Formula {
   void require_finite(const Vec3<double>& X, int step) const;
   /// Refuses a formula in X, Y or Z where one value holds for all places.
   void require_uniform() const;
+  /// Whether a condition such as `X < 0.1` holds at a place. Throws InputError where its value is neither 0
+  /// nor 1.
+  bool holds(const Vec3<double>& X) const;
+  /// Refuses a formula in s or t where there are no steps.
+  void require_timeless() const;
 
  private:
   struct Parser;

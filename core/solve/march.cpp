@@ -116,6 +116,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       problem.begin_step(k, state);
       solver.forget();
       place.begun = true;
+      observer.step_begun(k, state);
     }
     Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size);
     const auto leave = [&] {

@@ -45,6 +45,8 @@ class MarchObserver {
  public:
   virtual ~MarchObserver() = default;
   virtual void step_begins(int, const StepSpec&, const State&) {}
+  /// Its loads, motions and contacts are set up, none of its increments is solved.
+  virtual void step_begun(int /*step*/, const State&) {}
   virtual void increment_begins(int /*step*/, double /*from*/, double /*to*/) {}
   virtual void newton_iteration(const NewtonIteration&) {}
   virtual void increment_cut(const NewtonReport&, double /*from*/, double /*to*/) {}

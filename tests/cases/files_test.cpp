@@ -112,7 +112,7 @@ TEST(FolderInUse, OfAStudyOrOneOfItsRunsIsRefused) {
 
 TEST(FilesOfOthers, AreNotOverwritten) {
   for (const char* name : {"summary.json", "run.log", "history.csv", "resolved.yaml", "checkpoint.h5",
-                           "result_0002.vtkhdf", "result_0001.vtkhdf.tmp", "bodies.pvd", "manifest.txt"}) {
+                           "result_0002.hdf", "result_0001.hdf.tmp", "bodies.pvd", "manifest.txt"}) {
     const auto folder = copy_of("interrupted");
     fs::create_directories(folder / "out");
     write(folder / "out" / name, "mine");
@@ -126,15 +126,15 @@ TEST(FilesOfOthers, LastThroughRunsAndRestarts) {
   const auto folder = copy_of("interrupted");
   fs::create_directories(folder / "out/result_0001");
   for (const char* name :
-       {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"})
+       {"result_final.hdf", "bodies_paper.vtp", "result_.hdf", "checkpoint.h5.old", "out.tmp"})
     write(folder / "out" / name, name);
   ASSERT_EQ(run_in(folder, "s.yaml", {"--set", "output.checkpoint=1"}).status, 0);
   ASSERT_EQ(run_in(folder, "s.yaml", {"--restart"}).status, 0);
   ASSERT_EQ(run_in(folder, "s.yaml", {"--set", "output.vtk=false"}).status, 0);
   for (const char* name :
-       {"result_final.vtkhdf", "bodies_paper.vtp", "result_.vtkhdf", "checkpoint.h5.old", "out.tmp"})
+       {"result_final.hdf", "bodies_paper.vtp", "result_.hdf", "checkpoint.h5.old", "out.tmp"})
     EXPECT_EQ(read(folder / "out" / name), name);
-  EXPECT_FALSE(fs::exists(folder / "out/result_0001.vtkhdf"));
+  EXPECT_FALSE(fs::exists(folder / "out/result_0001.hdf"));
 }
 
 /// A manifest that somebody wrote by hand takes nothing away elsewhere.

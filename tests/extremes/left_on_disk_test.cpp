@@ -39,7 +39,7 @@ struct Left {
     for (const auto& entry : fs::recursive_directory_iterator(folder / "out")) {
       const std::string name = entry.path().filename(), type = entry.path().extension();
       const bool bad =
-          type == ".vtkhdf"
+          type == ".hdf"
               ? !std::isfinite(largest(read_dataset(entry.path(), "VTKHDF/PointData/displacement")))
           : type == ".csv" || type == ".json" ? speaks_of_nan(entry.path())
                                               : false;
@@ -50,7 +50,7 @@ struct Left {
   int states() const {
     int count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
-      count += entry.path().extension() == ".vtkhdf";
+      count += entry.path().extension() == ".hdf";
     return count;
   }
 

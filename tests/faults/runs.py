@@ -82,7 +82,7 @@ class Runs:
         """What is wrong with files under their final names, in words; empty if all are whole."""
         if not out.exists():
             return ""
-        results = [str(p) for p in sorted(out.glob("result_*.vtkhdf"))]
+        results = [str(p) for p in sorted(out.glob("result_*.hdf"))]
         proof = subprocess.run([self.whole, *results], capture_output=True, text=True, env=environment(), timeout=PATIENCE)
         if proof.returncode != 0:
             return "unreadable: " + proof.stderr
@@ -91,7 +91,7 @@ class Runs:
                 json.loads(p.read_text())
             for p in [*out.glob("*.vtp"), *out.glob("*.pvd")]:
                 xml.parse(p)
-            series = out / "result.vtkhdf.series"
+            series = out / "result.hdf.series"
             for file in json.loads(series.read_text())["files"] if series.exists() else []:
                 assert (out / file["name"]).exists(), "listed and not there: " + file["name"]
             listed = (out / "manifest.txt").read_text().splitlines() if (out / "manifest.txt").exists() else []

@@ -36,7 +36,7 @@ int wait_for_worker(std::vector<std::string> arguments, const std::string& progr
 }
 
 void print(const Progress& p, double seconds) {
-  static const char* const names[kinds] = {"scene", "study", "mesh", "body", "checkpoint"};
+  static const char* const names[kinds] = {"scene", "study", "mesh", "body", "checkpoint", "foreign"};
   std::cout << fmt::format("{:<11}{:>9}{:>9}{:>9}{:>13}{:>16}{:>9}{:>12}\n", "kind", "mutants", "accepted",
                            "refused", "without line", "without remedy", "failed", "ms each");
   long long all = 0;

@@ -8,7 +8,7 @@ struct Options {
   unsigned long long seed = 1;
   long long first = 0, mutants = 2500;
   double seconds = 0;        ///< 0: until all mutants are tried
-  std::string kind = "all";  ///< scene, study, mesh, body, checkpoint
+  std::string kind = "all";  ///< scene, study, mesh, body, checkpoint, foreign
   std::string keep;          ///< folder that receives failing mutants; empty: none
   std::string accepted;      ///< folder that receives accepted scenes
   std::string plant;         ///< see plant.hpp
@@ -22,7 +22,7 @@ struct Tally {
   long long accepted, refused, without_line, without_remedy, failures;
   double seconds;
 };
-inline constexpr int kinds = 5;
+inline constexpr int kinds = 6;
 struct Progress {
   long long next;  ///< mutant that is tried next, or under way
   int kind;        ///< of that mutant

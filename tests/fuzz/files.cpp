@@ -1,4 +1,4 @@
-// Meshes of both versions of MSH, STL files, text and binary, and checkpoints.
+// Meshes of both versions of MSH, of Abaqus and VTK, STL files, text and binary, and checkpoints.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -8,10 +8,12 @@
 
 #include "app/records/checkpoints.hpp"
 #include "contact/rigid/stl.hpp"
+#include "core/mesh/generate/generate.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/prepared.hpp"
 #include "tests/fuzz/target.hpp"
+#include "tests/support/foreign_meshes.hpp"
 #include "tests/support/left.hpp"
 
 namespace bulbus::fuzz {
@@ -32,6 +34,7 @@ struct Seed {
   std::string name, content;
   bool binary;
   Entry scene;
+  std::string file;  ///< what the scene reads it from; empty: the target's own
 };
 
 // A file that a scene reads, in the place of the one that the scene names.
@@ -43,9 +46,10 @@ class ReadFile : public Target {
     return {seed.name, with_faults(seed.content, seed.binary, random)};
   }
   void judge(const Mutant& mutant) const override {
-    write(file_, mutant.content);
     const auto seed = std::ranges::find(seeds_, mutant.seed, &Seed::name);
-    prepare_checked(seed->scene, file_);
+    const std::string& file = seed->file.empty() ? file_ : seed->file;
+    write(file, mutant.content);
+    prepare_checked(seed->scene, file);
   }
 
  protected:
@@ -68,18 +72,63 @@ class Meshes final : public ReadFile {
     Entry scene = read_yaml(fs::exists(folder + "/s.yaml") ? folder + "/s.yaml" : folder + "/clean.yaml");
     const std::string source = folder + "/" + scene.find("mesh")->find("file")->text;
     set_at(scene, "mesh.file", place_of(scene, "mesh"), Entry::word(file_, place_of(scene, "mesh")));
-    seeds_.push_back({source, content_of(source), false, scene});
+    seeds_.push_back({source, content_of(source), false, scene, ""});
     try {
       const Mesh mesh = read_gmsh(source);
       for (const bool version4 : {true, false})
         for (const bool binary : {true, false}) {
           write_gmsh(mesh, file_, {version4, binary});
           seeds_.push_back({source + (version4 ? " 4.1" : " 2.2") + (binary ? " binary" : " text"),
-                            content_of(file_), binary, scene});
+                            content_of(file_), binary, scene, ""});
         }
     } catch (const InputError&) {  // refused as it stands
     }
   }
+};
+
+// Abaqus and VTK files of two small meshes, in a scene that needs none of their sets.
+class ForeignMeshes final : public ReadFile {
+ public:
+  explicit ForeignMeshes(const std::string& scratch) : ReadFile(scratch + "/mesh.inp"), scratch_(scratch) {
+    Mesh mesh = generate(BlockShape{.nx = 3, .ny = 2, .nz = 1});
+    for (std::size_t e = 0; e < mesh.region.size(); ++e) mesh.region[e] = e < 3 ? 0 : 1;
+    mesh.region_names = {"1", "2"};
+    mesh.node_sets["end"] = {0, 4, 8};
+    add("abaqus", ".inp", test::abaqus_text(mesh), false);
+    add("abaqus assembly", ".inp", assembly(test::abaqus_text(mesh)), false);
+    add("vtu text", ".vtu", test::vtu_text(mesh), false);
+    add("vtu base64", ".vtu", test::vtu_text(mesh, {.binary = true}), false);
+    add("vtu zlib", ".vtu", test::vtu_text(mesh, {.binary = true, .compressed = true, .wide = true}), false);
+    add("vtu raw", ".vtu", test::vtu_text(mesh, {.binary = true, .appended = true}), true);
+    add("vtu raw zlib", ".vtu", test::vtu_text(mesh, {.binary = true, .appended = true, .compressed = true}),
+        true);
+    add("vtk text", ".vtk", test::legacy_vtk_text(mesh), false);
+    add("vtk binary", ".vtk", test::legacy_vtk_text(mesh, true), true);
+  }
+  std::string name() const override { return "foreign"; }
+  std::string extension() const override { return ".mesh"; }
+
+ private:
+  static std::string assembly(const std::string& flat) {
+    const std::size_t rest = flat.find("*MATERIAL");
+    return "*PART, NAME=P\n" + flat.substr(0, rest) +
+           "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=P-1, PART=P\n0, 0, 0\n0, 0, 0, 0, 0, 1, 30\n*END "
+           "INSTANCE\n"
+           "*NSET, NSET=few, INSTANCE=P-1, GENERATE\n1, 41, 10\n*NSET, NSET=more\nfew, P-1.11\n"
+           "*SURFACE, NAME=skin\nP-1.1,\n*END ASSEMBLY\n" +
+           flat.substr(rest);
+  }
+
+  void add(const std::string& name, const std::string& extension, const std::string& content, bool binary) {
+    const std::string file = scratch_ + "/mesh" + extension;
+    const Entry scene =
+        parse_yaml("mesh: {file: " + file +
+                       ", surfaces: {low: \"Z < 0.1\"}}\nregions: {\"1\": {c10: 50 kPa}, \"2\": {c10: "
+                       "50 kPa}}\nfix: [{set: low}]\nsteps: [{name: rest}]\n",
+                   file);
+    seeds_.push_back({name, content, binary, scene, file});
+  }
+  std::string scratch_;
 };
 
 // The facets of a text file as a binary one.
@@ -106,8 +155,8 @@ class Bodies final : public ReadFile {
       for (Entry& body : scene.find("rigid_bodies")->items)
         set_at(body, "file.path", body.place, Entry::word(file_, body.place));
       const std::string source = cases + "/" + folder + "/" + file;
-      seeds_.push_back({source, content_of(source), false, scene});
-      seeds_.push_back({source + " binary", binary_stl(source), true, scene});
+      seeds_.push_back({source, content_of(source), false, scene, ""});
+      seeds_.push_back({source + " binary", binary_stl(source), true, scene, ""});
     }
   }
   std::string name() const override { return "body"; }
@@ -157,6 +206,9 @@ class Checkpoints final : public Target {
 
 std::unique_ptr<Target> meshes(const std::string& cases, const std::string& scratch) {
   return std::make_unique<Meshes>(cases, scratch);
+}
+std::unique_ptr<Target> foreign_meshes(const std::string& scratch) {
+  return std::make_unique<ForeignMeshes>(scratch);
 }
 std::unique_ptr<Target> bodies(const std::string& cases, const std::string& scratch) {
   return std::make_unique<Bodies>(cases, scratch);

@@ -35,8 +35,8 @@ int main(int argc, char** argv) {
   app.add_option("--first", options.first, "number of the first mutant");
   app.add_option("--mutants", options.mutants, "number behind the last mutant");
   app.add_option("--seconds", options.seconds, "end after this time; 0: when all are tried");
-  app.add_option("--kind", options.kind, "scene, study, mesh, body or checkpoint")
-      ->check(CLI::IsMember({"all", "scene", "study", "mesh", "body", "checkpoint"}));
+  app.add_option("--kind", options.kind, "scene, study, mesh, body, checkpoint or foreign")
+      ->check(CLI::IsMember({"all", "scene", "study", "mesh", "body", "checkpoint", "foreign"}));
   app.add_option("--keep", options.keep, "folder that receives failing mutants");
   app.add_option("--accepted", options.accepted, "folder that receives accepted scenes");
   app.add_option("--plant", options.plant,

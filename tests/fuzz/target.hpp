@@ -28,6 +28,7 @@ class Target {
 std::unique_ptr<Target> scenes(const std::string& data, const std::string& cases);
 std::unique_ptr<Target> studies(const std::string& data);
 std::unique_ptr<Target> meshes(const std::string& cases, const std::string& scratch);
+std::unique_ptr<Target> foreign_meshes(const std::string& scratch);
 std::unique_ptr<Target> bodies(const std::string& cases, const std::string& scratch);
 std::unique_ptr<Target> checkpoints(const std::string& scratch);
 

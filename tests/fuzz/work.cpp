@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int seconds_of_one = sanitized ? 100 : 10;
-// Of twenty mutants; scenes say most.
-constexpr int weights[kinds] = {12, 1, 3, 3, 1};
+// Of 24 mutants; scenes say most.
+constexpr int weights[kinds] = {12, 1, 3, 3, 1, 4};
 
 // A target with the plant in it.
 class Planted final : public Target {
@@ -59,8 +59,10 @@ class Targets {
         return meshes(BULBUS_CASES, scratch_);
       case 3:
         return bodies(BULBUS_CASES, scratch_);
-      default:
+      case 4:
         return checkpoints(scratch_);
+      default:
+        return foreign_meshes(scratch_);
     }
   }
   std::string scratch_;
@@ -68,10 +70,10 @@ class Targets {
 };
 
 int kind_of(const Options& options, Random& random) {
-  static const std::vector<std::string> names{"scene", "study", "mesh", "body", "checkpoint"};
+  static const std::vector<std::string> names{"scene", "study", "mesh", "body", "checkpoint", "foreign"};
   for (int k = 0; k < kinds; ++k)
     if (names[k] == options.kind) return k;
-  int left = static_cast<int>(random.below(20));
+  int left = static_cast<int>(random.below(24));
   int kind = 0;
   while (left >= weights[kind]) left -= weights[kind++];
   return kind;

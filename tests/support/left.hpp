@@ -17,6 +17,7 @@ class Leaving final : public MarchObserver {
   void step_begins(int step, const StepSpec& spec, const State& start) override {
     inner_.step_begins(step, spec, start);
   }
+  void step_begun(int step, const State& start) override { inner_.step_begun(step, start); }
   void increment_done(const Increment& increment, const State& state) override {
     inner_.increment_done(increment, state);
   }

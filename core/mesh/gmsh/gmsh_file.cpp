@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -14,18 +15,24 @@ const char* const use_hexahedra =
     "or "
     "Mesh.SubdivisionAlgorithm = 2 in Gmsh";
 
-std::string type_name(int type) {
-  static const std::map<int, std::string> names{
-      {2, "a triangle"}, {4, "a tetrahedron"}, {6, "a prism"}, {7, "a pyramid"}};
-  const auto at = names.find(type);
-  return at != names.end() ? at->second : "of Gmsh type " + std::to_string(type) + ", of higher order";
-}
+// Cells of first order that are counted before they are refused.
+struct OtherType {
+  const char *one, *many;
+  int nodes;
+};
+const std::map<int, OtherType> other_types{{2, {"a triangle", "triangles", 3}},
+                                           {4, {"a tetrahedron", "tetrahedra", 4}},
+                                           {6, {"a prism", "prisms", 6}},
+                                           {7, {"a pyramid", "pyramids", 5}}};
 
 std::string name_of(long long number) { return "element " + std::to_string(number); }
 
 }  // namespace
 
-int GmshFile::dimension_of(int type) { return type == 5 ? 3 : type == 3 ? 2 : type == 1 ? 1 : 0; }
+int GmshFile::dimension_of(int type) {
+  if (other_types.contains(type)) return type == 2 ? 2 : 3;
+  return type == 5 ? 3 : type == 3 ? 2 : type == 1 ? 1 : 0;
+}
 
 int GmshFile::node_count(const GmshScanner& at, int type, long long number, bool binary) {
   switch (type) {
@@ -38,9 +45,10 @@ int GmshFile::node_count(const GmshScanner& at, int type, long long number, bool
     case 15:
       return 1;
   }
-  const bool simplex = type == 2 || type == 4 || type == 6 || type == 7;
-  throw input_error(at.path(), binary ? 0 : at.line(), name_of(number) + " is " + type_name(type),
-                    simplex ? use_hexahedra : "save a mesh of first order (Mesh.ElementOrder = 1)");
+  if (const auto other = other_types.find(type); other != other_types.end()) return other->second.nodes;
+  throw input_error(at.path(), binary ? 0 : at.line(),
+                    fmt::format("{} is of Gmsh type {}, of higher order", name_of(number), type),
+                    "save a mesh of first order (Mesh.ElementOrder = 1)");
 }
 
 void GmshFile::add_node(const GmshScanner& at, long long tag, const Point& p) {
@@ -57,6 +65,11 @@ void GmshFile::add_node(const GmshScanner& at, long long tag, const Point& p) {
 void GmshFile::add(const GmshScanner& at, int type, long long number, std::span<const long long> nodes,
                    std::span<const int> groups) {
   Element e{dimension_of(type), 0, binary ? 0 : at.line(), number, {}};
+  if (const auto other = other_types.find(type); other != other_types.end()) {
+    if (others.empty()) first_other = e, first_other.group = type;
+    ++others[other->second.many];
+    return;
+  }
   if (e.dimension == 3 && groups.empty())
     refuse(e, "is a hexahedron in no physical group",
            "add its volume to a Physical Volume: it names the region");
@@ -84,6 +97,14 @@ std::string GmshFile::group_name(int dimension, int tag) const {
 
 void GmshFile::refuse(const Element& e, const std::string& what, const std::string& remedy) const {
   throw input_error(path, e.line, name_of(e.number) + " " + what, remedy);
+}
+
+void GmshFile::refuse_others() const {
+  if (others.empty()) return;
+  const auto hexahedra = std::ranges::count(elements, 3, &Element::dimension);
+  refuse(first_other,
+         fmt::format("is {}: {}", other_types.at(first_other.group).one, other_cells_text(others, hexahedra)),
+         use_hexahedra);
 }
 
 }  // namespace bulbus

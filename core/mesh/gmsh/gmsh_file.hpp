@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mesh/gmsh/gmsh_scanner.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/imported.hpp"
 
 namespace bulbus {
 
@@ -25,9 +25,11 @@ struct GmshFile {
   std::vector<Point> points;
   std::unordered_map<long long, int> index;  ///< of a node's tag
   std::vector<Element> elements;
+  OtherCells others;      ///< triangles, tetrahedra, prisms and pyramids
+  Element first_other{};  ///< its group is its type
 
-  /// Refuses types that are not supported, unknown nodes, and hexahedra not in just one physical group;
-  /// ignores other elements without a group.
+  /// Counts triangles, tetrahedra, prisms and pyramids; refuses unknown nodes and hexahedra not in just one
+  /// physical group; ignores other elements without a group.
   void add(const GmshScanner& at, int type, long long number, std::span<const long long> nodes,
            std::span<const int> groups);
   void add_node(const GmshScanner& at, long long tag, const Point& p);
@@ -40,6 +42,8 @@ struct GmshFile {
   std::string group_name(int dimension, int tag) const;
   /// `file:line: element NUMBER what`.
   [[noreturn]] void refuse(const Element& e, const std::string& what, const std::string& remedy) const;
+  /// With how many there are of which kind, where there are any.
+  void refuse_others() const;
 };
 
 /// Bodies of the sections, up to their $End.

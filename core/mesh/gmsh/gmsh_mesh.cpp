@@ -148,6 +148,7 @@ void add_bars(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
 }  // namespace
 
 Mesh mesh_of(const GmshFile& file) {
+  file.refuse_others();
   Mesh mesh;
   const std::vector<int> id = used_nodes(file, mesh);
   add_hexes(file, id, mesh);

@@ -12,7 +12,8 @@ struct Header {
 
 Header read_header(GmshScanner& in) {
   if (in.at_end() || in.word() != "$MeshFormat")
-    in.fail("this is no Gmsh mesh: $MeshFormat is missing", "give an MSH file, version 4.1 or 2.2");
+    in.fail("this is no Gmsh mesh: $MeshFormat is missing",
+            "give an MSH file, version 4.1 or 2.2; Abaqus meshes are read from .inp, VTK from .vtu and .vtk");
   const std::string version(in.word());
   if (version != "4.1" && version != "2.2" && version != "2.1" && version != "2")
     in.fail("MSH version " + printable(version) + " is not read",

@@ -82,7 +82,11 @@ TEST(Schema, SaysTheSame) {
   EXPECT_EQ(bar["E"]["exclusiveMinimum"], 0);
   EXPECT_EQ(keys["fix"]["items"]["properties"]["directions"]["default"], (nlohmann::json{"x", "y", "z"}));
   EXPECT_EQ(keys["symmetry"]["items"]["enum"], (nlohmann::json{"x", "y", "z"}));
-  EXPECT_EQ(keys["mesh"]["maxProperties"], 1);
+  const auto& sources = keys["mesh"]["oneOf"];
+  EXPECT_EQ(sources.size(), 6u);
+  EXPECT_EQ(sources[0]["required"], (nlohmann::json{"file"}));
+  EXPECT_EQ(keys["mesh"]["properties"]["sets"]["additionalProperties"]["type"],
+            (nlohmann::json{"number", "string"}));
 }
 
 TEST(Schema, MarksTheLevelOfASetting) {

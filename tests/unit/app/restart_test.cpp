@@ -112,7 +112,7 @@ TEST(Restart, EndsWhereAnUninterruptedRunEndsFromEveryIncrement) {
     ASSERT_EQ(r.status, 0) << r.err;
     expect_same_end(r, 1e-12);
     expect_same_history(r);
-    EXPECT_EQ(r.text("result.vtkhdf.series"), whole().text("result.vtkhdf.series")) << last;
+    EXPECT_EQ(r.text("result.hdf.series"), whole().text("result.hdf.series")) << last;
     EXPECT_EQ(r.text("bodies.pvd"), whole().text("bodies.pvd")) << last;
     EXPECT_EQ(results_in(r.folder / "out"), results_in(whole().folder / "out")) << last;
     EXPECT_NE(r.text("run.log").find("goes on after increment " + std::to_string(last)), std::string::npos);
@@ -125,14 +125,14 @@ TEST(Restart, TakesAwayWhatCameAfterTheCheckpoint) {
   fs::copy_file(folder / "out/checkpoint.h5", folder / "fourth.h5");
   ASSERT_EQ(go_on(folder).status, 0);
   std::ofstream(folder / "out/history.csv", std::ios::app) << "10,cut sho";
-  std::ofstream(folder / "out/result_0017.vtkhdf") << "late";
-  std::ofstream(folder / "out/manifest.txt", std::ios::app) << "result_0017.vtkhdf\n";
-  std::ofstream(folder / "out/result_final.vtkhdf") << "mine";
+  std::ofstream(folder / "out/result_0017.hdf") << "late";
+  std::ofstream(folder / "out/manifest.txt", std::ios::app) << "result_0017.hdf\n";
+  std::ofstream(folder / "out/result_final.hdf") << "mine";
   fs::rename(folder / "fourth.h5", folder / "out/checkpoint.h5");
   const Ran r = go_on(folder);
   ASSERT_EQ(r.status, 0) << r.err;
   expect_same_history(r);
-  EXPECT_TRUE(fs::remove(folder / "out/result_final.vtkhdf"));
+  EXPECT_TRUE(fs::remove(folder / "out/result_final.hdf"));
   EXPECT_EQ(results_in(r.folder / "out"), results_in(whole().folder / "out"));
 }
 
@@ -219,7 +219,7 @@ TEST(Restart, RefusesWhatIsNoCheckpoint) {
   fs::resize_file(file, fs::file_size(file) / 2);
   expect_refused(folder, "no whole checkpoint");
   fs::remove(file);
-  fs::copy_file(folder / "out/result_0002.vtkhdf", file);
+  fs::copy_file(folder / "out/result_0002.hdf", file);
   expect_refused(folder, "no whole checkpoint");
   fs::remove(file);
   expect_refused(folder, "there is no such checkpoint");

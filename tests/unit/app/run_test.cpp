@@ -57,7 +57,7 @@ TEST(Run, WritesTheAnswerAndHowItWasFound) {
   EXPECT_GT(s["memory_mb"]["process_peak"]["largest_rank"], 1);
   EXPECT_EQ(s["ranks"], 1);
   for (const char* file :
-       {"resolved.yaml", "run.log", "result.vtkhdf.series", "result_0001.vtkhdf", "result_0002.vtkhdf"})
+       {"resolved.yaml", "run.log", "result.hdf.series", "result_0001.hdf", "result_0002.hdf"})
     EXPECT_TRUE(r.wrote(file)) << file;
 }
 
@@ -78,8 +78,8 @@ TEST(Run, KeepsTheHistory) {
 TEST(Run, SavesFieldsThatAgreeWithEachOther) {
   const Ran r = run_scene(scene, {"output.every=2"});
   ASSERT_EQ(r.status, 0) << r.err;
-  EXPECT_FALSE(r.wrote("result_0001.vtkhdf"));
-  const std::string file = r.folder / "out" / "result_0002.vtkhdf";
+  EXPECT_FALSE(r.wrote("result_0001.hdf"));
+  const std::string file = r.folder / "out" / "result_0002.hdf";
   const double l = 1.4, stress = l * l - 1 / l;
   const auto field = [&](const std::string& name) { return read_dataset(file, "VTKHDF/" + name); };
   for (const char* place : {"PointData/stress", "CellData/stress"}) {
@@ -101,8 +101,8 @@ TEST(Run, SavesFieldsThatAgreeWithEachOther) {
 TEST(Run, SavesTheLastStateWhateverTheInterval) {
   const Ran r = run_scene(scene, {"output.every=5", "output.fields=[displacement]"});
   ASSERT_EQ(r.status, 0) << r.err;
-  EXPECT_TRUE(r.wrote("result_0002.vtkhdf"));
-  EXPECT_FALSE(run_scene(scene, {"output.vtk=false"}).wrote("result_0002.vtkhdf"));
+  EXPECT_TRUE(r.wrote("result_0002.hdf"));
+  EXPECT_FALSE(run_scene(scene, {"output.vtk=false"}).wrote("result_0002.hdf"));
 }
 
 /// The block may shrink to a tenth of its length, not to nothing: the last good state stays on the disk.
@@ -122,16 +122,16 @@ TEST(Run, TellsWhyItDidNotConverge) {
 TEST(Run, TakesAwayTheRecordsOfAnEarlierRun) {
   Ran r = run_scene(scene);
   for (const char* mine :
-       {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
+       {"result_final.hdf", "bodies_paper.vtp", "result_9.hdf", "result_0009.hdf", "notes.txt"})
     std::ofstream(r.folder / "out" / mine) << "mine";
   std::ostringstream out, err;
   EXPECT_EQ(
       command_line({"run", r.folder / "scene.yaml", "-o", r.folder / "out", "--set", "steps.0.increments=1"},
                    Comm(MPI_COMM_SELF), out, err),
       0);
-  EXPECT_FALSE(r.wrote("result_0002.vtkhdf"));
+  EXPECT_FALSE(r.wrote("result_0002.hdf"));
   for (const char* mine :
-       {"result_final.vtkhdf", "bodies_paper.vtp", "result_9.vtkhdf", "result_0009.vtkhdf", "notes.txt"})
+       {"result_final.hdf", "bodies_paper.vtp", "result_9.hdf", "result_0009.hdf", "notes.txt"})
     EXPECT_EQ(r.text(mine), "mine") << mine;
 }
 

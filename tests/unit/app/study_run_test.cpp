@@ -29,7 +29,7 @@ TEST(StudyRun, WritesTableFigureAndTrends) {
   for (const char* file :
        {"study.csv", "study.svg", "study.log", "run_006/summary.json", "run_006/history.csv"})
     EXPECT_TRUE(r.wrote(file)) << file;
-  EXPECT_FALSE(r.wrote("run_001/result.vtkhdf.series"));
+  EXPECT_FALSE(r.wrote("run_001/result.hdf.series"));
   EXPECT_NE(r.text("study.log").find("6 of 6 runs converged"), std::string::npos);
 }
 

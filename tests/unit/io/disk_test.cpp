@@ -76,7 +76,7 @@ TEST(FullDisk, KeepsTheOldFile) {
 
 /// Before HDF5 has begun a file that it could not get rid of.
 TEST(FullDisk, IsMetBeforeAResultIsBegun) {
-  const fs::path path = fresh_folder() / "result_0001.vtkhdf";
+  const fs::path path = fresh_folder() / "result_0001.hdf";
   const std::vector<Point> points(1000);
   try {
     const SmallFiles limit(20000);

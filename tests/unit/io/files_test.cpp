@@ -59,14 +59,14 @@ TEST(Json, NamesAFileThatCannotBeWritten) {
 }
 
 TEST(Series, ListsEveryStateAfterEachAddition) {
-  const fs::path path = fresh_folder("series") / "result.vtkhdf.series";
+  const fs::path path = fresh_folder("series") / "result.hdf.series";
   Series series(path);
-  series.add("result_0.vtkhdf", 0);
+  series.add("result_0.hdf", 0);
   EXPECT_EQ(nlohmann::json::parse(text_of(path))["files"].size(), 1u);
-  series.add("result_1.vtkhdf", .5);
+  series.add("result_1.hdf", .5);
   const auto read = nlohmann::json::parse(text_of(path));
   EXPECT_EQ(read["file-series-version"], "1.0");
-  EXPECT_EQ(read["files"][1]["name"], "result_1.vtkhdf");
+  EXPECT_EQ(read["files"][1]["name"], "result_1.hdf");
   EXPECT_EQ(read["files"][1]["time"], .5);
 }
 

@@ -118,6 +118,32 @@ TEST(Vtkhdf, RefusesWhatIsNotFiniteBeforeWriting) {
   expect_refusal(cube.piece(), "a point is not finite");
 }
 
+TEST(Vtkhdf, KeepsNanWhereASparseFieldHasNoValue) {
+  const fs::path file = fresh_folder("vtkhdf_sparse") / "a.hdf";
+  const Cube cube;
+  Piece piece = cube.piece();
+  piece.cell_fields[1].sparse = true;
+  piece.cell_fields[1].values[4] = std::nan("");
+  write_vtkhdf(file, piece, Comm(MPI_COMM_SELF));
+  EXPECT_TRUE(std::isnan(read_dataset(file, "VTKHDF/CellData/s")[4]));
+  piece.cell_fields[1].values[4] = std::numeric_limits<double>::infinity();
+  expect_refusal(piece, "'s' is not finite at item 0");
+}
+
+// Also under mpirun: all ranks have the same labels, the file has them once.
+TEST(Vtkhdf, HasLabelsAndUnits) {
+  const Comm world;
+  const std::string file = fs::temp_directory_path() / "bulbus_labels.hdf";
+  const Cube cube;
+  Piece piece = cube.piece();
+  piece.cell_fields[0].unit = "MPa";
+  piece.labels = {{"region_lens", 0}, {"region_wall", 1}};
+  write_vtkhdf(file, piece, world);
+  EXPECT_EQ(read_dataset(file, "VTKHDF/FieldData/region_wall"), std::vector<double>{1});
+  EXPECT_EQ(read_dataset(file, "VTKHDF/FieldData/region_lens"), std::vector<double>{0});
+  EXPECT_EQ(safe_name("a/b <c>"), "a_b _c_");
+}
+
 TEST(Vtkhdf, RefusesAFieldOfTheWrongLength) {
   const Cube cube;
   Piece piece = cube.piece();

@@ -75,6 +75,9 @@ TEST(GmshInput, RefusesOtherElementsWithTheirLine) {
   expect_refusal(nodes + elements(cube + "2 2 2 7 1 1 2 3\n"), {".msh:19: element 2 is a triangle"});
   expect_refusal(nodes + elements(cube + "2 12 2 7 1 1 2 3\n"),
                  {"type 12, of higher order", "Mesh.ElementOrder = 1"});
+  expect_refusal(nodes + elements(cube + "2 4 2 7 1 1 2 3 4\n3 2 2 7 1 1 2 3\n4 4 2 7 1 1 2 3 5\n"),
+                 {".msh:19: element 2 is a tetrahedron: 3 of 4 cells are no 8-node hexahedra: 2 tetrahedra, "
+                  "1 triangles"});
 }
 
 TEST(GmshInput, RefusesElementsThatDoNotFit) {

@@ -98,6 +98,21 @@ TEST(Quality, InvertedCellsAreNamed) {
   }
 }
 
+TEST(Quality, AllInvertedCellsAreNamedWorstFirst) {
+  Mesh mesh = block(3, 1, 1);
+  const Hex g = mesh.hexes[0], h = mesh.hexes[2];
+  mesh.hexes[2] = {h[4], h[5], h[6], h[7], h[0], h[1], h[2], h[3]};
+  mesh.hexes[0][1] = g[0];  // flat
+  try {
+    refuse_inverted(mesh);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("hexahedron 3 of region 'block'"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("so are 1 others, worst first: 1 (0)"), std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(Geometry, VolumeOfATrilinearCellIsTheFluxThroughItsFaces) {
   Mesh mesh = block(1, 1, 1);
   mesh.points[7] = {1.2, 2.3, 3.4};  // twisted: none of its faces there is plane

@@ -1,0 +1,100 @@
+#include "app/records/history.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/records/record_names.hpp"
+#include "core/base/error.hpp"
+#include "core/base/printable.hpp"
+
+namespace bulbus {
+namespace {
+
+// Columns before and after the probes.
+constexpr std::size_t before = 3, after = 4;
+
+// Cells of a line of RFC 4180 without line ends inside of quotes, which no run writes.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool doubled = quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
+    if (doubled)
+      cells.back() += line[i++];
+    else if (line[i] == '"')
+      quoted = !quoted;
+    else if (line[i] == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += line[i];
+  }
+  return cells;
+}
+
+// A line of the table that is being read.
+struct Place {
+  const std::string& path;
+  int line;
+};
+
+InputError no_history(const Place& at, const std::string& why) {
+  return input_error(at.path, at.line, why, "Name the folder of the results of a run.");
+}
+
+double number(const std::string& cell, const Place& at) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (failure != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
+    throw no_history(at, "'" + printable(cell) + "' is no finite number");
+  return value;
+}
+
+void take_row(const std::vector<std::string>& cells, const Place& at, History& history) {
+  History::Row row{cells[1], number(cells[2], at), {}};
+  for (std::size_t p = 0; p < history.probes.size(); ++p) {
+    const std::string& cell = cells[before + p];
+    row.values.push_back(cell.empty() ? std::nullopt : std::optional(number(cell, at)));
+    history.largest[p] = std::max(history.largest[p], std::abs(row.values.back().value_or(0)));
+  }
+  if (!history.ends.empty() && history.ends.back().step == row.step) history.ends.pop_back();
+  history.ends.push_back(row);
+  history.increments.push_back(std::move(row));
+}
+
+void read_units(const std::string& folder, History& history) {
+  std::ifstream in(folder + "/" + summary_file);
+  const auto summary = in ? nlohmann::json::parse(in, nullptr, false) : nlohmann::json();
+  if (!summary.is_object() || !summary.contains("units")) return;
+  for (const auto& [probe, unit] : summary["units"].items())
+    if (unit.is_string()) history.units[probe] = unit;
+}
+
+}  // namespace
+
+History read_history(const std::string& folder) {
+  const std::string path = folder + "/" + history_file;
+  std::ifstream in(path);
+  std::string line;
+  if (!in || !std::getline(in, line)) throw no_history({path, 0}, "cannot be read");
+  const std::vector<std::string> header = cells_of(line);
+  if (header.size() < before + after || header[1] != "step" || header[2] != "time")
+    throw no_history({path, 1}, "is no history of a run");
+  History history;
+  history.probes.assign(header.begin() + before, header.end() - after);
+  history.largest.resize(history.probes.size());
+  for (int at = 2; std::getline(in, line); ++at) {
+    const std::vector<std::string> row = cells_of(line);
+    if (row.size() != header.size())
+      throw no_history({path, at}, fmt::format("has {} cells, its header has {}", row.size(), header.size()));
+    take_row(row, {path, at}, history);
+  }
+  read_units(folder, history);
+  return history;
+}
+
+}  // namespace bulbus

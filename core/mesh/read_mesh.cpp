@@ -1,0 +1,32 @@
+#include "core/mesh/read_mesh.hpp"
+
+#include <cctype>
+#include <filesystem>
+
+#include "core/mesh/abaqus/abaqus.hpp"
+#include "core/mesh/gmsh/gmsh.hpp"
+#include "core/mesh/vtk/vtk.hpp"
+
+namespace bulbus {
+namespace {
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+}  // namespace
+
+bool is_vtk(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".vtu" || extension == ".pvtu" || extension == ".vtk";
+}
+
+ReadMesh read_mesh(const std::string& path, const std::string& regions) {
+  if (is_vtk(path)) return read_vtk(path, regions);
+  if (extension_of(path) == ".inp") return read_abaqus(path);
+  return {read_gmsh(path), {}};
+}
+
+}  // namespace bulbus

@@ -1,0 +1,43 @@
+#include "core/problem/formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.hpp"
+
+namespace bulbus {
+namespace {
+
+bool holds(const std::string& text, const Vec3<double>& X) { return Formula(text, "mesh.sets.a").holds(X); }
+
+std::string refusal(const std::string& text) {
+  try {
+    const Formula formula(text, "mesh.sets.a");
+    formula.require_timeless();
+    formula.holds({1, 2, 3});
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Formula, Compares) {
+  EXPECT_TRUE(holds("X < 0.1", {0, 5, 5}));
+  EXPECT_FALSE(holds("X < 0.1", {.1, 5, 5}));
+  EXPECT_TRUE(holds("X*X + Y*Y <= 25 && Z > 0", {3, 4, 1}));
+  EXPECT_FALSE(holds("X*X + Y*Y <= 25 && Z > 0", {3, 4, 0}));
+  EXPECT_TRUE(holds("X == 3 || Y != 4", {3, 4, 0}));
+  EXPECT_TRUE(holds("abs(Z - 1) >= 2", {0, 0, -1}));
+  EXPECT_TRUE(holds("1", {0, 0, 0}));
+}
+
+TEST(Formula, WhatIsNoConditionIsRefused) {
+  EXPECT_NE(refusal("X - 0.25").find("'X - 0.25' is no condition: at X = 1, Y = 2, Z = 3 it is 0.75"),
+            std::string::npos);
+  EXPECT_NE(refusal("X < s").find("depends on s, but a mesh has no steps"), std::string::npos);
+  EXPECT_NE(refusal("X <").find("cannot read the formula"), std::string::npos);
+  EXPECT_NE(refusal("R < 1").find("cannot read the formula"), std::string::npos);
+  EXPECT_EQ(refusal("X < 1"), "");
+}
+
+}  // namespace
+}  // namespace bulbus
