@@ -96,11 +96,13 @@ json schema_of(const Topic& t) {
 
 nlohmann::json scene_schema() {
   Scene defaults;
-  json s = shape_of(outline_of("", About{""}, parameters_of(defaults)));
+  const Topic scene = outline_of("", About{""}, parameters_of(defaults));
+  json s = shape_of(scene);
   s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   s["title"] = "Bulbus scene";
   json& sources = s["properties"]["mesh"]["oneOf"];
-  for (const Topic& part : outline_of<MeshSource>("", About{""}).parts)
+  const auto mesh = std::ranges::find(scene.parts, "mesh", &Topic::key);
+  for (const Topic& part : mesh->parts)
     if (part.optional) sources.push_back(json{{"required", json::array({part.key})}});
   return s;
 }

@@ -1,4 +1,4 @@
-// One multigrid cycle is the same map however many ranks, but for the lines that their boundaries cut.
+// One cycle is the same map however many ranks, but for the lines and aggregates that their boundaries cut.
 #include <gtest/gtest.h>
 
 #include "precond/make_preconditioner.hpp"
@@ -12,13 +12,14 @@ struct Solved {
   int iterations = 0;
 };
 
-// The first linear system of a scene on its refined mesh.
-Solved solve(const Scene& scene, const Comm& comm) {
-  Problem problem(refined(scene.mesh, 1), scene.model, comm);
+// The first linear system of a scene on its mesh, refined so many times.
+Solved solve(const Scene& scene, int refine, const Comm& comm) {
+  Problem problem(refined(scene.mesh, refine), scene.model, comm);
   State state = problem.initial_state();
   problem.begin_step(0, state);
   problem.set_progress(.5, state);
   LinearSettings settings;
+  settings.aggregation.factorised = 100;
   CoupledSystem system(problem, settings);
   const Residual r = problem.residual(state);
   system.linearize(state, r);
@@ -40,8 +41,8 @@ Solved solve(const Scene& scene, const Comm& comm) {
   return s;
 }
 
-void expect_same(const Scene& scene) {
-  const Solved alone = solve(scene, Comm(MPI_COMM_SELF)), together = solve(scene, Comm());
+void expect_same(const Scene& scene, int refine = 1) {
+  const Solved alone = solve(scene, refine, Comm(MPI_COMM_SELF)), together = solve(scene, refine, Comm());
   double size = 0, difference = 0;
   for (std::size_t i = 0; i < alone.dx.size(); ++i) {
     size = std::max(size, std::abs(alone.dx[i]));
@@ -57,6 +58,12 @@ TEST(Multigrid, OnAnyNumberOfRanksSolvesABlock) { expect_same(stretched_block(4,
 TEST(Multigrid, OnAnyNumberOfRanksSolvesAShellWithARigidCapAndBars) { expect_same(filled_shell("half")); }
 
 TEST(Multigrid, OnAnyNumberOfRanksSolvesTheHalfEye) { expect_same(small_eye(8)); }
+
+TEST(Aggregation, OnAnyNumberOfRanksSolvesABlockByLevels) { expect_same(stretched_block(8, ".1"), 0); }
+
+TEST(Aggregation, OnAnyNumberOfRanksSolvesAShellWithARigidCapAndBarsByLevels) {
+  expect_same(filled_shell("half"), 0);
+}
 
 }  // namespace
 }  // namespace bulbus

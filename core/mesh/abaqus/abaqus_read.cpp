@@ -29,9 +29,9 @@ bool is_hexahedron(const std::string& type) {
          std::all_of(type.begin() + 4, type.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-class Reader {
+class AbaqusReader {
  public:
-  explicit Reader(const std::string& path) : in_(path) { model_.parts.emplace_back(); }
+  explicit AbaqusReader(const std::string& path) : in_(path) { model_.parts.emplace_back(); }
 
   AbaqusModel read() {
     if (in_.at_data()) in_.fail("this is no Abaqus input: it begins with data", "give a file of *KEYWORDs");
@@ -199,7 +199,7 @@ void AbaqusModel::fail(const AbaqusPlace& at, const std::string& what, const std
   throw input_error(files[at.file], at.line, what, remedy);
 }
 
-AbaqusModel read_abaqus_model(const std::string& path) { return Reader(path).read(); }
+AbaqusModel read_abaqus_model(const std::string& path) { return AbaqusReader(path).read(); }
 
 ReadMesh read_abaqus(const std::string& path) { return mesh_of(read_abaqus_model(path)); }
 

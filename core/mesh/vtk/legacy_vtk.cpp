@@ -32,9 +32,9 @@ std::string decoded(std::string_view name) {
   return text;
 }
 
-class Reader {
+class LegacyReader {
  public:
-  Reader(const std::string& path, std::string_view text) : text_(text) { grid_.path = path; }
+  LegacyReader(const std::string& path, std::string_view text) : text_(text) { grid_.path = path; }
 
   VtkGrid read() {
     skip_line(), skip_line();
@@ -250,7 +250,7 @@ class Reader {
 }  // namespace
 
 VtkGrid read_legacy_vtk(const std::string& path, const std::string& text) {
-  return Reader(path, text).read();
+  return LegacyReader(path, text).read();
 }
 
 }  // namespace bulbus

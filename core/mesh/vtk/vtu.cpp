@@ -18,7 +18,7 @@
 namespace bulbus {
 namespace {
 
-const char* const write_again = "write the file again (in ParaView: Save Data, .vtu)";
+const char* const save_again = "write the file again (in ParaView: Save Data, .vtu)";
 
 std::optional<VtkType> type_named(const std::string& name) {
   static const std::map<std::string, VtkType> types{
@@ -29,9 +29,9 @@ std::optional<VtkType> type_named(const std::string& name) {
   return at == types.end() ? std::nullopt : std::optional(at->second);
 }
 
-class Reader {
+class VtuReader {
  public:
-  explicit Reader(const std::string& path) { grid_.path = path; }
+  explicit VtuReader(const std::string& path) { grid_.path = path; }
 
   VtkGrid read(const std::string& text) {
     const XmlElement root = parse_xml(grid_.path, text);
@@ -52,7 +52,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const XmlElement& at, const std::string& what,
-                         const std::string& remedy = write_again) const {
+                         const std::string& remedy = save_again) const {
     throw input_error(grid_.path, at.line, what, remedy);
   }
 
@@ -191,6 +191,6 @@ class Reader {
 
 }  // namespace
 
-VtkGrid read_vtu(const std::string& path, const std::string& text) { return Reader(path).read(text); }
+VtkGrid read_vtu(const std::string& path, const std::string& text) { return VtuReader(path).read(text); }
 
 }  // namespace bulbus
