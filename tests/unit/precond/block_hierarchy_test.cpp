@@ -25,7 +25,11 @@ struct Coarse : Linearised {
   explicit Coarse(const Scene& scene)
       : Linearised(scene, 0, .001),
         plan(system, 8, Precision::single, 1000000),
-        modes(rigid_modes(system, plan.groups)) {
+        modes(rigid_modes(system, plan.groups)),
+        blocks(assembled()) {}
+
+ private:
+  DistributedBlocks assembled() {
     for_each_condensed_matrix(system, Matrices::augmented,
                               [&](std::span<const int> d, std::span<const double> K) {
                                 plan.matrix.add(plan.groups, modes.of, d, K);
@@ -33,8 +37,8 @@ struct Coarse : Linearised {
     for (const auto& e : system.body_extra())
       if (!problem.symmetric() || e.row <= e.column) plan.matrix.add(e.row, e.column, e.value);
     for (int k : modes.missing) plan.matrix.add(k, k, system.constrained_diagonal());
-    blocks = assemble_blocks(problem.comm(), plan.groups.total,
-                             [&](const BlockVisitor& visit) { plan.matrix.visit(visit); });
+    return assemble_blocks(problem.comm(), plan.groups.total,
+                           [&](const BlockVisitor& visit) { plan.matrix.visit(visit); });
   }
 };
 
