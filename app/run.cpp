@@ -174,6 +174,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
 
   recorder.finish(state);
   for (const auto& told : {deep_contacts(*prepared.interactions, recorder.contacts()),
+                           missed_tolerances(*prepared.interactions, recorder.contacts()),
                            soft_contacts(problem, *prepared.interactions, state)})
     for (const std::string& warning : told) {
       prepared.warnings.push_back(warning);

@@ -53,6 +53,21 @@ std::vector<std::string> deep_contacts(const Interactions& interactions,
   return sentences;
 }
 
+std::vector<std::string> missed_tolerances(const Interactions& interactions,
+                                           const std::vector<ContactStanding>& standings) {
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < standings.size(); ++k) {
+    const auto& contact = interactions.contacts()[k];
+    if (const auto& a = standings[k].augmentation; a.gave_up)
+      sentences.push_back(
+          fmt::format("contact '{}' misses its tolerance of {:.3g} mm after {} updates of the multipliers: "
+                      "{:.3g} mm are left. "
+                      "Give a `penalty` larger than {:.3g} MPa/mm",
+                      contact.spec.name, contact.spec.tolerance, a.updates, a.violation, contact.penalty));
+  }
+  return sentences;
+}
+
 std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
                                        const State& state) {
   constexpr double soft = 0.05;

@@ -19,6 +19,10 @@ nlohmann::json bodies_summary(const Problem& problem, const Interactions& intera
 std::vector<std::string> deep_contacts(const Interactions& interactions,
                                        const std::vector<ContactStanding>& standings);
 
+/// A sentence for every contact whose multipliers have not come to its tolerance.
+std::vector<std::string> missed_tolerances(const Interactions& interactions,
+                                           const std::vector<ContactStanding>& standings);
+
 /// A sentence for every contact without multipliers whose penetration holds more than a twentieth of the
 /// energy, its own and that of the tissue: of bodies in series its force is too small by that part.
 /// Collective.

@@ -8,6 +8,7 @@ namespace bulbus {
 namespace {
 
 constexpr int most_updates = 20;
+constexpr double most_missed = 10;  // times the tolerance; less is told at the end
 
 }  // namespace
 
@@ -47,6 +48,12 @@ std::string ContactTerm::refusal(const State& state) const {
         "the "
         "search looks ({:.3g} mm), so that a contact may have been missed. Give the step more increments",
         name_, motion, most);
+  if (augmentation_.gave_up && augmentation_.violation > most_missed * tolerance_)
+    return fmt::format(
+        "contact '{}': after {} updates of the multipliers the surfaces are {:.3g} mm from where they should "
+        "be, "
+        "farther than the tolerance of {:.3g} mm. Give a larger `penalty`, or the step more increments",
+        name_, augmentation_.updates, augmentation_.violation, tolerance_);
   const Overlap o = of_all_ranks(behind(state), comm_);
   if (o.points == 0) return {};
   return fmt::format(

@@ -68,6 +68,25 @@ void refuse(const std::array<Point, 8>& x, int input_hex, const std::string& reg
                     "smooth or refine the mesh there");
 }
 
+// Scaled Jacobian and number of a cell, worst first.
+using BadCells = std::vector<std::pair<double, int>>;
+
+// Of a cell that is inside out or flat; what is not a number is worst.
+bool note_if_bad(double quality, int number, BadCells& bad) {
+  if (quality > 0) return false;
+  bad.emplace_back(quality <= 0 ? quality : -2, number);
+  return true;
+}
+
+// All but the first of sorted ones, of which there are `all`.
+std::string others_of(const BadCells& bad, std::size_t all) {
+  if (all < 2) return "";
+  std::string others = fmt::format("; so are {} others, worst first:", all - 1);
+  for (std::size_t i = 1; i < bad.size() && i <= most_listed; ++i)
+    others += fmt::format("{} {} ({:.3g})", i > 1 ? "," : "", bad[i].second + 1, bad[i].first);
+  return others + (all > most_listed + 1 ? ", ..." : "");
+}
+
 }  // namespace
 
 double scaled_jacobian(const Mesh& mesh, int hex) { return scaled_jacobian(corners(mesh, hex)); }
@@ -105,33 +124,39 @@ std::vector<RegionQuality> quality(const LocalMesh& mesh) {
 }
 
 void refuse_inverted(const Mesh& mesh) {
-  std::vector<std::pair<double, int>> bad;
+  BadCells bad;
   for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-    if (const double q = scaled_jacobian(mesh, static_cast<int>(e)); !(q > 0))
-      bad.emplace_back(q <= 0 ? q : -2, static_cast<int>(e));  // what is not a number is worst
+    note_if_bad(scaled_jacobian(mesh, static_cast<int>(e)), static_cast<int>(e), bad);
   if (bad.empty()) return;
   std::ranges::sort(bad);
-  std::string others = bad.size() > 1 ? fmt::format("; so are {} others, worst first:", bad.size() - 1) : "";
-  for (std::size_t i = 1; i < bad.size() && i <= most_listed; ++i)
-    others += fmt::format("{} {} ({:.3g})", i > 1 ? "," : "", bad[i].second + 1, bad[i].first);
-  if (bad.size() > most_listed + 1) others += ", ...";
   const int worst = bad[0].second;
-  refuse(corners(mesh, worst), worst, mesh.region_names[mesh.region[worst]], others);
+  refuse(corners(mesh, worst), worst, mesh.region_names[mesh.region[worst]], others_of(bad, bad.size()));
 }
 
 void refuse_inverted(const LocalMesh& mesh) {
-  int first = -1;
-  std::string region;
-  for (std::size_t r = 0; r < mesh.regions.size(); ++r)
-    for (int h = mesh.regions[r].first; h < mesh.regions[r].first + mesh.regions[r].count; ++h)
-      if ((first < 0 || mesh.input_hex[h] < mesh.input_hex[first]) &&
-          !(scaled_jacobian(corners(mesh, h)) > 0))
-        first = h, region = mesh.region_names[r];
-  const double none = std::numeric_limits<double>::infinity(),
-               mine = first < 0 ? none : mesh.input_hex[first];
-  const double least = mesh.comm.min(mine);
+  BadCells bad;
+  std::map<int, int> local;
+  for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
+    if (note_if_bad(scaled_jacobian(corners(mesh, static_cast<int>(h))), mesh.input_hex[h], bad))
+      local[mesh.input_hex[h]] = static_cast<int>(h);
+  const auto all = mesh.comm.sum(static_cast<long long>(bad.size()));
+  if (all == 0) return;
+  std::ranges::sort(bad);
+  std::vector<double> worst;
+  for (std::size_t i = 0; i < std::min(bad.size(), most_listed + 1); ++i)
+    worst.insert(worst.end(), {bad[i].first, static_cast<double>(bad[i].second)});
+  const auto gathered = mesh.comm.gather(std::span<const double>(worst));
+  bad.clear();
+  for (std::size_t i = 0; i < gathered.size(); i += 2)
+    bad.emplace_back(gathered[i], static_cast<int>(gathered[i + 1]));
+  std::ranges::sort(bad);
   mesh.comm.together([&] {
-    if (mine == least && least < none) refuse(corners(mesh, first), mesh.input_hex[first], region);
+    const auto at = local.find(bad[0].second);
+    if (at == local.end()) return;
+    const auto region = std::ranges::find_if(
+        mesh.regions, [&](const auto& r) { return at->second >= r.first && at->second < r.first + r.count; });
+    refuse(corners(mesh, at->second), at->first, mesh.region_names[region - mesh.regions.begin()],
+           others_of(bad, all));
   });
 }
 

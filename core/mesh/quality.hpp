@@ -25,7 +25,8 @@ std::vector<RegionQuality> quality(const Mesh& mesh);
 /// Of all ranks, the same on each. Collective.
 std::vector<RegionQuality> quality(const LocalMesh& mesh);
 
-/// Throws InputError naming the first cell whose scaled Jacobian is not positive, its region and its centre.
+/// Throws InputError naming the worst cell whose scaled Jacobian is not positive, its region and its centre,
+/// and the numbers of others.
 void refuse_inverted(const Mesh& mesh);
 /// The same, on every rank. Collective.
 void refuse_inverted(const LocalMesh& mesh);

@@ -189,8 +189,8 @@ Balance Problem::balance(const Residual& r) const {
   Balance b;
   std::vector<double> free(r.force);
   dofs_->project(free);
-  // ‖A‖² and ‖reference_force‖² of every region's free nodes; the floor keeps an unloaded region from
-  // dividing by round-off
+  // ‖A‖² and squared reference force norm of every region's free nodes; the floor keeps an unloaded region
+  // from dividing by round-off
   std::vector<double> sums(2 * region_nodes_.size());
   for (std::size_t g = 0; g < region_nodes_.size(); ++g)
     for (int n : region_nodes_[g]) {

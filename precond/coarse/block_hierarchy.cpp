@@ -12,11 +12,13 @@ namespace bulbus {
 namespace {
 
 constexpr int blocks_of_aggregate = 6;
-constexpr int degree = 5;  // of the polynomial in a level's cycle
+constexpr int usual_degree = 5;  // of the polynomial in a level's cycle
 constexpr int lanczos_steps = 10;
-// The spectrum of a cycle times its matrix ends at 1 and begins where Lanczos' method has come to, or a
-// little below. A polynomial for less than the least would be too weak on all the rest.
-constexpr double below = 0.7, least = 0.02, most = 0.5;
+// The spectrum of a cycle times a positive definite matrix ends at 1, or where the next level's polynomial
+// lets it, and begins where Lanczos' method has come to, or a little below. A polynomial for less than the
+// least would be too weak on all the rest. Outside of its interval it grows without bounds: where there are
+// negative eigenvalues, or some beyond the farthest, the cycle stands alone.
+constexpr double below = 0.7, least = 0.02, most = 0.5, farthest = 1.5;
 
 Triplets triplets_of(const DistributedBlocks& blocks) {
   Triplets t;
@@ -73,8 +75,7 @@ BlockHierarchy::BlockHierarchy(DistributedBlocks finest, std::vector<RigidFrame>
     for (auto* with_ghosts : {&l.x, &l.z}) with_ghosts->resize(6 * l.blocks.rows.size());
   }
   factorise();
-  for (std::size_t l = levels_.size() - 1; setup_error_.empty() && l-- > 0;)
-    levels_[l].lowest = std::clamp(below * lowest_eigenvalue(l), least, most);
+  for (std::size_t l = levels_.size() - 1; setup_error_.empty() && stable_ && l-- > 0;) set_polynomial(l);
 }
 
 void BlockHierarchy::coarsen(std::vector<RigidFrame>& frames, int bodies, double missing_diagonal) {
@@ -100,16 +101,20 @@ void BlockHierarchy::factorise() {
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
 
-// Of the level's cycle times its matrix.
-double BlockHierarchy::lowest_eigenvalue(std::size_t level) const {
-  const Level& l = levels_[level];
+void BlockHierarchy::set_polynomial(std::size_t level) {
+  Level& l = levels_[level];
   const auto matrix = as_doubles<LinearOperator>(l.blocks.rows, [&](std::span<float> x, std::span<float> y) {
     l.update_ghosts(x);
     l.blocks.A.apply(x, y);
   });
   const auto inverse = as_doubles<Preconditioner>(
       l.blocks.rows, [&](std::span<float> b, std::span<float> x) { cycle(level, b, x); });
-  return lanczos(matrix, inverse, lanczos_steps, plan_->comm).smallest;
+  const Spectrum spectrum = lanczos(matrix, inverse, lanczos_steps, plan_->comm);
+  stable_ = stable_ && spectrum.smallest > -unstable && spectrum.largest < unstable;
+  l.degree = spectrum.smallest > 0 && spectrum.largest < farthest ? usual_degree : 1;
+  if (l.degree == 1) return;
+  l.lowest = std::clamp(below * spectrum.smallest, least, most);
+  l.highest = std::max(1.0, spectrum.largest);
 }
 
 void BlockHierarchy::restrict_to(std::size_t level, std::span<const float> fine) const {
@@ -155,17 +160,17 @@ void BlockHierarchy::solve(std::size_t level) const {
     std::ranges::copy(b, l.x.begin());
     return;
   }
-  DampedSpectrum::Steps steps(l.lowest, 1);
+  DampedSpectrum::Steps steps(l.lowest, l.highest);
   std::ranges::fill(l.x, 0.F);
   std::ranges::copy(l.b, l.r.begin());
-  for (int k = 0; k < degree; ++k) {
+  for (int k = 0; k < l.degree; ++k) {
     cycle(level, l.r, l.z);
     const auto [keep, add] = steps.next();
     for (std::size_t i = 0; i < l.d.size(); ++i) {
       l.d[i] = (k > 0 ? static_cast<float>(keep) * l.d[i] : 0) + static_cast<float>(add) * l.z[i];
       l.x[i] += l.d[i];
     }
-    if (k + 1 == degree) break;
+    if (k + 1 == l.degree) break;
     l.update_ghosts(l.x);
     l.blocks.A.residual(l.b, l.x, l.r);
   }

@@ -38,6 +38,9 @@ class BlockHierarchy final : public Preconditioner {
   bool is_linear() const override { return true; }
   std::string setup_error() const override { return setup_error_; }
   std::size_t bytes() const override;
+  /// False where the matrix is so indefinite that a cycle enlarges errors many times: another solver is
+  /// called for.
+  bool stable() const { return stable_; }
   int levels() const { return static_cast<int>(levels_.size()); }
 
  private:
@@ -46,7 +49,8 @@ class BlockHierarchy final : public Preconditioner {
     DistributedBlocks blocks;
     std::vector<int> group;                    // empty on the last level
     std::vector<Weights> weights;              // of this rank's rows: their modes in those of their group
-    double lowest = 1;                         // of the spectrum that the polynomial damps, over its largest
+    int degree = 1;                            // of the polynomial
+    double lowest = 1, highest = 1;            // of the spectrum that it damps
     mutable std::vector<float> b, x;           // right-hand side and solution, this with ghosts
     mutable std::vector<float> r, z, d, rest;  // of the polynomial; of the cycle
     void update_ghosts(std::span<float> v) const { blocks.rows.halo.update_ghosts(v, 6); }
@@ -54,7 +58,7 @@ class BlockHierarchy final : public Preconditioner {
 
   void coarsen(std::vector<RigidFrame>& frames, int bodies, double missing_diagonal);
   void factorise();
-  double lowest_eigenvalue(std::size_t level) const;
+  void set_polynomial(std::size_t level);
   void solve(std::size_t level) const;
   void cycle(std::size_t level, std::span<const float> b, std::span<float> x) const;
   void restrict_to(std::size_t level, std::span<const float> fine) const;
@@ -63,6 +67,7 @@ class BlockHierarchy final : public Preconditioner {
   std::shared_ptr<HierarchyPlan> plan_;
   std::vector<Level> levels_;
   std::string setup_error_;
+  bool stable_ = true;
   std::size_t factor_bytes_ = 0;
 };
 

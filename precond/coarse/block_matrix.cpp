@@ -23,10 +23,17 @@ inline void add_product(const float* block, const float* x, float factor, std::a
   }
 }
 
-// Zeros where the block is singular to rounding: its unknowns are left to the coarser level.
+// Of the symmetric part; where it is not positive definite, of its absolute value without small eigenvalues,
+// so that a sweep does not blow up what it should smooth.
 Square inverse_of(const BlockMatrix::Block& block) {
-  const Eigen::FullPivLU<Square> lu(Eigen::Map<const Square>(block.data()));
-  return lu.isInvertible() ? Square(lu.inverse()) : Square::Zero();
+  constexpr double definite = 1e-6, least = 1e-2;  // of the largest eigenvalue
+  const Eigen::Map<const Square> given(block.data());
+  const Eigen::SelfAdjointEigenSolver<Square> spectrum(0.5 * (given + given.transpose()));
+  auto values = spectrum.eigenvalues().eval();
+  const double largest = values.cwiseAbs().maxCoeff();
+  if (largest == 0) return Square::Zero();
+  if (values[0] <= definite * largest) values = values.cwiseAbs().cwiseMax(least * largest).eval();
+  return spectrum.eigenvectors() * values.cwiseInverse().asDiagonal() * spectrum.eigenvectors().transpose();
 }
 
 }  // namespace

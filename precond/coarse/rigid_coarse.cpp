@@ -27,7 +27,7 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
     for (const auto& e : system_.body_extra())
       if (!system_.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
   for (int k : modes_.missing) plan_->matrix.add(k, k, system_.constrained_diagonal());
-  if (plan_->levels) return make_levels();
+  if (plan_->levels && make_levels()) return;
   const FactorReport f =
       plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), system_.problem().symmetric(), keep);
   keeps_factors_ = f.kept;
@@ -35,7 +35,8 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
 
-void RigidCoarse::make_levels() {
+// Returns false where they are of no use.
+bool RigidCoarse::make_levels() {
   const Aggregates& groups = plan_->groups;
   const Comm& comm = system_.problem().comm();
   const int bodies = comm.rank() == 0 ? groups.bodies : 0, first = groups.first - bodies,
@@ -44,8 +45,11 @@ void RigidCoarse::make_levels() {
       assemble_blocks(comm, mine, [&](const BlockVisitor& visit) { plan_->matrix.visit(visit); }),
       std::vector(modes_.frames.begin() + first, modes_.frames.begin() + first + mine), bodies,
       system_.constrained_diagonal(), plan_->levels);
+  if (!levels_->stable()) levels_.reset();
+  if (!levels_) return false;
   setup_error_ = levels_->setup_error();
   factor_bytes_ = levels_->bytes();
+  return true;
 }
 
 void RigidCoarse::apply(std::span<const double> b, std::span<double> x) const {

@@ -21,7 +21,8 @@ struct RigidPlan {
 
 /// Galerkin correction on the rigid motions of aggregates in the current configuration: the bending and
 /// tilting that smoothers and scalar AMG cannot see. x = Z (Zᵀ A Z)⁻¹ Zᵀ b; the coarse matrix may be
-/// indefinite. Its inverse is a factorisation, or the approximate one of BlockHierarchy. Rigid bodies are
+/// indefinite. Its inverse is a factorisation, or the approximate one of BlockHierarchy
+/// where that is stable. Rigid bodies are
 /// coarse unknowns as they are. One per plan at a time. Usage: add() everything of for_each_condensed_matrix,
 /// then factorise().
 class RigidCoarse final : public Preconditioner {
@@ -44,7 +45,7 @@ class RigidCoarse final : public Preconditioner {
   int coarse_size() const { return 6 * plan_->groups.total; }
 
  private:
-  void make_levels();
+  bool make_levels();
 
   const CoupledSystem& system_;
   std::shared_ptr<RigidPlan> plan_;

@@ -7,7 +7,7 @@
 
 namespace bulbus {
 
-/// Inverse of a symmetric block (N may be Eigen::Dynamic), or of its diagonal's reference_force where it is
+/// Inverse of a symmetric block (N may be Eigen::Dynamic), or of its diagonal's magnitude where it is
 /// not positive definite.
 template <int N>
 Eigen::Matrix<double, N, N> safe_inverse(const Eigen::Matrix<double, N, N>& given) {
@@ -32,7 +32,7 @@ class BodyBlocks {
 };
 
 /// Inverses of the 3×3 blocks of the nodes and of the 6×6 blocks of rigid bodies. A block that is not
-/// positive definite is replaced by its diagonal's reference_force, so that the result is symmetric positive.
+/// positive definite is replaced by its diagonal's magnitude, so that the result is symmetric positive.
 class BlockJacobi final : public DisplacementPreconditioner {
  public:
   /// Collective.

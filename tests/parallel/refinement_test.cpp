@@ -165,7 +165,7 @@ TEST(Refinement, QualityIsThatOfTheWhole) {
   }
 }
 
-TEST(Refinement, EveryRankNamesTheFirstInvertedCell) {
+TEST(Refinement, EveryRankNamesTheInvertedCells) {
   Mesh mesh = generate(BlockShape{.nx = 4, .ny = 4, .nz = 4});
   for (int h : {9, 60}) std::swap(mesh.hexes[h][0], mesh.hexes[h][6]);
   const auto message = [](const auto& m) -> std::string {
