@@ -21,7 +21,7 @@ struct SmootherSettings {
 
 /// Aggregation as a preconditioner of the displacement block.
 struct AggregationSettings : SmootherSettings {
-  int nodes = 16, factorised = 8000;
+  int nodes = 16, factorised = 200000;
   AggregationSettings() : SmootherSettings{16, 0.02} {}
   template <class V>
   void describe(V&& v) {
