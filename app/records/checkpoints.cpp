@@ -60,9 +60,7 @@ void Checkpoints::step_begins(const State& start) { start_ = start; }
 
 void Checkpoints::rests(const MarchPlace& place, State& state, bool last) {
   const int number = place.report.increments;
-  if (every_ == 0 || number == 0 || number == written_ || !(last || number % every_ == 0)) return;
-  write(place, state);
-  written_ = number;
+  if (every_ > 0 && number > 0 && (last || number % every_ == 0)) interrupted(place, state);
 }
 
 void Checkpoints::interrupted(const MarchPlace& place, State& state) {

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/records/record_names.hpp"
 #include "core/base/error.hpp"
+#include "core/base/parse_number.hpp"
 #include "core/base/printable.hpp"
 
 namespace bulbus {
@@ -47,11 +47,9 @@ InputError no_history(const Place& at, const std::string& why) {
 }
 
 double number(const std::string& cell, const Place& at) {
-  double value = 0;
-  const auto [end, failure] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (failure != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    throw no_history(at, "'" + printable(cell) + "' is no finite number");
-  return value;
+  const auto value = parse_number<double>(cell);
+  if (!value || !std::isfinite(*value)) throw no_history(at, "'" + printable(cell) + "' is no finite number");
+  return *value;
 }
 
 void take_row(const std::vector<std::string>& cells, const Place& at, History& history) {

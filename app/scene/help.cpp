@@ -106,8 +106,7 @@ std::string scene_help(Level most) {
   return help_of(
              outline_of<Scene>(),
              "A scene is a YAML file. Lengths in mm, forces in N, stresses in MPa, angles in rad; a value "
-             "may carry "
-             "its own\n"
+             "may carry its own\n"
              "unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and t (steps done + "
              "s).\n\n",
              most) +

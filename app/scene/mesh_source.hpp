@@ -27,9 +27,8 @@ struct MeshSource {
   template <class V>
   void describe(V&& v) {
     v("file", file,
-      About{"mesh of 8-node hexahedra: Gmsh (MSH 4.1 or 2.2), Abaqus (.inp) or VTK (.vtu, .vtk); lengths in "
-            "mm, "
-            "but for `scale`"});
+      About{"mesh of 8-node hexahedra: Gmsh (MSH 4.1 or 2.2), Abaqus (.inp) or VTK (.vtu, .vtk); lengths "
+            "in mm, but for `scale`"});
     v("scale", scale, About{"multiplies the coordinates of `file`: 1000 for a file in metres"}.positive());
     v("regions", regions, About{"cell array of a .vtu or .vtk `file` whose whole numbers name the regions"});
     v("eye", eye, About{"the parametric half eye"});

@@ -4,6 +4,7 @@
 #include "app/scene/entry.hpp"
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
+#include "core/base/parse_number.hpp"
 
 namespace bulbus {
 namespace {
@@ -25,16 +26,14 @@ std::string name_of(const Entry& item) {
 }
 
 Entry& in_list(Entry& list, const std::string& part, const Place& place) {
-  std::size_t index = 0;
-  const auto [end, fault] = std::from_chars(part.data(), part.data() + part.size(), index);
-  const bool numeric = fault == std::errc{} && end == part.data() + part.size();
-  if (numeric && index < list.items.size()) return list.items[index];
+  const auto index = parse_number<std::size_t>(part);
+  if (index && *index < list.items.size()) return list.items[*index];
   std::vector<std::string> names;
   for (Entry& item : list.items) {
     if (name_of(item) == part) return item;
     names.push_back(name_of(item));
   }
-  if (numeric) names.clear();
+  if (index) names.clear();
   throw input_error(place.file, place.line,
                     "no entry '" + part + "' in a list of " + std::to_string(list.items.size()),
                     did_you_mean(part, names, "entries count from 0, or go by their name"));

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <numbers>
 
 #include "app/scene/wording.hpp"
 #include "core/base/did_you_mean.hpp"
+#include "core/base/parse_number.hpp"
 
 namespace bulbus::reader {
 namespace {
@@ -127,13 +127,13 @@ void read(const Entry& entry, const std::string& key, const About&, bool& value)
 
 void read(const Entry& entry, const std::string& key, const About& about, int& value) {
   expect(entry, Entry::Kind::word, key);
-  const char *first = entry.text.data(), *last = first + entry.text.size();
-  const auto [end, fault] = std::from_chars(first, last, value);
-  if (fault != std::errc{} || end != last) {
+  const auto given = parse_number<int>(entry.text);
+  if (!given) {
     const std::string bounds = bounds_text(about);
     refuse(entry, key, shown(entry) + " is not a whole number",
            "give a whole number" + (bounds.empty() ? "" : " " + bounds));
   }
+  value = *given;
   check_bounds(entry, key, about, value);
 }
 

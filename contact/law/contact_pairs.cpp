@@ -99,7 +99,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
 int ContactTerm::closest_triangle(const MasterSurface& master, const Vec3<double>& x, int triangle) const {
   if ((master_.rigid() && !master_.smooth()) || project(x, master.corners(triangle)).gap < -limits_.depth)
     return triangle;
-  return foot_of(master, x, triangle);
+  return triangle_of_projection(master, x, triangle);
 }
 
 // Is it known where the points were when the last increment ended? After a restart they are still there.

@@ -45,21 +45,19 @@ std::string ContactTerm::refusal(const State& state) const {
   if (motion > most)
     return fmt::format(
         "contact '{}': the surfaces move by {:.3g} mm relative to one another in one increment, farther than "
-        "the "
-        "search looks ({:.3g} mm), so that a contact may have been missed. Give the step more increments",
+        "the search looks ({:.3g} mm), so that a contact may have been missed. Give the step more increments",
         name_, motion, most);
   if (augmentation_.gave_up && augmentation_.violation > most_missed * tolerance_)
     return fmt::format(
         "contact '{}': after {} updates of the multipliers the surfaces are {:.3g} mm from where they should "
-        "be, "
-        "farther than the tolerance of {:.3g} mm. Give a larger `penalty`, or the step more increments",
+        "be, farther than the tolerance of {:.3g} mm. Give a larger `penalty`, or the step more increments",
         name_, augmentation_.updates, augmentation_.violation, tolerance_);
   const Overlap o = of_all_ranks(behind(state), comm_);
   if (o.points == 0) return {};
   return fmt::format(
       "contact '{}': {} points of the slave have slipped around the master to its far side, the deepest at "
-      "({:.4g}, {:.4g}, {:.4g}). "
-      "The master is finer than the slave's faces can follow: give the contact more `divisions`, or refine "
+      "({:.4g}, {:.4g}, {:.4g}). The master is finer than the slave's faces can follow: give the contact "
+      "more `divisions`, or refine "
       "the slave",
       name_, o.points, o.place[0], o.place[1], o.place[2]);
 }

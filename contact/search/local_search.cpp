@@ -132,7 +132,7 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
   return -1;
 }
 
-int foot_of(const MasterSurface& master, const Vec3<double>& x, int start) {
+int triangle_of_projection(const MasterSurface& master, const Vec3<double>& x, int start) {
   int t = start, before = -1;
   Pair flat = project(x, master.corners(t));
   for (int step = 0; step < longest_walk; ++step) {

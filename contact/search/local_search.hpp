@@ -52,7 +52,7 @@ int track(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>
 /// Of a curved surface: walks from `start` to the triangle in which x has its projection along the
 /// interpolated normals (project_along_normals), or as near to it as a walk across smooth edges (planes
 /// within 30 degrees) leads.
-int foot_of(const MasterSurface& master, const Vec3<double>& x, int start);
+int triangle_of_projection(const MasterSurface& master, const Vec3<double>& x, int start);
 
 struct SearchLimits {
   double depth;  ///< a node deeper than this behind a triangle is on another side of the body, mm

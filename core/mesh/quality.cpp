@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -15,8 +16,6 @@ namespace {
 /// The neighbours of each corner along ξ, η, ζ, ordered so that a cube gives +1.
 constexpr std::array<std::array<int, 3>, 8> edges{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
-
-constexpr std::size_t most_listed = 50;  // cells in one message
 
 double at_corner(const std::array<Point, 8>& x, int a) {
   const Point u = x[edges[a][0]] - x[a], v = x[edges[a][1]] - x[a], w = x[edges[a][2]] - x[a];
@@ -58,33 +57,33 @@ void summarise(RegionQuality& q, std::vector<double> values, const Comm& comm) {
   q.mean = comm.sum(std::accumulate(values.begin(), values.end(), 0.0)) / static_cast<double>(count);
 }
 
-void refuse(const std::array<Point, 8>& x, int input_hex, const std::string& region,
-            const std::string& others = "") {
+Point center(const std::array<Point, 8>& x) {
   Point c{};
   for (const Point& p : x) c = c + .125 * p;
+  return c;
+}
+
+// What is not a number is worst.
+double comparable(double quality) { return std::isnan(quality) ? -2 : quality; }
+
+void sort_and_cut(std::vector<PoorCell>& cells) {
+  std::ranges::sort(cells, {}, [](const PoorCell& c) { return std::pair(c.quality, c.number); });
+  if (cells.size() > PoorCells::most_listed) cells.resize(PoorCells::most_listed);
+}
+
+void refuse(const PoorCells& inverted, const std::vector<std::string>& regions) {
+  const PoorCell& first = inverted.worst[0];
+  std::string others =
+      inverted.count > 1 ? fmt::format("; so are {} others, worst first:", inverted.count - 1) : "";
+  for (std::size_t i = 1; i < inverted.worst.size(); ++i)
+    others += fmt::format("{} {} ({:.3g})", i > 1 ? "," : "", inverted.worst[i].number + 1,
+                          inverted.worst[i].quality);
+  if (inverted.count > std::ssize(inverted.worst)) others += ", ...";
   throw input_error(fmt::format("hexahedron {} of region '{}' about ({:.4g}, {:.4g}, {:.4g}) mm is inside "
                                 "out or flat (scaled Jacobian {:.3g}){}",
-                                input_hex + 1, region, c[0], c[1], c[2], scaled_jacobian(x), others),
+                                first.number + 1, regions[first.region], first.center[0], first.center[1],
+                                first.center[2], first.quality, others),
                     "smooth or refine the mesh there");
-}
-
-// Scaled Jacobian and number of a cell, worst first.
-using BadCells = std::vector<std::pair<double, int>>;
-
-// Of a cell that is inside out or flat; what is not a number is worst.
-bool note_if_bad(double quality, int number, BadCells& bad) {
-  if (quality > 0) return false;
-  bad.emplace_back(quality <= 0 ? quality : -2, number);
-  return true;
-}
-
-// All but the first of sorted ones, of which there are `all`.
-std::string others_of(const BadCells& bad, std::size_t all) {
-  if (all < 2) return "";
-  std::string others = fmt::format("; so are {} others, worst first:", all - 1);
-  for (std::size_t i = 1; i < bad.size() && i <= most_listed; ++i)
-    others += fmt::format("{} {} ({:.3g})", i > 1 ? "," : "", bad[i].second + 1, bad[i].first);
-  return others + (all > most_listed + 1 ? ", ..." : "");
 }
 
 }  // namespace
@@ -123,41 +122,41 @@ std::vector<RegionQuality> quality(const LocalMesh& mesh) {
   return result;
 }
 
+PoorCells poor_cells(const LocalMesh& mesh, double limit) {
+  PoorCells poor;
+  for (int r = 0; r < std::ssize(mesh.regions); ++r)
+    for (int h = mesh.regions[r].first; h < mesh.regions[r].first + mesh.regions[r].count; ++h) {
+      const auto x = corners(mesh, h);
+      if (const double q = comparable(scaled_jacobian(x)); q <= limit)
+        poor.worst.push_back({q, mesh.input_hex[h], r, center(x)});
+    }
+  poor.count = mesh.comm.sum(static_cast<long long>(poor.worst.size()));
+  sort_and_cut(poor.worst);
+  std::vector<double> mine;
+  for (const auto& [q, number, region, c] : poor.worst)
+    mine.insert(mine.end(), {q, double(number), double(region), c[0], c[1], c[2]});
+  const auto all = mesh.comm.gather(std::span<const double>(mine));
+  poor.worst.clear();
+  for (std::size_t i = 0; i < all.size(); i += 6)
+    poor.worst.push_back({all[i], int(all[i + 1]), int(all[i + 2]), {all[i + 3], all[i + 4], all[i + 5]}});
+  sort_and_cut(poor.worst);
+  return poor;
+}
+
 void refuse_inverted(const Mesh& mesh) {
-  BadCells bad;
-  for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-    note_if_bad(scaled_jacobian(mesh, static_cast<int>(e)), static_cast<int>(e), bad);
-  if (bad.empty()) return;
-  std::ranges::sort(bad);
-  const int worst = bad[0].second;
-  refuse(corners(mesh, worst), worst, mesh.region_names[mesh.region[worst]], others_of(bad, bad.size()));
+  PoorCells inverted;
+  for (int h = 0; h < std::ssize(mesh.hexes); ++h) {
+    const auto x = corners(mesh, h);
+    if (const double q = comparable(scaled_jacobian(x)); q <= 0)
+      inverted.worst.push_back({q, h, mesh.region[h], center(x)});
+  }
+  inverted.count = std::ssize(inverted.worst);
+  sort_and_cut(inverted.worst);
+  if (inverted.count > 0) refuse(inverted, mesh.region_names);
 }
 
 void refuse_inverted(const LocalMesh& mesh) {
-  BadCells bad;
-  std::map<int, int> local;
-  for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
-    if (note_if_bad(scaled_jacobian(corners(mesh, static_cast<int>(h))), mesh.input_hex[h], bad))
-      local[mesh.input_hex[h]] = static_cast<int>(h);
-  const auto all = mesh.comm.sum(static_cast<long long>(bad.size()));
-  if (all == 0) return;
-  std::ranges::sort(bad);
-  std::vector<double> worst;
-  for (std::size_t i = 0; i < std::min(bad.size(), most_listed + 1); ++i)
-    worst.insert(worst.end(), {bad[i].first, static_cast<double>(bad[i].second)});
-  const auto gathered = mesh.comm.gather(std::span<const double>(worst));
-  bad.clear();
-  for (std::size_t i = 0; i < gathered.size(); i += 2)
-    bad.emplace_back(gathered[i], static_cast<int>(gathered[i + 1]));
-  std::ranges::sort(bad);
-  mesh.comm.together([&] {
-    const auto at = local.find(bad[0].second);
-    if (at == local.end()) return;
-    const auto region = std::ranges::find_if(
-        mesh.regions, [&](const auto& r) { return at->second >= r.first && at->second < r.first + r.count; });
-    refuse(corners(mesh, at->second), at->first, mesh.region_names[region - mesh.regions.begin()],
-           others_of(bad, all));
-  });
+  if (const PoorCells inverted = poor_cells(mesh, 0); inverted.count > 0) refuse(inverted, mesh.region_names);
 }
 
 }  // namespace bulbus

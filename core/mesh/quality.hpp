@@ -25,6 +25,23 @@ std::vector<RegionQuality> quality(const Mesh& mesh);
 /// Of all ranks, the same on each. Collective.
 std::vector<RegionQuality> quality(const LocalMesh& mesh);
 
+/// A hexahedron, its scaled Jacobian (one that is not a number counts as −2), its number in the Mesh, region
+/// and centre (mm).
+struct PoorCell {
+  double quality;
+  int number, region;
+  Point center;
+};
+
+/// Hexahedra of which the scaled Jacobian is not above a limit.
+struct PoorCells {
+  static constexpr std::size_t most_listed = 50;
+  long long count = 0;          ///< of all ranks
+  std::vector<PoorCell> worst;  ///< the first `most_listed`, worst first, then by number
+};
+/// The same on every rank. Collective.
+PoorCells poor_cells(const LocalMesh& mesh, double limit);
+
 /// Throws InputError naming the worst cell whose scaled Jacobian is not positive, its region and its centre,
 /// and the numbers of others.
 void refuse_inverted(const Mesh& mesh);

@@ -46,7 +46,7 @@ void relax_inverted(const Problem& coarse, std::span<double> x) {
   const LocalMesh& mesh = coarse.mesh();
   for (int pass = 0; pass < most_passes; ++pass) {
     const auto inverted = nodes_of_inverted(coarse, x);
-    if (!coarse.comm().any(std::ranges::count(inverted, 0) < std::ssize(inverted))) return;
+    if (!coarse.comm().any(std::ranges::any_of(inverted, [](double n) { return n > 0; }))) return;
     const auto u = mean_displacements(mesh, x);
     for (int n = 0; n < mesh.owned; ++n)
       for (int c = 0; c < 3 && inverted[n] > 0; ++c) x[3 * n + c] = mesh.X[3 * n + c] + u[3 * n + c];

@@ -17,9 +17,8 @@ Eigen::Map<const Square> matrix(const Block& block) { return Eigen::Map<const Sq
 
 int number_of(const std::vector<int>& group) { return group.empty() ? 0 : std::ranges::max(group) + 1; }
 
-// Strongly coupled rows: |A_ij| > threshold √(|A_ii| |A_jj|) in Frobenius' norm.
+// By Frobenius' norm.
 std::vector<std::vector<int>> strong_neighbours(const BlockMatrix& A) {
-  constexpr double threshold = 0.02;
   std::vector<double> diagonal(A.rows());
   for (int i = 0; i < A.rows(); ++i)
     for (int k = 0; const int j : A.columns(i))
@@ -28,7 +27,7 @@ std::vector<std::vector<int>> strong_neighbours(const BlockMatrix& A) {
   for (int i = 0; i < A.rows(); ++i)
     for (int k = 0; const int j : A.columns(i))
       if (const int at = k++; j != i && j < A.rows())
-        if (matrix(A.block(i, at)).norm() > threshold * std::sqrt(diagonal[i] * diagonal[j]))
+        if (matrix(A.block(i, at)).norm() > strong_coupling * std::sqrt(diagonal[i] * diagonal[j]))
           strong[i].push_back(j);
   return strong;
 }

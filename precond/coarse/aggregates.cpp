@@ -9,10 +9,9 @@
 namespace bulbus {
 namespace {
 
-// Strongly coupled owned neighbours of every owned node: Σ_c |A_ij,cc| > threshold √(tr A_ii tr A_jj).
+// Strongly coupled owned neighbours of every owned node: Σ_c |A_ij,cc| > strong_coupling √(tr A_ii tr A_jj).
 std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
   const auto scalar = scalar_matrices(system);
-  constexpr double threshold = 0.02;
   const LocalMesh& mesh = system.problem().mesh();
   const int owned = mesh.owned;
   const auto value = [&](std::size_t k) {
@@ -30,7 +29,7 @@ std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
   for (int i = 0; i < owned; ++i)
     for (int k = scalar[0].start[i]; k < scalar[0].start[i + 1]; ++k) {
       const int j = local(scalar[0].columns[k]);
-      if (j >= 0 && j != i && value(k) > threshold * std::sqrt(diagonal[i] * diagonal[j]))
+      if (j >= 0 && j != i && value(k) > strong_coupling * std::sqrt(diagonal[i] * diagonal[j]))
         strong[i].push_back(j);
     }
   return strong;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <iterator>
+
+#include "core/base/sort_unique.hpp"
 
 namespace bulbus {
 namespace {
@@ -32,11 +33,6 @@ void unpack(const Parcels& parcels, const BlockVisitor& visit) {
       for (double& v : block) v = std::bit_cast<double>(*at++);
       visit(row, column, block);
     }
-}
-
-void sort_unique(auto& v) {
-  std::ranges::sort(v);
-  v.erase(std::ranges::unique(v).begin(), v.end());
 }
 
 }  // namespace

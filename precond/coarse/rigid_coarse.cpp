@@ -1,6 +1,7 @@
 #include "precond/coarse/rigid_coarse.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/memory.hpp"
 
@@ -27,7 +28,8 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
     for (const auto& e : system_.body_extra())
       if (!system_.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
   for (int k : modes_.missing) plan_->matrix.add(k, k, system_.constrained_diagonal());
-  if (plan_->levels && make_levels()) return;
+  const auto frames = std::exchange(modes_.frames, {});
+  if (plan_->levels && make_levels(frames)) return;
   const FactorReport f =
       plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), system_.problem().symmetric(), keep);
   keeps_factors_ = f.kept;
@@ -36,14 +38,14 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
 }
 
 // Returns false where they are of no use.
-bool RigidCoarse::make_levels() {
+bool RigidCoarse::make_levels(const std::vector<RigidFrame>& frames) {
   const Aggregates& groups = plan_->groups;
   const Comm& comm = system_.problem().comm();
   const int bodies = comm.rank() == 0 ? groups.bodies : 0, first = groups.first - bodies,
             mine = bodies + groups.mine;
   levels_ = std::make_unique<BlockHierarchy>(
       assemble_blocks(comm, mine, [&](const BlockVisitor& visit) { plan_->matrix.visit(visit); }),
-      std::vector(modes_.frames.begin() + first, modes_.frames.begin() + first + mine), bodies,
+      std::vector(frames.begin() + first, frames.begin() + first + mine), bodies,
       system_.constrained_diagonal(), plan_->levels);
   if (!levels_->stable()) levels_.reset();
   if (!levels_) return false;

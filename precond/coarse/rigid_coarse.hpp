@@ -45,7 +45,7 @@ class RigidCoarse final : public Preconditioner {
   int coarse_size() const { return 6 * plan_->groups.total; }
 
  private:
-  bool make_levels();
+  bool make_levels(const std::vector<RigidFrame>& frames);
 
   const CoupledSystem& system_;
   std::shared_ptr<RigidPlan> plan_;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "core/base/error.hpp"
+#include "core/base/parse_number.hpp"
 #include "core/base/printable.hpp"
 #include "core/base/whole_file.hpp"
 
@@ -149,23 +149,21 @@ const std::vector<std::string_view>& AbaqusLines::fields() {
 }
 
 int AbaqusLines::label(std::string_view word) const {
-  int value = 0;
-  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (failure != std::errc() || end != word.data() + word.size() || value < 1)
+  const auto value = parse_number<int>(word);
+  if (!value || *value < 1)
     fail(fmt::format("'{}' is no number of a node or element", printable(word)),
          "they are whole numbers from 1 to 2147483647");
-  return value;
+  return *value;
 }
 
 double AbaqusLines::real(std::string_view word) const {
   std::string text(word.starts_with('+') ? word.substr(1) : word);
   for (char& c : text)
     if (c == 'd' || c == 'D') c = 'e';  // as Fortran writes it
-  double value = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+  const auto value = parse_number<double>(text);
+  if (!value || !std::isfinite(*value))
     fail(fmt::format("'{}' is no finite number", printable(word)), "write numbers such as 1.5 or 2e-3");
-  return value;
+  return *value;
 }
 
 std::string AbaqusLines::name(std::string_view word) {

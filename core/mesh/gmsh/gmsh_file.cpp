@@ -12,8 +12,7 @@ namespace {
 
 const char* const use_hexahedra =
     "mesh volumes with 8-node hexahedra and surfaces with quads: transfinite with Recombine, Recombine 3D, "
-    "or "
-    "Mesh.SubdivisionAlgorithm = 2 in Gmsh";
+    "or Mesh.SubdivisionAlgorithm = 2 in Gmsh";
 
 // Cells of first order that are counted before they are refused.
 struct OtherType {

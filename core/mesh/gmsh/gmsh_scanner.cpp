@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/base/parse_number.hpp"
 #include "core/base/whole_file.hpp"
 
 namespace bulbus {
@@ -47,20 +47,16 @@ std::string_view GmshScanner::word() {
 
 long long GmshScanner::integer() {
   const std::string_view w = word();
-  long long value = 0;
-  const auto [end, failure] = std::from_chars(w.data(), w.data() + w.size(), value);
-  if (failure != std::errc() || end != w.data() + w.size())
-    fail(fmt::format("'{}' is no whole number", printable(w)), save_again);
-  return value;
+  const auto value = parse_number<long long>(w);
+  if (!value) fail(fmt::format("'{}' is no whole number", printable(w)), save_again);
+  return *value;
 }
 
 double GmshScanner::real() {
   const std::string_view w = word();
-  double value = 0;
-  const auto [end, failure] = std::from_chars(w.data(), w.data() + w.size(), value);
-  if (failure != std::errc() || end != w.data() + w.size())
-    fail(fmt::format("'{}' is no number", printable(w)), save_again);
-  return value;
+  const auto value = parse_number<double>(w);
+  if (!value) fail(fmt::format("'{}' is no number", printable(w)), save_again);
+  return *value;
 }
 
 int GmshScanner::whole(bool binary) {

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/base/error.hpp"
+#include "core/base/parse_number.hpp"
 #include "core/base/printable.hpp"
 #include "core/mesh/vtk/vtk_grid.hpp"
 
@@ -65,20 +66,16 @@ class LegacyReader {
   }
   double number() {
     const std::string_view w = word();
-    double value = 0;
-    const auto [end, failure] = std::from_chars(w.data(), w.data() + w.size(), value);
-    if (failure != std::errc() || end != w.data() + w.size())
-      fail(fmt::format("'{}' is no number", printable(w)));
-    return value;
+    const auto value = parse_number<double>(w);
+    if (!value) fail(fmt::format("'{}' is no number", printable(w)));
+    return *value;
   }
   long long count() {
     const std::string_view w = word();
-    long long value = 0;
-    const auto [end, failure] = std::from_chars(w.data(), w.data() + w.size(), value);
-    if (failure != std::errc() || end != w.data() + w.size() || value < 0 ||
-        value > std::numeric_limits<int>::max())
+    const auto value = parse_number<long long>(w);
+    if (!value || *value < 0 || *value > std::numeric_limits<int>::max())
       fail(fmt::format("'{}' is no number of entries", printable(w)));
-    return value;
+    return *value;
   }
   VtkType type() {
     static const std::map<std::string, VtkType> types{

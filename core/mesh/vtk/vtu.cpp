@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/error.hpp"
+#include "core/base/parse_number.hpp"
 #include "core/base/printable.hpp"
 #include "core/mesh/vtk/vtk_grid.hpp"
 #include "core/mesh/vtk/vtu_bytes.hpp"
@@ -80,13 +81,11 @@ class VtuReader {
   }
 
   double count(const XmlElement& piece, const char* key) const {
-    double value = -1;
     const std::string& text = piece.attribute(key);
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || end != text.data() + text.size() || !(value >= 0) ||
-        value != std::floor(value))
+    const auto value = parse_number<double>(text);
+    if (!value || !(*value >= 0) || *value != std::floor(*value))
       fail(piece, fmt::format("{}=\"{}\" is no number of entries", key, printable(text)));
-    return value;
+    return *value;
   }
 
   void take_piece(const XmlElement& piece) {
