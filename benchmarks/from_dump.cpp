@@ -93,7 +93,7 @@ double relative_residual(const ScaledMatrix& A, std::span<const double> x, std::
   return std::sqrt(rr / bb);
 }
 
-void solve(const std::string& path, const Options& o, json& rows) {
+void solve_one(const std::string& path, const Options& o, json& rows) {
   const SystemDump d = read_system(path);
   const std::size_t n = d.rhs.size();
   std::vector<double> s = d.scaling.empty() ? std::vector<double>(n, 1) : d.scaling, b(n), x(n);
@@ -178,11 +178,11 @@ int main(int argc, char** argv) {
   report["notes"] =
       "seconds are processor time; residual: scaled norm relative to the right-hand side's; mb: factor, or "
       "Krylov basis";
-  for (const std::string& path : o.rest) solve(path, o, report["rows"]);
+  for (const std::string& path : o.rest) solve_one(path, o, report["rows"]);
   if (o.rest.empty())
     for (int n : o.sizes) {
       const std::string path = make_dump(n);
-      solve(path, o, report["rows"]);
+      solve_one(path, o, report["rows"]);
       std::filesystem::remove(path);
     }
   finish(report,

@@ -21,7 +21,7 @@ json traffic_since(const Traffic& before, int iterations, const Comm& comm) {
           {"reductions", each(now.reductions - before.reductions)}};
 }
 
-json solve(int n, int refine, const Comm& comm) {
+json solve_one(int n, int refine, const Comm& comm) {
   const double start = Clock::now();
   auto problem = half_eye(n, comm, refine);
   const double made = Clock::now();
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
       "wall-clock seconds, the slowest rank's; of each Krylov iteration the messages to other ranks, their "
       "kB and the global sums; "
       "the factorised base mesh's own messages are not counted; peak MB of the largest rank";
-  for (int n : o.sizes) report["rows"].push_back(solve(n, o.refine, comm));
+  for (int n : o.sizes) report["rows"].push_back(solve_one(n, o.refine, comm));
   if (comm.rank() == 0)
     finish(report,
            {"ranks", "n", "refine", "hexahedra", "unknowns", "iterations", "setup_s", "iteration_ms",

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Fails where a file includes from a floor above its own, from a sibling, from a room that is closed to its own, or a wrapped library
-outside its wrappers."""
+outside its wrappers, or opens a namespace that is not its floor's."""
 import pathlib
 import re
 import sys
@@ -48,8 +48,24 @@ def folder_of(path):
     return next((f for f in sorted(LEVEL, key=len, reverse=True) if path.startswith(f + "/")), None)
 
 
+def namespace_of(folder):
+    return "bulbus::inline " + folder.split("/")[-1]
+
+
+# The namespaces that a file may open, besides those within them: its own floor's, and of those below to declare a class.
+def open_to(own):
+    if own in (None, "tests", "benchmarks", "core/base"):
+        return None
+    return [namespace_of(f) for f in LEVEL if f == own or LEVEL[f] < LEVEL[own]]
+
+
 def faults(path, text):
     own = folder_of(path)
+    allowed = open_to(own)
+    for number, line in enumerate(text.splitlines(), 1):
+        opened = re.match(r"namespace (bulbus\b[^{]*?) \{", line)
+        if opened and allowed and not any(re.fullmatch(a + r"(::\w+)?", opened.group(1)) for a in allowed):
+            yield f"{path}:{number}: {opened.group(1)} is not the namespace of {own}: {namespace_of(own)}"
     for number, line in enumerate(text.splitlines(), 1):
         found = re.match(r'\s*#include\s+["<]([^">]+)[">]', line)
         if not found:

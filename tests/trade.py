@@ -35,7 +35,7 @@ def check(rows, folder):
     assert reference["converged"] == scene["converged"] == "true"
     assert float(scene["error"]) < 1e-4, scene["error"]
     by = {(r["parameter"], r["value"]): r for r in rows}
-    assert {"eta_max", "newton", "gamma", "reuse", "smoothing", "method", "operator", "pressure patterns after", "underway", "increments",
+    assert {"eta_max", "newton", "gamma", "reuse", "smoothing", "method", "operator", "iterations before the correction", "intermediate tolerance", "increments",
             "penalty", "augmentation"} <= {k for k, _ in by}
     assert float(by["newton", "1e-2"]["error"]) > float(by["newton", "1e-5"]["error"])
     assert int(by["newton", "1e-2"]["newton_iterations"]) < int(by["newton", "1e-5"]["newton_iterations"])

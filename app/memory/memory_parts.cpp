@@ -9,7 +9,7 @@
 #include "core/solve/direct_memory.hpp"
 #include "core/solve/fgmres.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Numbers of bytes that are not a count of what is stored are fitted to runs: benchmarks/notebook/memory.md.
@@ -17,21 +17,21 @@ constexpr double number = sizeof(double), single = sizeof(float);
 // Krylov vectors of a solve: only those that it needs are made
 constexpr int usual_basis = 20, basis_with_hierarchy = 18, basis_of_easy_solves = 8;
 
-// Does a run end before weak pressure patterns and tight solves matter?
-bool easy(const NewtonSettings& newton) { return std::min(newton.force, newton.volume) >= 1e-4; }
+// Does a run end before checkerboard modes of pressure and tight solves matter?
+bool ends_early(const NewtonSettings& newton) { return std::min(newton.force, newton.volume) >= 1e-4; }
 
 using Size = RunSize::Level;
 
 // The basis, and work vectors in double precision.
 double krylov_bytes(const Size& s, const SolverSettings& solver, int refinements) {
-  const int most = easy(solver.newton) ? basis_of_easy_solves
-                   : refinements > 0   ? basis_with_hierarchy
-                                       : usual_basis;
+  const int most = ends_early(solver.newton) ? basis_of_easy_solves
+                   : refinements > 0         ? basis_with_hierarchy
+                                             : usual_basis;
   const double vector = solver.newton.eta_max < least_of_plain_method ? 2 * number : single;
   return (std::min(solver.linear.restart, most) * vector + 6 * number) * s.unknowns();
 }
 
-// Scaling, liquid columns and the room of a product; moduli and penalties; strain, or mean tangents and
+// Scaling, liquid columns and the workspace of a product; moduli and penalties; strain, or mean tangents and
 // places in single precision.
 double system_bytes(const Size& s, double liquids, const LinearSettings& l) {
   const double cache = l.op == TangentStorage::cache       ? 7 * 8 * single * s.hexes
@@ -49,16 +49,16 @@ double smoother_bytes(const Size& s, const LinearSettings& l) {
   return (15 * single + 8 + vectors + 3 * number + 4 + 3.4 * 8) * s.nodes;
 }
 
-// Pairs of coarser hexahedra that the matrix of slow patterns couples: those on one line. Lines run through
-// a layer, and their length in hexahedra grows with the third root of the number. A hexahedron of the half
-// eye at n = 14, with 7,350 of them, is in 20 pairs; on coarser eyes in no fewer.
+// Pairs of coarser hexahedra that the matrix of checkerboard modes couples: those on one line. Lines run
+// through a layer, and their length in hexahedra grows with the third root of the number. A hexahedron of the
+// half eye at n = 14, with 7,350 of them, is in 20 pairs; on coarser eyes in no fewer.
 double coupled_pairs(double coarser) {
   constexpr double of_each = 20, hexes_there = 7350;
   return of_each * coarser * std::max(1.0, std::cbrt(coarser / hexes_there));
 }
 
-// Nodal room of K; vectors. Of a refined mesh the matrix of slow patterns, and on one refined twice K's own
-// lines. What setting it up needs besides is less than a Krylov basis that is still short.
+// Nodal workspace of K; vectors. Of a refined mesh the matrix of checkerboard modes, and on one refined twice
+// K's own lines. What setting it up needs besides is less than a Krylov basis that is still short.
 double pressure_bytes(const Size& s, int refinements) {
   const double K = sizeof(NodeSingle) * s.nodes;
   if (refinements == 0) return K + 6 * number * s.hexes + 2 * number * s.nodes;
@@ -133,7 +133,7 @@ void add_iterative(const RunSize& size, const SolverSettings& solver, std::vecto
   parts.push_back({"operator", system_bytes(s, size.liquids, l)});
   parts.push_back({"smoother", smoother_bytes(s, l) + (1 + size.liquids) * number * s.nodal()});
   parts.push_back({"Krylov basis", krylov_bytes(s, solver, size.refinements)});
-  if (!easy(solver.newton)) parts.push_back({"element pressures", pressure_bytes(s, size.refinements)});
+  if (!ends_early(solver.newton)) parts.push_back({"element pressures", pressure_bytes(s, size.refinements)});
   if (name == Displacement::multigrid && hierarchy)
     add_coarser_levels(size, l, parts);
   else
@@ -163,7 +163,7 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
       {"states and residuals", number * (scene.solver.stepping.extrapolate ? 6 : 5) * s.unknowns()});
   // fields on their way to a file, measured; elsewhere they are less than a Krylov basis, which is gone by
   // then
-  if (scene.output.vtk && easy(scene.solver.newton)) parts.push_back({"results", 20 * megabyte});
+  if (scene.output.vtk && ends_early(scene.solver.newton)) parts.push_back({"results", 20 * megabyte});
   // the state that a step begins with; on their way to the file, nodes and hexahedra with their keys
   parts.push_back({"checkpoints",
                    scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});
@@ -182,4 +182,4 @@ double bytes_of_fallback(const RunSize& size, const Scene& scene) {
   return sum_of(parts);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -1,12 +1,13 @@
 #include "app/records/recorder.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "app/memory/sizes.hpp"
 #include "contact/interaction_probes.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::vector<std::string> history_columns(const ProbeSet& probes) {
@@ -113,7 +114,7 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   count(increment.newton);
   ++steps_.back().increments;
   unstable_increments_ += progress_.unstable(increment.newton);
-  if (increment.leap) snaps_.push_back(snap_sentence(increment));
+  if (increment.leap) snaps_ += snap_sentence(increment) + "\n";
   increments_ = increment.number;
   witness_.increment_done(increment, state);
   Snapshot snapshot(problem_, state);
@@ -130,20 +131,21 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   results_.increment_done(increment.number, increment.time, snapshot);
 }
 
-void Recorder::rests(const MarchPlace& place, State& state, bool last) {
+void Recorder::rests(const MarchProgress& place, State& state, bool last) {
   const auto scope = profiler_.clock.measure("checkpoints");
   checkpoints_.rests(place, state, last);
 }
 
-void Recorder::interrupted(const MarchPlace& place, State& state) {
+void Recorder::interrupted(const MarchProgress& place, State& state) {
   const auto scope = profiler_.clock.measure("checkpoints");
   checkpoints_.interrupted(place, state);
 }
 
-void Recorder::serialize(Archive& archive, const MarchPlace& place) {
+void Recorder::serialize(Archive& archive, const MarchProgress& place) {
   archive.scalars("counts", increments_, cuts_, negative_pivots_);
   if (!archive.reading() || archive.knows("linear solver"))
     archive.scalars("linear solver", direct_solves_, unstable_increments_);
+  if (!archive.reading() || archive.knows("snaps")) archive.text("snaps", snaps_);
   steps_.resize(place.step + 1);
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     StepRecord& s = steps_[k];
@@ -167,6 +169,13 @@ std::string Recorder::diagnosis(const State& last) const {
   const bool touching =
       std::ranges::any_of(contacts_, [](const ContactStanding& c) { return c.touching > 0; });
   return bulbus::diagnosis(witness_.facts(last, touching));
+}
+
+std::vector<std::string> Recorder::snaps() const {
+  std::istringstream in(snaps_);
+  std::vector<std::string> sentences;
+  for (std::string line; std::getline(in, line);) sentences.push_back(line);
+  return sentences;
 }
 
 void Recorder::take(Snapshot& snapshot) {
@@ -195,4 +204,4 @@ void Recorder::finish(const State& state) {
   results_.finish(snapshot);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

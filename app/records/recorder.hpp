@@ -8,7 +8,7 @@
 #include "app/records/witness.hpp"
 #include "core/io/table.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a step took, failed attempts included.
 struct StepRecord {
@@ -31,11 +31,11 @@ class Recorder final : public MarchObserver, public Archived {
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
   void solve_lasts(const SolveProgress& progress) { progress_.solve_lasts(progress); }
-  void rests(const MarchPlace& place, State& state, bool last) override;
-  void interrupted(const MarchPlace& place, State& state) override;
+  void rests(const MarchProgress& place, State& state, bool last) override;
+  void interrupted(const MarchProgress& place, State& state) override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
-  void serialize(Archive& archive, const MarchPlace& place) override;
+  void serialize(Archive& archive, const MarchProgress& place) override;
   /// Goes on as the records of a run that was left. Collective.
   Resumed resume(Checkpoint& checkpoint);
 
@@ -55,8 +55,8 @@ class Recorder final : public MarchObserver, public Archived {
   int direct_solves() const { return direct_solves_; }
   /// Converged increments whose equilibrium is not stable, as far as pivots or curvature tell.
   int unstable_increments() const { return unstable_increments_; }
-  /// A sentence for every increment of this run that has leapt.
-  const std::vector<std::string>& snaps() const { return snaps_; }
+  /// A sentence for every increment so far that has leapt.
+  std::vector<std::string> snaps() const;
   /// Of the direct solver's last factorisation, and the largest residual that its solutions left, ‖s r‖ / ‖s
   /// b‖.
   const std::optional<FactorReport>& factor() const { return factor_; }
@@ -74,7 +74,7 @@ class Recorder final : public MarchObserver, public Archived {
   Profiler& profiler_;
   ProgressLog progress_;
   Witness witness_;
-  std::vector<std::string> snaps_;
+  std::string snaps_;  // a line for each
   ProbeSet probes_;
   ProbeRecord record_;
   ResultFiles results_;
@@ -91,4 +91,4 @@ class Recorder final : public MarchObserver, public Archived {
   double since_ = Clock::now();
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

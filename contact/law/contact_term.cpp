@@ -5,7 +5,7 @@
 
 #include "contact/surfaces/meridians.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 // Tolerance of a linear solve with the default penalty: its scaled norm weighs gaps by the root of the
@@ -13,7 +13,7 @@ namespace {
 constexpr double usual_solve = 1e-3;
 // In shear moduli: an error of pressure that lets no contact open or close; pressures whose geometric
 // stiffness is of no account beside the material's.
-constexpr double noticeable = 0.01, weak = 0.01;
+constexpr double noticeable = 0.01, negligible = 0.01;
 // A pressure that differs from the predicted one by no more than this factor has geometric terms.
 constexpr double settling = 2;
 // Radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in.
@@ -115,7 +115,7 @@ void ContactTerm::linearize(const State& state) {
     if (!points_[t.point].mine) continue;
     const double before = predicted_[t.slot];
     const bool settled = before > 0 && std::max(p.value, before) <= settling * std::min(p.value, before);
-    if (settled && t.along && (shear_ == 0 || (p.value > weak * shear_ && p.value < shear_))) {
+    if (settled && t.along && (shear_ == 0 || (p.value > negligible * shear_ && p.value < shear_))) {
       add_tangent_along(master, t, p);
       continue;
     }
@@ -181,4 +181,4 @@ double ContactTerm::potential(const State& state) const {
   return sum;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

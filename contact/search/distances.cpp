@@ -6,11 +6,11 @@
 #include "contact/search/nearest_point.hpp"
 #include "contact/search/position_codes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 namespace {
 
-constexpr int at_once = 2048;  // points: far ones have thousands of candidates each
+constexpr int at_once = 256;  // points: far ones have thousands of candidates each
 
 // Distances of some of the points, where they are at most `reach`. Returns the others.
 std::vector<int> within(double reach, std::span<const int> of, std::span<const double> points,
@@ -47,4 +47,4 @@ std::vector<double> distances(std::span<const double> points, const MasterSurfac
   return distance;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -49,6 +49,12 @@ About About::automatic() const {
   return r;
 }
 
+About About::formerly(std::string key) const {
+  About r = *this;
+  r.former = std::move(key);
+  return r;
+}
+
 About About::expert() const { return at(Level::expert); }
 About About::debug() const { return at(Level::debug); }
 

@@ -47,6 +47,7 @@ struct About {
   bool formula = false;  ///< a string that holds a number with a unit, or an expression in X, Y, Z, t, s
   bool zero_is_automatic = false;    ///< of an optional number: 0 is written where it is empty
   std::vector<std::string> choices;  ///< the words a string may be
+  std::string former;                ///< the key's name in older scenes, which are told the new one
   Level level = Level::everyday;
   std::vector<Condition> conditions;  ///< the parameter acts where all of them hold
 
@@ -65,6 +66,8 @@ struct About {
   About one_of(std::vector<std::string> words) const;
   /// Of an optional number: what the program chooses while it is empty stands as 0 in scenes.
   About automatic() const;
+  /// `key` was its name in older scenes.
+  About formerly(std::string key) const;
   About expert() const;
   About debug() const;
   /// The parameter acts only where `key` is one of these: elsewhere a scene that gives it is refused.

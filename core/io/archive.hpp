@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
-
+namespace bulbus::inline mesh {
 struct LocalMesh;
+}
+
+namespace bulbus::inline io {
 
 /// Keeps what is given to it under a name, or gives back what was kept: whatever has a memory says in one
 /// function `serialize(Archive&)` what that is, for writing and for reading alike. All members are
@@ -80,4 +82,4 @@ class Archive {
   std::string prefix_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/connected_parts.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr double rounding = 1e-9;         // of Σ ∂V_e/∂x on free directions, relative to all of it
@@ -18,10 +18,11 @@ constexpr double compressibility = 1e-9;  // of volume and shear modulus
 // Σ_e ∂V_e/∂x on every local node, accumulated: by what λ = 1 MPa adds to the internal forces.
 std::vector<double> volume_gradient(const Problem& problem, const State& at) {
   const Solid& solid = problem.solid();
-  std::vector<double> with(at.x.size()), without(at.x.size()), defect(solid.hexes()), lambda(solid.hexes());
-  solid.residual(at.x, lambda, without, defect);
+  std::vector<double> with(at.x.size()), without(at.x.size()), volume_error(solid.hexes()),
+      lambda(solid.hexes());
+  solid.residual(at.x, lambda, without, volume_error);
   std::ranges::fill(lambda, 1.0);
-  solid.residual(at.x, lambda, with, defect);
+  solid.residual(at.x, lambda, with, volume_error);
   for (std::size_t i = 0; i < with.size(); ++i) with[i] -= without[i];
   problem.mesh().halo.accumulate_ghosts(with);
   return with;
@@ -52,10 +53,10 @@ std::vector<double> squares(const Problem& problem, const State& at, const Conne
 std::vector<double> volumes(const Problem& problem, std::span<const double> x, std::span<const int> part,
                             std::size_t count) {
   const Solid& solid = problem.solid();
-  std::vector<double> force(x.size()), defect(solid.hexes()), lambda(solid.hexes()), sums(count);
-  solid.residual(x, lambda, force, defect);
+  std::vector<double> force(x.size()), volume_error(solid.hexes()), lambda(solid.hexes()), sums(count);
+  solid.residual(x, lambda, force, volume_error);
   for (int h = 0; h < solid.hexes(); ++h)
-    if (part[h] >= 0) sums[part[h]] += solid.reference_volumes()[h] + defect[h];
+    if (part[h] >= 0) sums[part[h]] += solid.reference_volumes()[h] + volume_error[h];
   problem.comm().sum(sums);
   return sums;
 }
@@ -132,4 +133,4 @@ void EnclosedParts::settle(std::span<double> lambda) const {
     if (part_[h] >= 0) lambda[h] += mean_[part_[h]] - now[part_[h]];
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

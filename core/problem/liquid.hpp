@@ -6,7 +6,7 @@
 #include "core/element/pressure_surface.hpp"
 #include "core/io/archive.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Enclosed liquid with the law P = P_i + K (V_i − V)/V_i, or with a given pressure. Volumes are the model's
 /// (half of the eye's with one symmetry plane).
@@ -22,9 +22,11 @@ class Liquid {
 
   bool coupled() const { return coupled_; }
   /// The pressure is an unknown from here on: V_i := V, P_i := P, so that the law holds as it is.
-  void couple(double V, double P) { coupled_ = true, V_i_ = V_start_ = V, P_i_ = P; }
+  void enclose(double V, double P) { coupled_ = true, V_i_ = V_start_ = V, P_i_ = P; }
   /// The pressure is given by a function of the part of the step done.
-  void give(std::function<double(double s)> pressure) { coupled_ = false, given_ = std::move(pressure); }
+  void prescribe_pressure(std::function<double(double s)> pressure) {
+    coupled_ = false, given_ = std::move(pressure);
+  }
   double given(double s) const { return given_ ? given_(s) : 0; }
 
   /// Volume (at P_i) that is added in this step; negative: drained.
@@ -33,10 +35,10 @@ class Liquid {
   void freeze();
 
   /// D = V − V_i + (P − P_i) V_i / K; zero where the pressure is given.
-  double defect(double V, double P) const { return coupled_ ? V - V_i_ + (P - P_i_) * compliance() : 0; }
+  double violation(double V, double P) const { return coupled_ ? V - V_i_ + (P - P_i_) * compliance() : 0; }
   /// V_i / K, mm³/MPa
   double compliance() const { return (coupled_ ? V_i_ : V_scale_) / K_; }
-  /// A volume that makes defects relative.
+  /// A volume that makes violations relative.
   double scale() const { return coupled_ ? V_i_ : V_scale_; }
   void set_scale(double V) { V_scale_ = V; }
   /// V_i and P_i; a given pressure comes from the steps.
@@ -63,4 +65,4 @@ inline void Liquid::freeze() {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -10,7 +10,7 @@
 #include "core/problem/formula.hpp"
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 Vec3<double> unit(Vec3<double> v) {
@@ -222,11 +222,11 @@ void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) 
   for (const auto& [name, pressure] : spec.pressures) {
     const std::string key = step_key(step, "pressures." + name);
     const int i = liquid_index(name, key);
-    liquids_[i].give(ramp(std::make_shared<Formula>(pressure, key), start.P[i], step));
+    liquids_[i].prescribe_pressure(ramp(std::make_shared<Formula>(pressure, key), start.P[i], step));
   }
   for (const std::string& name : spec.couple) {
     const int i = liquid_index(name, step_key(step, "couple"));
-    if (!liquids_[i].coupled()) liquids_[i].couple(liquids_[i].volume(start.x), start.P[i]);
+    if (!liquids_[i].coupled()) liquids_[i].enclose(liquids_[i].volume(start.x), start.P[i]);
   }
   for (const auto& [name, volume] : spec.add) {
     const std::string key = step_key(step, "add." + name);
@@ -253,4 +253,4 @@ void Problem::release(const StepSpec& spec, int step) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -5,7 +5,7 @@
 #include "core/base/words.hpp"
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// What solves a linear system: GMRES, or MUMPS.
 enum class Method { iterative, direct };
@@ -33,6 +33,10 @@ constexpr std::array<std::string_view, 9> words(Displacement) {
           "boomeramg", "boomeramg_nodal", "jacobi",    "exact"};
 }
 
+/// How often multigrid visits a coarser level for once on the next finer one: once, or twice.
+enum class Cycle { v, w };
+constexpr std::array<std::string_view, 2> words(Cycle) { return {"V", "W"}; }
+
 /// What is kept of the tangent between its products: nothing, the strain in single precision, or 3 x 3
 /// blocks.
 enum class TangentStorage { recompute, cache, assembled };
@@ -50,4 +54,4 @@ constexpr std::array<std::string_view, 3> words(Accuracy) { return {"fast", "bal
 
 constexpr std::array<std::string_view, 2> words(Precision) { return {"double", "single"}; }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

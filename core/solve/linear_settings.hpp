@@ -5,16 +5,16 @@
 #include "core/base/parameters.hpp"
 #include "core/solve/choices.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// The Chebyshev smoother of a preconditioner of the displacement block.
 struct SmootherSettings {
   int degree;
-  double smoothed_part;
+  double smoothing_range;
   template <class V>
   void describe(V&& v) {
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
-    v("smoothed_part", smoothed_part,
+    v("smoothing_range", smoothing_range,
       About{"the Chebyshev smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
   }
 };
@@ -35,19 +35,17 @@ struct AggregationSettings : SmootherSettings {
 
 /// Geometric multigrid as a preconditioner of the displacement block.
 struct MultigridSettings : SmootherSettings {
-  int visits = 1;
+  Cycle cycle = Cycle::v;
   MultigridSettings() : SmootherSettings{12, 0.02} {}
   template <class V>
   void describe(V&& v) {
-    v("visits", visits,
-      About{"cycles on every coarser refined level for one on the next finer: 1: V-cycle, 2: W-cycle"}
-          .between(1, 2));
+    v("cycle", cycle, About{"V-cycle or W-cycle"}.formerly("visits"));
     SmootherSettings::describe(v);
   }
 };
 
-/// The part of the element pressures' preconditioner that knows their weak patterns: too dear for easy
-/// solves.
+/// The Schur-complement correction: the part of the element pressures' preconditioner that knows their
+/// checkerboard modes, too expensive for short solves.
 struct PressureSettings {
   int after = 6;
   std::optional<int> degree;
@@ -55,17 +53,17 @@ struct PressureSettings {
   template <class V>
   void describe(V&& v) {
     v("after", after,
-      About{"Krylov iterations after which that part is taken up; solves after one that waited in vain, and "
-            "those for more digits than two thirds of it (6: to less than 1e-4), take it up at once"}
+      About{"Krylov iterations before the correction; solves after one that waited without effect, and those "
+            "for more digits than two thirds of it (6: to less than 1e-4), have it from the start"}
           .between(0, 100000));
     v("degree", degree,
-      About{"degree of the polynomial that inverts what weak patterns meet, those of the finest hexahedra; "
+      About{"degree of the Chebyshev polynomial that inverts the Schur complement of the finest checkerboard "
+            "modes; "
             "0: from the mesh"}
           .between(0, 1000)
           .automatic());
     v("weight", weight,
-      About{"weight of what weak patterns meet beside what knows strains only; on refined meshes the default "
-            "is 0.3"}
+      About{"weight of the correction beside the scaled diagonal; on refined meshes the default is 0.3"}
           .between(0, 1));
   }
 };
@@ -78,7 +76,7 @@ struct LinearSettings {
   TangentStorage op = TangentStorage::recompute;
   Precision smoothing = Precision::single;
   Fallback fallback = Fallback::direct;
-  double gamma = 5, smoothed_part = 0.05, reuse = 0, coarse_change = 0.1;
+  double gamma = 5, smoothing_range = 0.05, reuse = 0, coarse_change = 0.1;
   int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;
   AggregationSettings aggregation;
   MultigridSettings multigrid;
@@ -178,11 +176,11 @@ void LinearSettings::describe_preconditioners(V& v) {
   v("aggregation", aggregation, of_displacement({"aggregation, for meshes of any kind"}, D::aggregation));
   v("multigrid", multigrid, of_displacement({"multigrid on the refined meshes"}, D::multigrid));
   v("pressures", pressures,
-    of_displacement({"weak patterns of element pressures, with aggregation and multigrid"}, D::aggregation,
-                    D::multigrid));
+    of_displacement({"Schur-complement correction for checkerboard modes of element pressures"},
+                    D::aggregation, D::multigrid));
   v("degree", degree,
     of_displacement(About{"degree of the hybrid's Chebyshev smoother"}.between(1, 20), D::hybrid));
-  v("smoothed_part", smoothed_part,
+  v("smoothing_range", smoothing_range,
     of_displacement(
         About{"the hybrid's Chebyshev smoother damps eigenvalues above this part of the largest"}.between(
             1e-3, 0.9),
@@ -204,4 +202,4 @@ void LinearSettings::describe_records(V& v) {
     of_gmres(About{"write eigenvalue estimates of every preconditioned system to krylov.csv"}.debug()));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

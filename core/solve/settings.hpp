@@ -4,11 +4,11 @@
 #include "core/base/parameters.hpp"
 #include "core/solve/linear_settings.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Newton's iteration and where it stops, all relative and free of units.
 struct NewtonSettings {
-  double force = 1e-6, volume = 1e-6, liquid = 1e-7, underway = 1, eta_max = 1e-3;
+  double force = 1e-6, volume = 1e-6, liquid = 1e-7, intermediate = 1, eta_max = 1e-3;
   int max_iterations = 25;
   template <class V>
   void describe(V&& v) {
@@ -17,9 +17,10 @@ struct NewtonSettings {
     v("volume", volume, About{"largest |V_e/V0_e - 1| of an element"}.between(1e-14, 1e-1));
     v("liquid", liquid,
       About{"largest violation of a liquid's law, relative to its volume"}.between(1e-15, 1e-1));
-    v("underway", underway,
-      About{"times that increments before the end of their step may miss these three"}
+    v("intermediate", intermediate,
+      About{"factor by which increments before the end of their step may miss these three"}
           .between(1, 1e6)
+          .formerly("underway")
           .expert());
     v("eta_max", eta_max,
       About{"cap of the forcing term of Eisenstat and Walker"}
@@ -32,15 +33,17 @@ struct NewtonSettings {
 
 /// How increments are cut and grown.
 struct SteppingSettings {
-  double smallest = 1e-3, growth = 1.5, increments = 1;
-  int easy = 6;
+  double minimum = 1e-3, growth = 1.5, increments = 1;
+  int target_iterations = 6;
   bool extrapolate = true;
   template <class V>
   void describe(V&& v) {
-    v("smallest", smallest,
-      About{"smallest increment, as a part of the step, before the run gives up"}.between(1e-9, 1));
-    v("growth", growth, About{"factor after an easy increment"}.between(1, 10));
-    v("easy", easy, About{"Newton iterations that count as easy"}.between(1, 100));
+    v("minimum", minimum,
+      About{"minimum increment, as a part of the step, before the run gives up"}.between(1e-9, 1).formerly(
+          "smallest"));
+    v("target_iterations", target_iterations,
+      About{"Newton iterations up to which the next increment grows"}.between(1, 100).formerly("easy"));
+    v("growth", growth, About{"growth factor of an increment"}.between(1, 10));
     v("increments", increments,
       About{"times as many increments as the steps say, rounded up"}.between(1e-5, 1000));
     v("extrapolate", extrapolate,
@@ -68,4 +71,4 @@ struct SolverSettings {
   static std::string accuracy_help();
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -4,7 +4,7 @@
 #include "precond/amg/assembled.hpp"
 #include "precond/operators/correct.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 MultigridPlan::MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings)
     : base_(std::make_shared<Mumps>(
@@ -21,7 +21,7 @@ MultigridPlan::MultigridPlan(const CoupledSystem& finest, const LinearSettings& 
 
 Multigrid::Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan> plan,
                      const MultigridSettings& settings, Precision smoothing, const KeepFactors& keep)
-    : visits_(settings.visits), plan_(std::move(plan)) {
+    : cycle_(settings.cycle), plan_(std::move(plan)) {
   std::vector<Interpolation> interpolations;
   const CoupledSystem* fine = &finest;
   for (auto& level : plan_->levels()) {
@@ -104,7 +104,7 @@ void Multigrid::cycle(std::size_t number, std::span<const double> b, std::span<d
   level.smoother->before(b, x, level.correction);
   level.restrict_residual();
   cycle(number + 1, level.coarse_residual, level.coarse_correction);
-  if (number + 1 < levels_.size() && visits_ > 1) {
+  if (number + 1 < levels_.size() && cycle_ == Cycle::w) {
     std::vector<double> residual(level.coarse_residual.size()), correction(residual.size());
     correct(levels_[number + 1]->block, From(*this, number + 1), level.coarse_residual,
             level.coarse_correction, residual, correction);
@@ -122,4 +122,4 @@ std::size_t Multigrid::bytes() const {
   return total;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

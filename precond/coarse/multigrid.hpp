@@ -10,7 +10,7 @@
 #include "precond/smoothers/line_jacobi.hpp"
 #include "precond/smoothers/smoother.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every
 /// refined level, the base matrix's analysis, and as long as its factors are kept the smoothers' largest
@@ -72,11 +72,11 @@ class Multigrid final : public DisplacementPreconditioner {
   class From;
   void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
 
-  int visits_;
+  Cycle cycle_;
   std::shared_ptr<MultigridPlan> plan_;  // has the coarser systems
   std::vector<std::unique_ptr<Level>> levels_;
   std::unique_ptr<DisplacementPreconditioner> base_;
   std::size_t coarse_bytes_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -70,7 +70,7 @@ Scene lifted(double height) {
   settings.detachment = Detachment{.height = height, .tear = Tear{.center = 98}};
   Scene eye = pushed(small_eye(n), 2, 4);
   eye.mesh = generate(settings);
-  eye.model.contacts = {contact("retina", "retina_back", "retina_bed")};
+  eye.model.contacts = {contact_between("retina", "retina_back", "retina_bed")};
   return eye;
 }
 

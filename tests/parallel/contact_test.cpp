@@ -16,7 +16,8 @@ Scene two_blocks_and_a_ball() {
   m.symmetry = {"x", "y"};
   m.fix.push_back({"low zmin", {"x", "y", "z"}});
   m.rigid_bodies["ball"].sphere = SphereShape{.center = {2, .4, .35}, .radius = .5};
-  m.contacts = {contact("blocks", "high zmin", "low zmax"), contact("ball", "low xmax", "ball")};
+  m.contacts = {contact_between("blocks", "high zmin", "low zmax"),
+                contact_between("ball", "low xmax", "ball")};
   StepSpec press = step("press", 2), poke = step("poke");
   DisplaceSpec d = displace("high zmax");
   d.z = "-0.08";

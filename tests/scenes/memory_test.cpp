@@ -48,7 +48,7 @@ TEST(Memory, OfARefinedEyeIsForecast) {
   EXPECT_NEAR(m.forecast, m.peak, .15 * m.peak);
 }
 
-// Its solves are easy: there are no tight ones and no weak pressure patterns.
+// Its solves are easy: there are no tight ones and no Schur-complement correction.
 TEST(Memory, OfALooseBalanceIsForecast) {
   const Memory m = of_half_eye({"mesh.eye.n=10", "mesh.refine=1", "solver.newton.force=1e-3",
                                 "solver.newton.volume=1e-3", "solver.newton.liquid=1e-5"});

@@ -103,7 +103,7 @@ Scene sheets(double thickness, int increments) {
   Model& m = scene.model;
   m.regions = {{"low", neo_hooke(c10)}, {"high", neo_hooke(c10)}};
   m.fix = {{"xmin", {"x", "y", "z"}}, {"xmax", {"x", "y", "z"}}};
-  m.contacts = {contact("joint", "zmax", "high zmin")};
+  m.contacts = {contact_between("joint", "zmax", "high zmin")};
   StepSpec push = step("push", increments);
   for (const char* end : {"high ymin", "high ymax"}) {
     DisplaceSpec d = displace(end);
@@ -176,7 +176,7 @@ Scene hertz(int n) {
   m.regions["ball"] = neo_hooke(c10);
   m.symmetry = {"x", "y"};
   m.rigid_bodies["ball"].sphere = SphereShape{.center = {0, 0, -1.5}, .radius = 1, .facets = 400};
-  m.contacts = {contact("pole", "zmin", "ball")};
+  m.contacts = {contact_between("pole", "zmin", "ball")};
   double before = 0;
   press(scene, [&](StepSpec& s, double depth) {
     s.displace = {far_away("outer", hertz_force(4 * mu, 1, depth), 0)};
@@ -206,7 +206,7 @@ Scene two_spheres(int n) {
   Model& m = scene.model;
   m.regions = {{"high", neo_hooke(c10)}, {"low", neo_hooke(c10)}};
   m.symmetry = {"x", "y"};
-  m.contacts = {contact("pole", "high zmin", "low zmin")};
+  m.contacts = {contact_between("pole", "high zmin", "low zmin")};
   press(scene, [](StepSpec& s, double depth) {
     const double force = hertz_force(2 * mu, .5, depth);
     s.displace = {far_away("high outer", force, depth), far_away("low outer", -force, 0)};
@@ -266,7 +266,7 @@ TEST(Ball, ReturnsToItsShapeWhenLetGo) {
   m.regions["ball"] = neo_hooke(c10);
   m.symmetry = {"x", "y", "z"};
   m.rigid_bodies["plate"].plane = PlaneShape{.point = {0, 0, 1.5}, .normal = {0, 0, -1}};
-  m.contacts = {contact("pole", "outer", "plate")};
+  m.contacts = {contact_between("pole", "outer", "plate")};
   StepSpec press = step("press", 4), release = step("release", 2);
   press.move = {shift("plate", {0, 0, -.3}, "touch")};
   release.move = {shift("plate", {0, 0, .7})};

@@ -23,7 +23,8 @@ struct ContactTrial : Trial {
   }
 };
 
-inline ContactSpec contact(const std::string& name, const std::string& slave, const std::string& master) {
+inline ContactSpec contact_between(const std::string& name, const std::string& slave,
+                                   const std::string& master) {
   ContactSpec c;
   c.name = name, c.slave = slave, c.master = master;
   return c;

@@ -15,7 +15,7 @@ inline Scene two_blocks(int low, int high, double penalty, double tolerance = 0,
   m.regions = {{"low", neo_hooke(block_c10)}, {"high", neo_hooke(block_c10)}};
   m.symmetry = {"x", "y"};
   m.fix.push_back({"low zmin", {"z"}});
-  m.contacts = {contact("joint", "high zmin", "low zmax")};
+  m.contacts = {contact_between("joint", "high zmin", "low zmax")};
   m.contacts[0].penalty = penalty, m.contacts[0].tolerance = tolerance;
   StepSpec press = step("press", 2);
   DisplaceSpec d = displace("high zmax");

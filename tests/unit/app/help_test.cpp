@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
+#include "app/scene/concepts.hpp"
 #include "app/scene/help.hpp"
-#include "app/scene/kinds.hpp"
-#include "app/scene/wording.hpp"
+#include "app/scene/text_format.hpp"
 #include "app/study/study.hpp"
 #include "scenes.hpp"
 
@@ -13,18 +13,18 @@ using namespace bulbus::test;
 
 /// Calls `see` for every key below an object, into lists, maps and options.
 template <class T, class See>
-void walk(T& value, See&& see) {
-  if constexpr (kinds::Described<T>) {
+void walk_values(T& value, See&& see) {
+  if constexpr (concepts::Described<T>) {
     value.describe([&](const char* key, auto& member, const About& about) {
       see(key, about);
-      walk(member, see);
+      walk_values(member, see);
     });
-  } else if constexpr (kinds::Map<T>) {
+  } else if constexpr (concepts::Map<T>) {
     typename T::mapped_type inner{};
-    walk(inner, see);
-  } else if constexpr (kinds::List<T> || kinds::Optional<T>) {
+    walk_values(inner, see);
+  } else if constexpr (concepts::List<T> || concepts::Optional<T>) {
     typename T::value_type inner{};
-    walk(inner, see);
+    walk_values(inner, see);
   }
 }
 
@@ -33,7 +33,7 @@ template <class T>
 int expect_every_key(const std::string& help) {
   T object;
   int keys = 0;
-  walk(object, [&](const std::string& key, const About& about) {
+  walk_values(object, [&](const std::string& key, const About& about) {
     ++keys;
     const auto line = help.find(" " + key + " "), start = help.find("\n" + key + " ");
     EXPECT_TRUE(line != std::string::npos || start != std::string::npos) << key;

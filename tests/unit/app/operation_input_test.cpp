@@ -33,7 +33,7 @@ struct Slip {
   std::string from, to, message;
 };
 
-void expect_refused(const Slip& slip) {
+void expect_slip_refused(const Slip& slip) {
   for (const char* command : {"run", "check"}) {
     const Ran r = run_scene(replaced(scene, slip.from, slip.to), {}, command);
     EXPECT_EQ(r.status, 2) << slip.to;
@@ -57,7 +57,7 @@ TEST(OperationInput, ContactsNeedTwoSurfacesWithNodesOfTheirOwn) {
             "11: contacts.0.slave: the mesh has no surface 'zmx'\n  Did you mean 'zmax'?"},
            {top, "slave: zmax, master: plat",
             "11: contacts.0.master: there is no surface or rigid body 'plat'\n  Did you mean 'plate'?"}})
-    expect_refused(s);
+    expect_slip_refused(s);
   const std::string rigid = replaced(
       replaced(scene, "symmetry: [x, y]\nfix: [{set: zmin, directions: [z]}]", "symmetry:\n  [x, y, z]"),
       "block: {c10: 0.5}", "block: {rigid: true}");
@@ -71,10 +71,11 @@ TEST(OperationInput, ContactsNeedTwoSurfacesWithNodesOfTheirOwn) {
 }
 
 TEST(OperationInput, BodiesHaveTheirInsideInside) {
-  expect_refused({"section: [[-.2, -.2], [.2, -.2], [.2, .2], [-.2, .2]]",
-                  "section: [[-.2, .2], [.2, .2], [.2, -.2], [-.2, -.2]]",
-                  "9: rigid_bodies.rod.swept.section: the section is inside out\n  List its corners in the "
-                  "opposite order"});
+  expect_slip_refused(
+      {"section: [[-.2, -.2], [.2, -.2], [.2, .2], [-.2, .2]]",
+       "section: [[-.2, .2], [.2, .2], [.2, -.2], [-.2, -.2]]",
+       "9: rigid_bodies.rod.swept.section: the section is inside out\n  List its corners in the "
+       "opposite order"});
   const std::string file = fs::temp_directory_path() / "bulbus_inside_out.stl";
   std::ofstream stl(file);
   stl << "solid\n";
@@ -84,9 +85,9 @@ TEST(OperationInput, BodiesHaveTheirInsideInside) {
     stl << "facet normal 0 0 0 outer loop " << corners << " endloop endfacet\n";
   stl << "endsolid\n";
   stl.close();
-  expect_refused({"plane: {point: [0, 0, 1.05], normal: [0, 0, -1]}", "file: {path: " + file + "}",
-                  "8: rigid_bodies.plate.file.path: " + file +
-                      ": the body is inside out: its triangles turn their normals inwards\n  Turn all"});
+  expect_slip_refused({"plane: {point: [0, 0, 1.05], normal: [0, 0, -1]}", "file: {path: " + file + "}",
+                       "8: rigid_bodies.plate.file.path: " + file +
+                           ": the body is inside out: its triangles turn their normals inwards\n  Turn all"});
   fs::remove(file);
 }
 
@@ -103,14 +104,15 @@ TEST(OperationInput, SuturePointsLieOnTheirSurface) {
                          {points, "sets: [xmx]",
                           "13: sutures.knot.sets: the mesh has no node set, surface or region 'xmx'\n  did "
                           "you mean 'xmax'?"}})
-    expect_refused(s);
+    expect_slip_refused(s);
 }
 
 TEST(OperationInput, OverlapsAtTheStartAreRefused) {
-  expect_refused({"point: [0, 0, 1.05]", "point: [0, 0, .95]",
-                  "11: contacts.0: contact 'top' starts with 9 of its points inside 'plate', the deepest by "
-                  "0.05 mm at (0, 0, 1)\n"
-                  "  Draw the two apart, or say `start: resolve`."});
+  expect_slip_refused(
+      {"point: [0, 0, 1.05]", "point: [0, 0, .95]",
+       "11: contacts.0: contact 'top' starts with 9 of its points inside 'plate', the deepest by "
+       "0.05 mm at (0, 0, 1)\n"
+       "  Draw the two apart, or say `start: resolve`."});
 }
 
 }  // namespace

@@ -36,20 +36,23 @@ TEST(Override, TakesYamlUnitsEqualsSignsAndNothing) {
 
 TEST(Override, TheLastOneHolds) { EXPECT_EQ(with({"title=b", "title=c"}).title, "c"); }
 
-void expect_refused(const std::string& assignment, const std::string& start, const std::string& part) {
+void expect_assignment_refused(const std::string& assignment, const std::string& start,
+                               const std::string& part) {
   expect_error(full_scene, "--set " + assignment + ": " + start, part, {assignment});
 }
 
 TEST(OverrideErrors, NameTheAssignment) {
-  expect_refused("title", "not of the form path.to.key=value", "--set steps.0.increments=4");
-  expect_refused("=3", "not of the form", "");
-  expect_refused("solver..gamma=3", "an empty name in the path", "");
-  expect_refused("solver.linaer.gamma=3", "unknown key 'linaer' in solver", "did you mean 'linear'?");
-  expect_refused("title.x=3", "title: a single value is wanted here, not a map", "");
-  expect_refused("steps.7.increments=3", "no entry '7' in a list of 3", "entries count from 0");
-  expect_refused("steps.indnt.increments=3", "no entry 'indnt' in a list of 3", "did you mean 'indent'?");
-  expect_refused("output.every=0", "output.every: '0' is out of bounds", "between 1");
-  expect_refused("output.every={a", "not valid YAML", "");
+  expect_assignment_refused("title", "not of the form path.to.key=value", "--set steps.0.increments=4");
+  expect_assignment_refused("=3", "not of the form", "");
+  expect_assignment_refused("solver..gamma=3", "an empty name in the path", "");
+  expect_assignment_refused("solver.linaer.gamma=3", "unknown key 'linaer' in solver",
+                            "did you mean 'linear'?");
+  expect_assignment_refused("title.x=3", "title: a single value is wanted here, not a map", "");
+  expect_assignment_refused("steps.7.increments=3", "no entry '7' in a list of 3", "entries count from 0");
+  expect_assignment_refused("steps.indnt.increments=3", "no entry 'indnt' in a list of 3",
+                            "did you mean 'indent'?");
+  expect_assignment_refused("output.every=0", "output.every: '0' is out of bounds", "between 1");
+  expect_assignment_refused("output.every={a", "not valid YAML", "");
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace {
 using namespace bulbus;
 using namespace bulbus::test;
 
-Scene full() { return parse_scene(full_scene, "scene.yaml"); }
+Scene full_input() { return parse_scene(full_scene, "scene.yaml"); }
 
 TEST(Reader, ReadsEveryKindOfValue) {
-  const Scene s = full();
+  const Scene s = full_input();
   EXPECT_EQ(s.title, "a: test");
   ASSERT_TRUE(s.mesh.block);
   EXPECT_EQ(s.mesh.block->nx, 3);
@@ -44,7 +44,7 @@ TEST(Reader, AugmentsMoreOnRefinedMeshesUnlessTold) {
 }
 
 TEST(Reader, KeepsQuantitiesInTheKeptUnit) {
-  const Scene s = full();
+  const Scene s = full_input();
   EXPECT_DOUBLE_EQ(s.mesh.block->upper[0], 20);
   EXPECT_DOUBLE_EQ(s.model.regions.at("block").c10, 15 * mmHg);
   EXPECT_DOUBLE_EQ(s.model.regions.at("block").terms[0].c, 1e-3);
@@ -55,7 +55,7 @@ TEST(Reader, KeepsQuantitiesInTheKeptUnit) {
 }
 
 TEST(Reader, KeepsTheUnitOfAFormulaThatIsANumber) {
-  const Scene s = full();
+  const Scene s = full_input();
   EXPECT_EQ(std::stod(s.model.steps[0].pressures.at("inside")), 15 * mmHg);
   EXPECT_EQ(*s.model.steps[1].displace[0].x, "0.001 mm");
   EXPECT_EQ(*s.model.steps[1].displace[0].y, "0.1*s*(X - 2)");

@@ -1,4 +1,4 @@
-#include "app/scene/entry.hpp"
+#include "app/scene/yaml_node.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -6,10 +6,10 @@ namespace {
 using namespace bulbus;
 using namespace bulbus::test;
 
-Scene full() { return parse_scene(full_scene, "/data/scene.yaml"); }
+Scene resolved_input() { return parse_scene(full_scene, "/data/scene.yaml"); }
 
 TEST(Resolved, ReadsBackAsTheSameScene) {
-  const Scene before = full();
+  const Scene before = resolved_input();
   const std::string text = resolved_yaml(before);
   const Scene after = parse_scene(text, "/elsewhere/resolved.yaml");
   EXPECT_EQ(resolved_yaml(after), text);
@@ -33,7 +33,7 @@ TEST(Resolved, RoundTripHoldsForEveryMeshSource) {
 }
 
 TEST(Resolved, WritesDefaultsOutWithTheirUnits) {
-  const std::string text = resolved_yaml(full());
+  const std::string text = resolved_yaml(resolved_input());
   EXPECT_NE(text.find("\n    K: 2083.3  # MPa\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\n    max_iterations: 25\n"), std::string::npos);
   EXPECT_NE(text.find("\n    directions: [x, y, z]\n"), std::string::npos);
@@ -62,11 +62,11 @@ TEST(Yaml, KeepsTextThatLooksLikeSomethingElse) {
                             "...",
                             "a #b",
                             "\x01"}) {
-    Entry map = Entry::empty(Entry::Kind::map);
-    map.insert(*title ? title : "key", {}, Entry::word(title));
-    const Entry read = parse_yaml(to_yaml(map), "text");
+    YamlNode map = YamlNode::empty(YamlNode::Kind::map);
+    map.insert(*title ? title : "key", {}, YamlNode::word(title));
+    const YamlNode read = parse_yaml(to_yaml(map), "text");
     ASSERT_EQ(read.items.size(), 1u) << title;
-    EXPECT_TRUE(read.items[0].is(Entry::Kind::word)) << title;
+    EXPECT_TRUE(read.items[0].is(YamlNode::Kind::word)) << title;
     EXPECT_EQ(read.items[0].text, title);
     EXPECT_EQ(read.keys[0], map.keys[0]);
   }

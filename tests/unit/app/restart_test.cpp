@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 Comm alone() { return Comm(MPI_COMM_SELF); }
 
 /// What the run leaves behind that nothing interrupts.
-const Ran& whole() {
+const Ran& whole_run() {
   static const Ran ran = [] {
     const Ran r = call("run", fresh_folder("bulbus_whole"), "scene.yaml", full_of_memory, {});
     EXPECT_EQ(r.status, 0) << r.err;
@@ -60,7 +60,7 @@ Ran go_on(const fs::path& folder, const std::vector<std::string>& more) {
 Ran go_on(const fs::path& folder) { return go_on(folder, {"-o", folder / "out", "--restart"}); }
 
 void expect_same_end(const Ran& r, double tolerance) {
-  const auto found = r.summary(), wanted = whole().summary();
+  const auto found = r.summary(), wanted = whole_run().summary();
   EXPECT_EQ(found["totals"], wanted["totals"]);
   EXPECT_EQ(found["converged"], true);
   for (const auto& [name, value] : not_empty(wanted["probes"]).items())
@@ -69,7 +69,7 @@ void expect_same_end(const Ran& r, double tolerance) {
         << name;
   for (const char* name : {"now/x", "now/lambda", "now/P", "start/x", "rigid body tire/now"}) {
     const auto a = read_dataset(r.folder / "out/checkpoint.h5", name),
-               b = read_dataset(whole().folder / "out/checkpoint.h5", name);
+               b = read_dataset(whole_run().folder / "out/checkpoint.h5", name);
     EXPECT_LE(relative_difference(a, b), tolerance) << name;
   }
 }
@@ -83,7 +83,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 void expect_same_history(const Ran& r) {
-  const auto found = r.lines("history.csv"), wanted = whole().lines("history.csv");
+  const auto found = r.lines("history.csv"), wanted = whole_run().lines("history.csv");
   ASSERT_EQ(found.size(), wanted.size());
   EXPECT_EQ(found[0], wanted[0]);
   for (std::size_t i = 1; i < wanted.size(); ++i) {
@@ -112,9 +112,9 @@ TEST(Restart, EndsWhereAnUninterruptedRunEndsFromEveryIncrement) {
     ASSERT_EQ(r.status, 0) << r.err;
     expect_same_end(r, 1e-12);
     expect_same_history(r);
-    EXPECT_EQ(r.text("result.hdf.series"), whole().text("result.hdf.series")) << last;
-    EXPECT_EQ(r.text("bodies.pvd"), whole().text("bodies.pvd")) << last;
-    EXPECT_EQ(results_in(r.folder / "out"), results_in(whole().folder / "out")) << last;
+    EXPECT_EQ(r.text("result.hdf.series"), whole_run().text("result.hdf.series")) << last;
+    EXPECT_EQ(r.text("bodies.pvd"), whole_run().text("bodies.pvd")) << last;
+    EXPECT_EQ(results_in(r.folder / "out"), results_in(whole_run().folder / "out")) << last;
     EXPECT_NE(r.text("run.log").find("goes on after increment " + std::to_string(last)), std::string::npos);
     EXPECT_NE(r.text("run.log").find("increment 10 converged"), std::string::npos);
   }
@@ -133,7 +133,7 @@ TEST(Restart, TakesAwayWhatCameAfterTheCheckpoint) {
   ASSERT_EQ(r.status, 0) << r.err;
   expect_same_history(r);
   EXPECT_TRUE(fs::remove(folder / "out/result_final.hdf"));
-  EXPECT_EQ(results_in(r.folder / "out"), results_in(whole().folder / "out"));
+  EXPECT_EQ(results_in(r.folder / "out"), results_in(whole_run().folder / "out"));
 }
 
 TEST(Restart, OfAFinishedRunChangesNothing) {
@@ -238,14 +238,14 @@ TEST(Restart, GoesOnWhereARunDidNotConverge) {
   const std::string rare = replaced(full_of_memory, "checkpoint: 1", "checkpoint: 100");
   const Ran failed =
       call("run", fresh_folder("bulbus_stuck"), "scene.yaml",
-           replaced(rare, "newton: {", "stepping: {smallest: .9}\n  newton: {max_iterations: 3, "), {});
+           replaced(rare, "newton: {", "stepping: {minimum: .9}\n  newton: {max_iterations: 3, "), {});
   ASSERT_EQ(failed.status, 1) << failed.err;
   ASSERT_EQ(failed.summary()["totals"]["increments"], 3);
   write_scene(failed.folder, full_of_memory);
   const Ran r = go_on(failed.folder);
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_NE(r.text("run.log").find("0 of step 2 of 4 is done"), std::string::npos);
-  const auto wanted = whole().summary()["probes"], found = r.summary()["probes"];
+  const auto wanted = whole_run().summary()["probes"], found = r.summary()["probes"];
   for (const auto& [name, value] : not_empty(wanted).items())
     EXPECT_LE(std::abs(found[name].get<double>() - value.get<double>()), 1e-12 * size_of(name, value))
         << name;

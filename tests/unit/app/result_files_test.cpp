@@ -12,7 +12,7 @@ using namespace bulbus;
 using namespace bulbus::test;
 
 /// Two contacts, two bodies and a suture, saved at the start and after every second of ten increments.
-const Ran& whole() {
+const Ran& small_run() {
   static const Ran ran =
       call("run", fresh_folder("bulbus_result_files"), "scene.yaml", full_of_memory,
            {"output.fields=[displacement, pressure, region, gap, contact_pressure, contact_status, "
@@ -21,12 +21,12 @@ const Ran& whole() {
 }
 
 std::vector<double> field(int number, const std::string& name) {
-  return read_dataset(whole().folder / "out" / result_file(number), "VTKHDF/" + name);
+  return read_dataset(small_run().folder / "out" / result_file(number), "VTKHDF/" + name);
 }
 
 TEST(ResultFiles, BeginWithTheStateBeforeAnyLoad) {
-  ASSERT_EQ(whole().status, 0) << whole().err;
-  const auto files = nlohmann::json::parse(whole().text("result.hdf.series"))["files"];
+  ASSERT_EQ(small_run().status, 0) << small_run().err;
+  const auto files = nlohmann::json::parse(small_run().text("result.hdf.series"))["files"];
   ASSERT_EQ(files.size(), 6u);
   EXPECT_EQ(files[0]["name"], "result_0000.hdf");
   EXPECT_EQ(files[0]["time"], 0);
@@ -34,21 +34,21 @@ TEST(ResultFiles, BeginWithTheStateBeforeAnyLoad) {
   for (double u : field(0, "PointData/displacement")) EXPECT_EQ(u, 0);
   for (double stretch : field(0, "CellData/principal_stretches")) EXPECT_NEAR(stretch, 1, 1e-6);
   for (double J : field(0, "CellData/J")) EXPECT_NEAR(J, 1, 1e-6);
-  for (const char* file : {"bodies_0000.vtp", "lines_0000.vtp"}) EXPECT_TRUE(whole().wrote(file)) << file;
+  for (const char* file : {"bodies_0000.vtp", "lines_0000.vtp"}) EXPECT_TRUE(small_run().wrote(file)) << file;
 }
 
 TEST(ResultFiles, NameRegionsBodiesAndGroupsOfLines) {
   EXPECT_EQ(field(10, "FieldData/region_shell"), std::vector<double>{0});
   EXPECT_NE(
-      whole().text("bodies_0010.vtp").find("Name=\"body_tire\" NumberOfTuples=\"1\" format=\"ascii\">1<"),
+      small_run().text("bodies_0010.vtp").find("Name=\"body_tire\" NumberOfTuples=\"1\" format=\"ascii\">1<"),
       std::string::npos);
-  EXPECT_NE(whole().text("lines_0010.vtp").find("Name=\"group_string\""), std::string::npos);
+  EXPECT_NE(small_run().text("lines_0010.vtp").find("Name=\"group_string\""), std::string::npos);
 }
 
 TEST(ResultFiles, ShowASutureWhileItPulls) {
-  EXPECT_NE(whole().text("lines_0006.vtp").find("NumberOfLines=\"0\""), std::string::npos);
-  EXPECT_NE(whole().text("lines_0008.vtp").find("NumberOfLines=\"1\""), std::string::npos);
-  EXPECT_NE(whole().text("lines.pvd").find("timestep=\"4\" part=\"0\" file=\"lines_0010.vtp\""),
+  EXPECT_NE(small_run().text("lines_0006.vtp").find("NumberOfLines=\"0\""), std::string::npos);
+  EXPECT_NE(small_run().text("lines_0008.vtp").find("NumberOfLines=\"1\""), std::string::npos);
+  EXPECT_NE(small_run().text("lines.pvd").find("timestep=\"4\" part=\"0\" file=\"lines_0010.vtp\""),
             std::string::npos);
 }
 

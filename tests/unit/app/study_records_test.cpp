@@ -11,20 +11,20 @@ namespace {
 
 using namespace bulbus;
 using namespace bulbus::test;
-using Kind = Course::Kind;
+using CourseKind = Course::Kind;
 
 Course course(const std::vector<double>& values) { return course_of(values, 1e-3); }
 
 TEST(Course, RisesFallsOrTurns) {
-  EXPECT_EQ(course({}).kind, Kind::unknown);
-  EXPECT_EQ(course({1}).kind, Kind::unknown);
-  EXPECT_EQ(course({1, 2, 2, 3}).kind, Kind::rising);
-  EXPECT_EQ(course({3, -1}).kind, Kind::falling);
-  EXPECT_EQ(course({0, 0}).kind, Kind::constant);
-  EXPECT_EQ(course({1000, 1000.5, 999.6}).kind, Kind::constant);
-  EXPECT_EQ(course({1000, 1010, 1009.5, 1020}).kind, Kind::rising);
+  EXPECT_EQ(course({}).kind, CourseKind::unknown);
+  EXPECT_EQ(course({1}).kind, CourseKind::unknown);
+  EXPECT_EQ(course({1, 2, 2, 3}).kind, CourseKind::rising);
+  EXPECT_EQ(course({3, -1}).kind, CourseKind::falling);
+  EXPECT_EQ(course({0, 0}).kind, CourseKind::constant);
+  EXPECT_EQ(course({1000, 1000.5, 999.6}).kind, CourseKind::constant);
+  EXPECT_EQ(course({1000, 1010, 1009.5, 1020}).kind, CourseKind::rising);
   const Course wave = course({1, 3, 3, 2, 4});
-  EXPECT_EQ(wave.kind, Kind::mixed);
+  EXPECT_EQ(wave.kind, CourseKind::mixed);
   EXPECT_EQ(wave.turns, (std::vector<int>{1, 3}));
 }
 

@@ -85,12 +85,12 @@ vary:
   }
 }
 
-struct Fault {
+struct StudyFault {
   std::string from, to, message;
 };
 
 TEST(StudyErrors, NameLineRunAndRemedyBeforeAnythingIsWritten) {
-  for (const Fault& f : std::vector<Fault>{
+  for (const StudyFault& f : std::vector<StudyFault>{
            {"scene: bar", "scene: baar", "study.yaml:2: scene: there is no file '"},
            {"vary:", "varry:", "study.yaml:4: unknown key 'varry'\n  did you mean 'vary'?"},
            {"stretch.displace", "strech.displace",

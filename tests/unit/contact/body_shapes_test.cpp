@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 double volume(const RigidSurface& b) { return enclosed_volume(b.places, b.facets.triangles); }
 
-bool closed(const RigidSurface& b) {
+bool is_closed(const RigidSurface& b) {
   for (const auto& n : b.facets.neighbours)
     for (int t : n)
       if (t < 0) return false;
@@ -56,7 +56,7 @@ TEST(Shapes, SphereIsClosedAndItsVolumeConverges) {
   double error[2];
   for (int i = 0; i < 2; ++i) {
     const RigidSurface b = body({.sphere = SphereShape{{1, 2, 3}, 2, 8 << i}});
-    EXPECT_TRUE(closed(b));
+    EXPECT_TRUE(is_closed(b));
     EXPECT_EQ(b.facets.triangles.size(), 8u * (8 << i) * (8 << i));
     for (std::size_t p = 0; p < b.places.size(); p += 3)
       EXPECT_NEAR(std::hypot(b.places[p] - 1, b.places[p + 1] - 2, b.places[p + 2] - 3), 2, 1e-12);
@@ -69,7 +69,7 @@ TEST(Shapes, SphereIsClosedAndItsVolumeConverges) {
 TEST(Shapes, RodHasTheVolumeOfItsPrism) {
   for (const Point axis : {Point{0, 0, 2}, {1, -2, .5}, {-1, 0, 0}}) {
     const RigidSurface b = body({.cylinder = RodShape{{3, -1, 2}, axis, 1.5, 4, 20}});
-    EXPECT_TRUE(closed(b));
+    EXPECT_TRUE(is_closed(b));
     EXPECT_NEAR(volume(b), 10 * 1.5 * 1.5 * std::sin(2 * pi / 20) * 4, 1e-11);
   }
 }
@@ -90,11 +90,11 @@ TEST(Shapes, SweptVolumeIsThatOfItsWedges) {
   ArcSpec arc{.from = 20, .to = 80, .parts = 3, .facets = 4};
   const double wedge = std::sin(5 * pi / 180);
   const RigidSurface b = body(swept(square(1), arc));
-  EXPECT_TRUE(closed(b));
+  EXPECT_TRUE(is_closed(b));
   EXPECT_EQ(b.parts.size(), 3u);
   EXPECT_NEAR(volume(b), 12 * wedge * 4 * 10, 1e-10);
   arc = {.from = 0, .to = 360, .facets = 12};
-  EXPECT_TRUE(closed(body(swept(square(1), arc))));
+  EXPECT_TRUE(is_closed(body(swept(square(1), arc))));
   EXPECT_NEAR(volume(body(swept(square(1), arc))), 12 * std::sin(pi / 6) * 4 * 10, 1e-10);
 }
 
@@ -102,7 +102,7 @@ TEST(Shapes, SweptAboutAnotherAxisIsTheSameBodyTurned) {
   ArcSpec arc{.from = 0, .to = 90, .facets = 6};
   arc.meridians = {{1, 2, 3}, {1, 0, 0}, {0, 1, 1}};
   const RigidSurface b = body(swept({{-1, -1}, {2, -1}, {0, 1}}, arc));
-  EXPECT_TRUE(closed(b));
+  EXPECT_TRUE(is_closed(b));
   // area 3, centroid at a radius of 10 − 1/3
   EXPECT_NEAR(volume(b), 6 * std::sin(pi / 12) * 3 * (10 - 1. / 3), 1e-10);
 }
@@ -160,7 +160,7 @@ TEST(Shapes, BandIsARoundedRectangle) {
   EXPECT_NEAR(low[1], 12, 1e-12);
   EXPECT_NEAR(high[1], 12.75, 1e-12);
   band.arc = {.from = 0, .to = 180, .parts = 6, .facets = 10};
-  EXPECT_TRUE(closed(body({.band = band})));
+  EXPECT_TRUE(is_closed(body({.band = band})));
 }
 
 TEST(Shapes, TireIsHollowTowardsTheEye) {
@@ -181,7 +181,7 @@ TEST(Shapes, TireIsHollowTowardsTheEye) {
   EXPECT_EQ(on_face, tire.face_facets + 1);
   EXPECT_NEAR(widest, 3.5, 1e-12);
   EXPECT_NEAR(top, 12.2 + 2.75, 1e-12);
-  EXPECT_TRUE(closed(body({.tire = tire})));
+  EXPECT_TRUE(is_closed(body({.tire = tire})));
 }
 
 // A ball of the edges' radius rolls along the ends as it does along the edges: nothing there is sharp, and
@@ -190,7 +190,7 @@ TEST(Shapes, EndsOfArcsAreRoundedAsTheEdgesAre) {
   TireShape tire;
   tire.arc = {.from = 10, .to = 50, .parts = 2, .facets = 12};
   const RigidSurface b = body({.tire = tire});
-  EXPECT_TRUE(closed(b));
+  EXPECT_TRUE(is_closed(b));
   double first = 90, last = 0;
   for (std::size_t p = 0; p < b.reference.size(); p += 3) {
     const double azimuth = std::atan2(b.reference[p], b.reference[p + 1]) * 180 / pi;
@@ -338,7 +338,7 @@ TEST(Shapes, SurfaceOfAGmshFile) {
   RigidBodySpec spec;
   spec.file = BodyFile{path, "outside", 2};
   const RigidSurface b = body(spec);
-  EXPECT_TRUE(closed(b));
+  EXPECT_TRUE(is_closed(b));
   EXPECT_NEAR(volume(b), 8 * 6, 1e-12);
   spec.file->surface = "outsid";
   EXPECT_NE(refusal([&] { body(spec); }).find("'outside'"), std::string::npos);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "contact/search/nearest_point.hpp"
+#include "contact/surfaces/meridians.hpp"
 #include "tests/support/sheets.hpp"
 
 namespace bulbus {
@@ -37,12 +38,6 @@ Surface flat(int n) {
   Sheets s;
   const auto faces = s.add(n, n, [](double u, double v) { return Vec3<double>{u, v, 0}; });
   return {s.X, split(faces)};
-}
-
-Vec3<double> unit(Vec3<double> v) {
-  const double length = norm(v);
-  for (double& c : v) c /= length;
-  return v;
 }
 
 TEST(CrossLine, AgreesWithThePlaneAndThePerpendicularProjection) {

@@ -8,7 +8,7 @@
 namespace bulbus {
 namespace {
 
-constexpr double penalty = 20;
+constexpr double ring_penalty = 20;
 
 ProbeSpec probe(const std::string& kind, const std::string& component = "magnitude") {
   ProbeSpec p;
@@ -33,7 +33,7 @@ Scene block(double plate, bool quarter = false) {
   if (quarter) s.model.symmetry = {"y", "z"};
   s.model.rigid_bodies["plate"].plane = PlaneShape{.point = {plate, 0, 0}, .normal = {-1, 0, 0}};
   s.model.contacts.push_back({.name = "press", .slave = "xmax", .master = "plate"});
-  s.model.contacts[0].penalty = penalty;
+  s.model.contacts[0].penalty = ring_penalty;
   s.model.contacts[0].start = "resolve";
   s.model.steps = {step("one")};
   return s;
@@ -61,7 +61,7 @@ TEST(OperationProbes, MeasureAPlateThatPresses) {
   probes.push_back(gap("mean"));
   for (const char* kind : {"contact_force", "body_force"})
     for (const char* c : {"x", "y", "magnitude", "radial"}) probes.push_back(probe(kind, c));
-  const double F = penalty * .01 * 4, radial = F * (.5 + .5 * 2 / std::sqrt(5));
+  const double F = ring_penalty * .01 * 4, radial = F * (.5 + .5 * 2 / std::sqrt(5));
   const double expected[] = {4, .2, .01, -.01, F, 0, F, radial, F, 0, F, radial};
   for (bool quarter : {false, true}) {
     const auto v = figures(block(1.99, quarter), probes);
@@ -73,7 +73,7 @@ TEST(OperationProbes, MeasureAPlateThatPresses) {
 /// Only the half y > 0 is pressed, harder outwards: 0 at y = 0, .02 at y = 1, where a quarter of the area is.
 TEST(OperationProbes, MeasureAMoment) {
   const Map tilt = [](const Vec3<double>& X) { return Vec3<double>{X[0] + .01 * X[1] * X[0], X[1], X[2]}; };
-  const double F = penalty * .02 * 1;
+  const double F = ring_penalty * .02 * 1;
   const auto v = figures(
       block(2),
       {probe("body_force", "x"), probe("body_moment", "z"), probe("penetration"), probe("contact_area")},

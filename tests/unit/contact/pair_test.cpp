@@ -9,7 +9,7 @@ namespace bulbus {
 namespace {
 
 /// Twelve numbers: the slave node, then the corners.
-Pair pair_of(std::span<const double> u) { return project(at(u, 0), {at(u, 1), at(u, 2), at(u, 3)}); }
+Pair pair_of(std::span<const double> u) { return project(at(u, 0), Triangle{at(u, 1), at(u, 2), at(u, 3)}); }
 
 std::vector<double> some_pair(int seed) {
   std::vector<double> u{.3, .25, -.1, 0, 0, 0, 1, 0, 0, 0, 1, 0};

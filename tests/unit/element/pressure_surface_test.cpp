@@ -102,8 +102,8 @@ TEST_F(PressureSurfaceTest, NoFaces) {
 TEST_F(PressureSurfaceTest, FluxThroughAHexahedronsFacesIsItsVolume) {
   Solid solid(X, mesh.hexes, {{"a", make_material({{1, 0, 1}}), 0, 18}});
   const std::vector<double> lambda(18);
-  std::vector<double> f(X.size()), defect(18);
-  solid.residual(x, lambda, f, defect);
+  std::vector<double> f(X.size()), volume_error(18);
+  solid.residual(x, lambda, f, volume_error);
   solid.linearize(x, lambda, 0, StrainSource::recompute);
   solid.visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
     std::vector<Quad> faces;
@@ -113,7 +113,7 @@ TEST_F(PressureSurfaceTest, FluxThroughAHexahedronsFacesIsItsVolume) {
       faces.push_back(q);
     }
     const PressureSurface boundary(faces);
-    EXPECT_NEAR(-boundary.volume(x, origin), defect[hex] + solid.reference_volumes()[hex], 1e-13);
+    EXPECT_NEAR(-boundary.volume(x, origin), volume_error[hex] + solid.reference_volumes()[hex], 1e-13);
     std::vector<double> g(X.size());
     boundary.add_gradient(x, -1, g);
     for (int i = 0; i < 24; ++i) EXPECT_NEAR(g[3 * nodes[i / 3] + i % 3], b[i], 1e-14);
@@ -127,8 +127,8 @@ TEST_F(PressureSurfaceTest, SubmergedSolidIsInEquilibriumAtAnyPressure) {
     for (double c10 : {0.0, .5}) {
       Solid solid(X, mesh.hexes, {{"a", NeoHooke{c10}, 0, 18}});
       const std::vector<double>& at = c10 == 0 ? x : X;  // deformed without shear modulus; undeformed with it
-      std::vector<double> f(X.size()), defect(18), lambda(18, -P);
-      solid.residual(at, lambda, f, defect);
+      std::vector<double> f(X.size()), volume_error(18), lambda(18, -P);
+      solid.residual(at, lambda, f, volume_error);
       const double size = largest(f);
       surface.add_gradient(at, -P, f);
       EXPECT_LT(largest(f), 1e-13 * (size + c10));

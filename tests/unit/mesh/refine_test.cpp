@@ -15,7 +15,7 @@
 namespace bulbus {
 namespace {
 
-double volume(const Mesh& mesh) {
+double refined_volume(const Mesh& mesh) {
   double sum = 0;
   for (int h = 0; h < static_cast<int>(mesh.hexes.size()); ++h) sum += hex_volume(mesh, h);
   return sum;
@@ -65,7 +65,7 @@ TEST(Refine, OfABlockIsTheFinerBlock) {
   EXPECT_EQ(r.mesh.hexes.size(), finer.hexes.size());
   EXPECT_EQ(r.mesh.points.size(), finer.points.size());
   EXPECT_LT(distance(r.mesh, finer, 0), 1e-15);
-  EXPECT_NEAR(volume(r.mesh), 6, 1e-13);
+  EXPECT_NEAR(refined_volume(r.mesh), 6, 1e-13);
   for (const auto& [name, faces] : not_empty(finer.surfaces))
     EXPECT_EQ(r.mesh.surfaces.at(name).size(), faces.size()) << name;
   expect_boundary(r.mesh);

@@ -23,7 +23,7 @@ TEST(ProblemSets, UnnamedOnesAreRefused) {
   EXPECT_THROW(p.nodes_of("outside"), InputError);
 }
 
-/// Where the defect leads to.
+/// Where the prescribed increment leads to.
 State obeyed(const Problem& p, State s, double progress) {
   std::vector<double> du(s.x.size());
   p.dofs().prescribed_increment(s, progress, du);

@@ -43,9 +43,8 @@ inline Scene inflated_shell() {
 /// Every later iteration squares the distance, as far as round-off lets it.
 inline void expect_quadratic(const NewtonReport& r) {
   std::vector<double> e;
-  for (const auto& i : r.iterations)
-    e.push_back(std::max({i.balance.force, i.balance.volume, i.balance.liquid}));
-  e.push_back(std::max({r.balance.force, r.balance.volume, r.balance.liquid}));
+  for (const auto& i : r.iterations) e.push_back(std::max({i.error.force, i.error.volume, i.error.liquid}));
+  e.push_back(std::max({r.error.force, r.error.volume, r.error.liquid}));
   ASSERT_GE(e.size(), 3u);
   for (std::size_t k = 1; k + 1 < e.size(); ++k)
     if (e[k] < .1) {

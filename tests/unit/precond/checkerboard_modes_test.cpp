@@ -29,7 +29,7 @@ TEST(CheckerboardModes, AreOrthogonal) {
   }
 }
 
-// Within a hexahedron that was split no node feels them: the defect of Q1/P0.
+// Within a hexahedron that was split no node feels them: the spurious modes of Q1/P0.
 TEST(CheckerboardModes, PushNoNodeWithinTheHexahedron) {
   for (int refinements : {1, 2}) {
     const Linearised l(one_hexahedron(), refinements, 0);
