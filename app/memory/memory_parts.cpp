@@ -161,9 +161,6 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   // states at rest, before it, on trial and of a probe's beginning, right-hand side and solution
   parts.push_back(
       {"states and residuals", number * (scene.solver.stepping.extrapolate ? 6 : 5) * s.unknowns()});
-  // fields on their way to a file, measured; elsewhere they are less than a Krylov basis, which is gone by
-  // then
-  if (scene.output.vtk && ends_early(scene.solver.newton)) parts.push_back({"results", 20 * megabyte});
   // the state that a step begins with; on their way to the file, nodes and hexahedra with their keys
   parts.push_back({"checkpoints",
                    scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});

@@ -75,6 +75,8 @@ Triplets CoarseMatrix::triplets() const {
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, {}, [&](int k) { return places_[k]; });
   Triplets t;
+  t.row.reserve(36 * blocks_.size()), t.col.reserve(36 * blocks_.size()),
+      t.value.reserve(36 * blocks_.size());
   for (int k : order) {
     const auto [row, column] = places_[k];
     for (int i = 0; i < 6; ++i)

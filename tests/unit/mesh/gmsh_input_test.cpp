@@ -54,7 +54,7 @@ TEST(GmshInput, GroupsOfOneNameAreCollected) {
 }
 
 TEST(GmshInput, BarsMayEndOnAFace) {
-  std::string text = nodes;
+  std::string text = msh_nodes;
   text.replace(text.find("9 5 5 5"), 7, "9 .5 .25 1");
   const Mesh mesh = read_msh(text + elements(cube + "2 1 2 2 1 9 1\n"));
   const EmbeddedPoint& end = mesh.bars.at("bars_2").at(0).a;
