@@ -1,0 +1,29 @@
+// Starts the page. `window.report` is for tests: it says when all is drawn, and draws on request.
+
+function foldOut(open) {
+  document.querySelectorAll('details').forEach(details => details.open = open);
+}
+
+function tellFault(words) {
+  document.querySelectorAll('.canvas').forEach(canvas => canvas.textContent = words);
+}
+
+function canDraw() {
+  const canvas = document.createElement('canvas');
+  return typeof DecompressionStream === 'function' && Boolean(canvas.getContext('webgl') || canvas.getContext('experimental-webgl'));
+}
+
+async function start() {
+  window.addEventListener('beforeprint', () => foldOut(true));
+  if (!canDraw()) return tellFault('This browser cannot draw in 3-D: WebGL and DecompressionStream are needed (Firefox 113, Chromium 80).');
+  const packed = JSON.parse(document.getElementById('models').textContent), models = [];
+  for (const model of packed) models.push(await modelOf(model));
+  const places = [...document.querySelectorAll('.canvas')], viewers = models.map((model, i) => new Viewer(places[i], model));
+  viewers.forEach(viewer => viewer.resize());
+  for (const viewer of viewers)
+    viewer.onMove = moved => viewers.forEach(other => other !== moved && other.follow(moved));
+  const controls = new Controls(document.getElementById('controls'), document.getElementById('legend'), models, viewers);
+  window.report = {viewers, controls, ready: true};
+}
+
+start();

@@ -1,0 +1,236 @@
+// One model on one canvas. `show(state)` draws what the controls say; nothing is drawn without a change.
+
+const FIELD_OF_VIEW = 28, BACKGROUND = 0xfbfbf9;
+
+class Viewer {
+  constructor(element, model) {
+    Object.assign(this, {element, model, onMove: () => {}, pending: false});
+    this.box = boxOf(model.solid.positions[model.frames.length - 1], model.symmetry);
+    this.makeStage();
+    const {solid, bodies, lines} = model;
+    this.regions = solid.names.map((_, r) => new RegionSurface(model, r)).filter(r => r.faces.length > 0);
+    this.bodies = bodies ? bodies.names.map((_, b) => new BodySurface(bodies, b)) : [];
+    this.lines = lines ? lines.names.map((_, g) => new LineGroup(lines, g, this.box.size)) : [];
+    this.clip = new THREE.Plane();
+    this.images = imagesOf(model.symmetry).map(signs => this.makeImage(signs));
+    this.outline = this.makeOutline();
+  }
+
+  makeStage() {
+    this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
+    this.renderer.localClippingEnabled = true;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.renderer.setClearColor(BACKGROUND);
+    const canvas = this.renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'img');
+    canvas.setAttribute('aria-label', 'The model in 3-D. Arrow keys turn it, plus and minus zoom.');
+    this.element.appendChild(canvas);
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, .01 * this.box.size, 30 * this.box.size);
+    this.scene.add(this.camera, new THREE.HemisphereLight(0xffffff, 0xd8d4cc, .62));
+    const lamp = new THREE.DirectionalLight(0xffffff, .45);
+    lamp.position.set(-.4, .6, 1);
+    this.camera.add(lamp);
+    this.camera.add(lamp.target);
+    lamp.target.position.set(0, 0, -1);
+    this.orbit = new THREE.OrbitControls(this.camera, canvas);
+    this.orbit.enableKeys = false;
+    this.orbit.addEventListener('change', () => this.moved());
+    canvas.addEventListener('keydown', event => this.key(event));
+    new ResizeObserver(() => this.resize()).observe(this.element);
+  }
+
+  // All that is drawn, mirrored by the signs of the axes.
+  makeImage(signs) {
+    const group = new THREE.Group();
+    group.scale.set(...signs);
+    this.scene.add(group);
+    const add = (item, material) => {
+      const mesh = new THREE.Mesh(item.geometry, material);
+      mesh.userData.item = item;
+      group.add(mesh);
+      return mesh;
+    };
+    const lambert = options => new THREE.MeshLambertMaterial({side: THREE.DoubleSide, clippingPlanes: [this.clip], ...options});
+    for (const region of this.regions) add(region, lambert({vertexColors: THREE.VertexColors}));
+    for (const body of this.bodies) add(body, lambert({color: new THREE.Color(...body.colour), flatShading: true}));
+    for (const line of this.lines) add(line, lambert({color: new THREE.Color(...line.colour)}));
+    const cut = new THREE.Mesh(new THREE.BufferGeometry(),
+                               new THREE.MeshBasicMaterial({side: THREE.DoubleSide, vertexColors: THREE.VertexColors}));
+    const edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x333333}));
+    group.add(cut, edges);
+    return {group, signs, cut, edges};
+  }
+
+  // Of the regions in the plane of symmetry.
+  makeOutline() {
+    const lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x333333}));
+    this.scene.add(lines);
+    return lines;
+  }
+
+  show(state) {
+    const before = this.state || {};
+    this.state = state;
+    const frame = this.frameAt(state.time), moved = frame !== this.frame;
+    this.frame = frame;
+    if (moved) for (const item of [...this.regions, ...this.bodies, ...this.lines]) item.setPositions(frame);
+    if (moved || state.colour !== before.colour || state.range !== before.range) this.setColours();
+    this.setVisible();
+    this.setCut();
+    this.draw();
+  }
+
+  frameAt(time) {
+    const away = this.model.frames.map(f => Math.abs(f.time - time));
+    return away.indexOf(Math.min(...away));
+  }
+
+  field() {
+    return this.state.colour === 'region' ? null : fieldValues(this.model.solid, this.state.colour, this.frame);
+  }
+
+  setColours() {
+    const field = this.field();
+    for (const region of this.regions) region.setColours(field, this.state.range);
+  }
+
+  isVisible(name) {
+    return !this.state.hidden.has(name);
+  }
+
+  // Bodies that wait far away are left out.
+  isInPlace(item) {
+    return !(item instanceof BodySurface) ||
+        item.geometry.boundingBox.distanceToPoint(this.box.centre) < 1.2 * this.box.size;
+  }
+
+  setVisible() {
+    const {mirrored, cut} = this.state;
+    for (const region of this.regions) region.showPlane(!mirrored);
+    this.images.forEach(({group}, i) => {
+      group.visible = i === 0 || mirrored;
+      for (const mesh of group.children)
+        if (mesh.userData.item) mesh.visible = this.isVisible(mesh.userData.item.name) && this.isInPlace(mesh.userData.item);
+    });
+    this.outline.visible = !mirrored && !cut.on;
+    if (!this.outline.visible) return;
+    const x = this.model.solid.positions[this.frame], places = [];
+    for (const region of this.regions)
+      if (this.isVisible(region.name))
+        for (const n of region.outlineInPlane()) places.push(x[3 * n], x[3 * n + 1], x[3 * n + 2]);
+    this.outline.geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
+    this.outline.geometry.computeBoundingSphere();
+  }
+
+  setCut() {
+    const {cut} = this.state, c = 'xyz'.indexOf(cut.axis), sign = cut.flipped ? -1 : 1;
+    const at = this.box.low[c] + cut.part * (this.box.high[c] - this.box.low[c]) + 1e-4 * this.box.size;
+    const normal = [0, 1, 2].map(i => i === c ? -sign : 0);
+    this.clip.set(new THREE.Vector3(...normal), cut.on ? sign * at : 1e9);
+    for (const image of this.images) {
+      image.cut.visible = image.edges.visible = cut.on;
+      if (cut.on && image.group.visible) this.cutImage(image, {normal: [0, 1, 2].map(i => i === c ? image.signs[c] : 0), at});
+    }
+  }
+
+  cutImage(image, plane) {
+    const {solid} = this.model, visible = name => this.isVisible(name), field = this.field(), {range} = this.state;
+    const points = cutSolid(solid, this.frame, plane, visible), colours = new Float32Array(3 * points.from.length);
+    points.cell.forEach((cell, i) => {
+      const value = field && (field.on === 'cells' ? field.values[cell] : points.value(i, field.values));
+      const own = field ? viridis((value - range.low) / (range.high - range.low))
+                        : colourOf(solid.names[solid.regions[cell]], solid.regions[cell]);
+      colours.set(own, 3 * i);
+    });
+    image.cut.geometry.setAttribute('position', new THREE.BufferAttribute(points.positions(), 3));
+    image.cut.geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
+    image.cut.geometry.computeBoundingSphere();
+    const lines = cutOutlines(solid, this.frame, plane, visible).positions();
+    image.edges.geometry.setAttribute('position', new THREE.BufferAttribute(lines, 3));
+    image.edges.geometry.computeBoundingSphere();
+  }
+
+  // Looks from `direction` at `centre`, so that a ball of that radius fits.
+  look(direction, centre, radius) {
+    const half = FIELD_OF_VIEW / 2 * Math.PI / 180, narrow = Math.min(1, this.camera.aspect);
+    this.orbit.target.copy(centre);
+    this.camera.position.copy(direction).setLength(radius / Math.sin(half) / narrow).add(centre);
+    this.orbit.update();
+    this.moved();
+  }
+
+  key(event) {
+    const steps = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[event.key];
+    const zoom = {'+': .9, '=': .9, '-': 1 / .9}[event.key];
+    if (!steps && !zoom) return;
+    event.preventDefault();
+    const arm = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.orbit.target));
+    arm.theta += steps ? steps[0] : 0;
+    arm.phi = Math.min(Math.max(arm.phi + (steps ? steps[1] : 0), .01), Math.PI - .01);
+    arm.radius *= zoom || 1;
+    this.camera.position.setFromSpherical(arm).add(this.orbit.target);
+    this.orbit.update();
+    this.moved();
+  }
+
+  moved() {
+    this.onMove(this);
+    this.draw();
+  }
+
+  follow(other) {
+    this.camera.position.copy(other.camera.position);
+    this.orbit.target.copy(other.orbit.target);
+    this.camera.lookAt(this.orbit.target);
+    this.draw();
+  }
+
+  resize() {
+    const {clientWidth: width, clientHeight: height} = this.element;
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  draw() {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      this.drawNow();
+    });
+  }
+
+  drawNow() {
+    this.renderer.render(this.scene, this.camera);
+  }
+}
+
+// The box of positions with their images; `low`, `high` of the drawn part and its images.
+function boxOf(x, symmetry) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < x.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], x[i]);
+    high[i % 3] = Math.max(high[i % 3], x[i]);
+  }
+  const part = {low: low.slice(), high: high.slice()};
+  for (const axis of symmetry) {
+    const c = 'xyz'.indexOf(axis), far = Math.max(-low[c], high[c]);
+    low[c] = -far;
+    high[c] = far;
+  }
+  const centre = new THREE.Vector3(...low.map((l, c) => (l + high[c]) / 2));
+  return {low, high, part, centre, size: Math.hypot(...low.map((l, c) => high[c] - l))};
+}
+
+// The signs of the axes of all images; the first is the drawn part.
+function imagesOf(symmetry) {
+  let images = [[1, 1, 1]];
+  for (const axis of symmetry)
+    images = images.concat(images.map(signs => signs.map((s, c) => c === 'xyz'.indexOf(axis) ? -s : s)));
+  return images;
+}
