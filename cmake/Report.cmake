@@ -2,7 +2,7 @@
 find_path(THREE_JS three.min.js PATHS /usr/share/javascript/three /usr/share/nodejs/three/build REQUIRED)  # libjs-three
 set(page ${PROJECT_SOURCE_DIR}/app/report/page)
 set(orbit ${THREE_JS}/examples/js/controls/OrbitControls.js)
-set(scripts data colours solid cut shapes scale viewer controls main)
+set(scripts data colours solid cut shapes scale viewer pick controls main)
 list(TRANSFORM scripts PREPEND ${page}/)
 list(TRANSFORM scripts APPEND .js)
 list(JOIN scripts "+" joined)

@@ -91,7 +91,11 @@ json lines_json(const RunRecord& run, const std::vector<int>& frames) {
                       {"group", packed(whole(lines.field("group")), 1)},
                       {"force", lines.field("force")}});
   }
-  return {{"names", names_of(all.front().labels, "group_")}, {"states", states}};
+  json names = names_of(all.front().labels, "group_");
+  for (json& name : names)
+    if (run.scene && name.is_string() && run.scene->model.sutures.contains(name))
+      name = "suture " + name.get<std::string>();
+  return {{"names", names}, {"states", states}};
 }
 
 }  // namespace bulbus

@@ -35,6 +35,13 @@ std::string course_of(const RunRecord& run, std::size_t probe) {
   return words;
 }
 
+// 24.0, 0.419, 1230.
+std::string three_digits(double value) {
+  std::string text = fmt::format("{:#.3g}", value + 0.);
+  if (text.ends_with('.')) text.pop_back();
+  return value == 0 ? "0" : text;
+}
+
 Card closing_card(const ProbeSpec& p, double value) {
   const std::string nodes = p.set.empty() ? "the nodes of the contact" : p.set;
   return {title_of(p.name), value >= 1 ? "yes" : "no",
@@ -45,7 +52,7 @@ Card closing_card(const ProbeSpec& p, double value) {
 Card card_of(const RunRecord& run, const ProbeSpec& p, std::size_t probe, double value) {
   if (p.kind == "closed_fraction") return closing_card(p, value);
   const bool change = !p.since.empty() && p.scale > 0;
-  const std::string unit = html::unit(run.unit(p.name)), number = fmt::format("{:.3g}", value + 0.);
+  const std::string unit = html::unit(run.unit(p.name)), number = three_digits(value);
   return {title_of(p.name), (change && value > 0 ? "+" : "") + number + (unit.empty() ? "" : " " + unit),
           p.since.empty() ? course_of(run, probe) : "since the end of " + p.since, ""};
 }

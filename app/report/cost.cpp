@@ -53,8 +53,7 @@ std::string seconds_table(const json& summary) {
 std::string memory_table(const json& summary) {
   std::vector<std::pair<std::string, double>> parts;
   const json memory = summary.value("/memory_mb/parts"_json_pointer, json::object());
-  for (const auto& [name, value] : memory.items())
-    parts.emplace_back(name, value.value("all_ranks", 0.));
+  for (const auto& [name, value] : memory.items()) parts.emplace_back(name, value.value("all_ranks", 0.));
   return bars_of(parts, "MB");
 }
 

@@ -67,9 +67,12 @@ std::vector<std::uint32_t> flat(const Rows& rows, Take take) {
 json solid_json(const ShownSolid& solid, const ShownStates& states, const std::vector<std::string>& names) {
   std::vector<std::vector<float>> all = states.positions;
   all.push_back(states.reference);
-  json places = places_json(all);  // the last is the reference
-  std::vector<std::uint32_t> owners;
-  for (const ShownFace& face : solid.faces) owners.push_back(static_cast<std::uint32_t>(face.cell));
+  json places = places_json(all);             // the last is the reference
+  std::vector<std::uint32_t> owners, others;  // regions beyond from 1, 0: none
+  for (const ShownFace& face : solid.faces) {
+    owners.push_back(static_cast<std::uint32_t>(face.cell));
+    others.push_back(static_cast<std::uint32_t>(face.other + 1));
+  }
   const std::vector<std::uint32_t> regions(solid.regions.begin(), solid.regions.end());
   json s{{"nodes", solid.nodes.size()},
          {"cells", solid.cells.size()},
@@ -79,6 +82,7 @@ json solid_json(const ShownSolid& solid, const ShownStates& states, const std::v
          {"positions", places},
          {"face_nodes", packed(flat(solid.faces, [](const ShownFace& f) { return f.nodes; }), 4)},
          {"face_cells", packed(owners, 1)},
+         {"face_others", packed(others, 1)},
          {"fields", json::array()}};
   if (!solid.hexes.empty()) s["hexes"] = packed(flat(solid.hexes, [](const Hex& h) { return h; }), 8);
   for (const ShownField& f : states.fields) s["fields"].push_back(field_json(f));

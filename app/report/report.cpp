@@ -45,9 +45,11 @@ std::string view_of(const nlohmann::json& model, const std::string& caption) {
 }
 
 std::string model_section(const std::string& views) {
-  return html::section(
-      "model", "Model",
-      "<div id=\"controls\"></div>\n" + html::element("div", views, "views") + "<div id=\"legend\"></div>\n");
+  return html::section("model", "Model",
+                       "<div id=\"controls\"></div>\n" + html::element("div", views, "views") +
+                           "<p id=\"told\" aria-live=\"polite\">A click on the model tells what is there. "
+                           "Drag to turn, wheel to zoom, right button to move; on the keyboard arrows, plus "
+                           "and minus.</p>\n<div id=\"legend\"></div>\n");
 }
 
 void claim(const fs::path& file) {

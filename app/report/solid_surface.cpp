@@ -38,7 +38,7 @@ ShownSolid with_faces(const ShownSolid& solid, const std::vector<ShownFace>& fac
   for (const ShownFace& face : faces) {
     Quad nodes;
     std::ranges::transform(face.nodes, nodes.begin(), std::ref(node));
-    shown.faces.push_back({nodes, cell(face.cell)});
+    shown.faces.push_back({nodes, cell(face.cell), face.other});
   }
   shown.nodes = picked(solid.nodes, node.kept());
   shown.cells = picked(solid.cells, cell.kept());
@@ -73,12 +73,14 @@ ShownSolid whole_solid(const SavedMesh& mesh, std::span<const int> regions) {
   solid.regions.assign(regions.begin(), regions.end());
   solid.hexes = mesh.hexes;
   const FaceTable table(mesh.hexes);
-  const auto add = [&](int face) { solid.faces.push_back({face_nodes(mesh.hexes, face), face / 6}); };
+  const auto add = [&](int face, int other) {
+    solid.faces.push_back({face_nodes(mesh.hexes, face), face / 6, other});
+  };
   for (int face = 0; face < 6 * static_cast<int>(mesh.hexes.size()); ++face) {
     const Quad nodes = face_nodes(mesh.hexes, face);
-    const int other = table.first(nodes);
-    if (other != face && regions[other / 6] != regions[face / 6]) add(other), add(face);
-    if (other == face && table.count(nodes) == 1) add(face);
+    const int first = table.first(nodes), here = regions[face / 6], there = regions[first / 6];
+    if (first != face && there != here) add(first, here), add(face, there);
+    if (first == face && table.count(nodes) == 1) add(face, -1);
   }
   return solid;
 }

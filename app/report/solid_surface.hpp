@@ -10,6 +10,7 @@ namespace bulbus {
 struct ShownFace {
   Quad nodes;
   int cell;
+  int other = -1;  ///< region on its far side, -1: none
 };
 
 /// What a page shows of the solid. Nodes and cells are counted from 0; `nodes` and `cells` are their numbers

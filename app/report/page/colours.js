@@ -2,7 +2,7 @@
 
 const KNOWN_COLOURS = {
   cornea: '#8ecbe6', sclera: '#efe6d2', ciliary_body: '#8a6a55', choroid: '#a33f35', retina: '#f0a04b',
-  optic_nerve: '#e3cf7d', lens: '#bfe3dc', band: '#3d78b8', tire: '#6a51a3', zonules: '#66757f'
+  optic_nerve: '#e3cf7d', lens: '#bfe3dc', band: '#3d78b8', tire: '#6a51a3', zonules: '#8fa3ad'
 };
 const OTHER_COLOURS = ['#d9c7a8', '#7fa7c9', '#c98b7f', '#9cc28f', '#b79ac8', '#cfc36b', '#8fbdb8', '#c7a0b0'];
 const LINE_COLOURS = ['#1b7f3b', '#0b5f8a', '#8a3d0b', '#5b2a86'];

@@ -116,7 +116,7 @@ class Controls {
     this.mirrored.checked = whole;
     Object.assign(this.cut, {checked: on});
     Object.assign(this.axis, {value: cutAxis});
-    Object.assign(this.part, {value: inside ? 550 : 500});
+    Object.assign(this.part, {value: inside ? 720 : 500});
     this.change({mirrored: whole, cut: {on, axis: cutAxis, part: this.part.value / 1000, flipped: this.flipped.checked = false}});
     for (const viewer of this.viewers) viewer.look(...lookOf(name, viewer, axis || 'x'));
   }
@@ -125,7 +125,7 @@ class Controls {
 // Direction, centre and radius of a view; sections are seen from where the other half would be.
 function lookOf(name, viewer, axis) {
   const {low, high, part, centre, size} = viewer.box, c = 'xyz'.indexOf(axis);
-  if (name === 'inside') return [new THREE.Vector3(0, 0, 1), centre, .36 * size];
+  if (name === 'inside') return [new THREE.Vector3(0, -.45, 1), centre, .32 * size];
   if (name === 'whole') return [new THREE.Vector3(.75, .4, .8), centre, .36 * size];
   const side = viewer.model.symmetry.length && part.high[c] > -part.low[c] ? -1 : 1;
   const towards = new THREE.Vector3().setComponent(c, side);

@@ -48,7 +48,9 @@ async function solidOf(packed) {
   return {
     nodes: packed.nodes, cells: packed.cells, names: packed.region_names, positions, reference, fields,
     regions: await unpacked32(packed.regions, 1), faceNodes: await unpacked32(packed.face_nodes, 4),
-    faceCells: await unpacked32(packed.face_cells, 1), hexes: packed.hexes ? await unpacked32(packed.hexes, 8) : null
+    faceCells: await unpacked32(packed.face_cells, 1),
+    faceOthers: await unpacked32(packed.face_others, 1),  // regions beyond from 1, 0: none
+    hexes: packed.hexes ? await unpacked32(packed.hexes, 8) : null
   };
 }
 

@@ -23,6 +23,8 @@ async function start() {
   for (const viewer of viewers)
     viewer.onMove = moved => viewers.forEach(other => other !== moved && other.follow(moved));
   const controls = new Controls(document.getElementById('controls'), document.getElementById('legend'), models, viewers);
+  const told = document.getElementById('told');
+  viewers.forEach(viewer => new Picker(viewer, words => told.textContent = words));
   window.report = {viewers, controls, ready: true};
 }
 

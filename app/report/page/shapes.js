@@ -17,6 +17,7 @@ class BodySurface {
     const x = this.bodies.positions[frame], to = this.geometry.attributes.position;
     this.nodes.forEach((n, k) => to.array.set(x.subarray(3 * n, 3 * n + 3), 3 * k));
     to.needsUpdate = true;
+    this.geometry.computeVertexNormals();
     this.geometry.computeBoundingSphere();
     this.geometry.computeBoundingBox();
   }
@@ -43,7 +44,7 @@ class LineGroup {
     this.geometry = new THREE.BufferGeometry();
     this.colour = colourOf(this.name, group, LINE_COLOURS);
     const most = Math.max(...lines.states.map(s => s.group.filter(g => g === group).length));
-    this.radius = (most > 30 ? .0012 : .004) * size;
+    this.radius = (most > 30 ? .0006 : .003) * size;
   }
   setPositions(frame) {
     const state = this.lines.states[frame], positions = [], normals = [];

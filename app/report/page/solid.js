@@ -31,11 +31,10 @@ class RegionSurface {
   }
 
   makeGeometry() {
-    const geometry = new THREE.BufferGeometry(), count = this.faces.length, index = new Uint32Array(6 * count);
+    const geometry = new THREE.BufferGeometry(), count = this.faces.length;
     for (const name of ['position', 'normal', 'color'])
       geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(12 * count), 3));
-    for (let k = 0; k < count; ++k) [0, 1, 2, 0, 2, 3].forEach((c, i) => index[6 * k + i] = 4 * k + c);
-    geometry.setIndex(new THREE.BufferAttribute(index, 1));
+    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(6 * count), 1));
     return geometry;
   }
 
@@ -91,8 +90,23 @@ class RegionSurface {
     to.needsUpdate = true;
   }
 
-  showPlane(shown) {
-    this.geometry.setDrawRange(0, 6 * (shown ? this.faces.length : this.outside));
+  // Faces in a plane of symmetry only where asked for, those to another region only where that is `absent`; those
+  // without a value of the field (if there is one) at a corner go into a second group, which is drawn faintly.
+  setFaces(withPlane, absent, field) {
+    const withValue = [], without = [], {solid, corners} = this;
+    for (let k = 0; k < (withPlane ? this.faces.length : this.outside); ++k) {
+      const other = solid.faceOthers[this.faces[k]];
+      if (other > 0 && !absent(solid.names[other - 1])) continue;
+      const none = field && field.on === 'nodes' && [0, 1, 2, 3].some(i => Number.isNaN(field.values[corners[4 * k + i]]));
+      (none ? without : withValue).push(k);
+    }
+    const index = this.geometry.index;
+    withValue.concat(without).forEach((k, at) => [0, 1, 2, 0, 2, 3].forEach((c, i) => index.array[6 * at + i] = 4 * k + c));
+    index.needsUpdate = true;
+    this.geometry.clearGroups();
+    this.geometry.addGroup(0, 6 * withValue.length, 0);
+    this.geometry.addGroup(6 * withValue.length, 6 * without.length, 1);
+    this.geometry.setDrawRange(0, 6 * (withValue.length + without.length));
   }
 
   // Edges of one face in the plane of symmetry only: the outline of the region in the section.

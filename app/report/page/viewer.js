@@ -28,8 +28,8 @@ class Viewer {
     this.element.appendChild(canvas);
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, .01 * this.box.size, 30 * this.box.size);
-    this.scene.add(this.camera, new THREE.HemisphereLight(0xffffff, 0xd8d4cc, .62));
-    const lamp = new THREE.DirectionalLight(0xffffff, .45);
+    this.scene.add(this.camera, new THREE.HemisphereLight(0xffffff, 0xe2ded6, .74));
+    const lamp = new THREE.DirectionalLight(0xffffff, .36);
     lamp.position.set(-.4, .6, 1);
     this.camera.add(lamp);
     this.camera.add(lamp.target);
@@ -53,8 +53,13 @@ class Viewer {
       return mesh;
     };
     const lambert = options => new THREE.MeshLambertMaterial({side: THREE.DoubleSide, clippingPlanes: [this.clip], ...options});
-    for (const region of this.regions) add(region, lambert({vertexColors: THREE.VertexColors}));
-    for (const body of this.bodies) add(body, lambert({color: new THREE.Color(...body.colour), flatShading: true}));
+    const faint = options => lambert({...options, transparent: true, opacity: .13, depthWrite: false});
+    for (const region of this.regions)
+      add(region, [lambert({vertexColors: THREE.VertexColors}), faint({vertexColors: THREE.VertexColors})]);
+    for (const body of this.bodies) {
+      const color = new THREE.Color(...body.colour), mesh = add(body, lambert({color}));
+      mesh.userData.materials = [mesh.material, faint({color})];
+    }
     for (const line of this.lines) add(line, lambert({color: new THREE.Color(...line.colour)}));
     const cut = new THREE.Mesh(new THREE.BufferGeometry(),
                                new THREE.MeshBasicMaterial({side: THREE.DoubleSide, vertexColors: THREE.VertexColors}));
@@ -77,6 +82,7 @@ class Viewer {
     this.frame = frame;
     if (moved) for (const item of [...this.regions, ...this.bodies, ...this.lines]) item.setPositions(frame);
     if (moved || state.colour !== before.colour || state.range !== before.range) this.setColours();
+    this.setFaces();
     this.setVisible();
     this.setCut();
     this.draw();
@@ -96,6 +102,16 @@ class Viewer {
     for (const region of this.regions) region.setColours(field, this.state.range);
   }
 
+  // Bodies are drawn faintly, too, where a field has values on some surfaces only.
+  setFaces() {
+    const field = this.field(), {mirrored, cut} = this.state, open = cut.on && !this.model.solid.hexes;
+    for (const region of this.regions) region.setFaces(!mirrored, name => open || !this.isVisible(name), field);
+    const sparse = field && field.values.some(Number.isNaN);
+    for (const {group} of this.images)
+      for (const mesh of group.children)
+        if (mesh.userData.materials) mesh.material = mesh.userData.materials[sparse ? 1 : 0];
+  }
+
   isVisible(name) {
     return !this.state.hidden.has(name);
   }
@@ -108,7 +124,6 @@ class Viewer {
 
   setVisible() {
     const {mirrored, cut} = this.state;
-    for (const region of this.regions) region.showPlane(!mirrored);
     this.images.forEach(({group}, i) => {
       group.visible = i === 0 || mirrored;
       for (const mesh of group.children)
@@ -144,6 +159,7 @@ class Viewer {
                         : colourOf(solid.names[solid.regions[cell]], solid.regions[cell]);
       colours.set(own, 3 * i);
     });
+    image.cut.userData.cells = points.cell;
     image.cut.geometry.setAttribute('position', new THREE.BufferAttribute(points.positions(), 3));
     image.cut.geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
     image.cut.geometry.computeBoundingSphere();
