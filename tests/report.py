@@ -17,6 +17,19 @@ from support import browser
 
 SCENES = pathlib.Path(__file__).resolve().parent.parent / "data" / "scenes"
 MOST_BYTES = 15e6
+# Draws the view NUMBER: the part of its pixels that is not nearly white, and a sum that tells pictures apart.
+INK = """(() => {
+  const view = window.report.viewers[NUMBER], gl = view.renderer.getContext();
+  view.drawNow();
+  const width = gl.drawingBufferWidth, height = gl.drawingBufferHeight, pixels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let ink = 0, sum = 0;
+  for (let i = 0; i < pixels.length; i += 4) {
+    if (pixels[i] + pixels[i + 1] + pixels[i + 2] < 700) ++ink;
+    sum += (i % 977) * pixels[i];
+  }
+  return [ink / (width * height), sum];
+})()"""
 
 
 def bulbus(program, *arguments, status=0):
@@ -50,31 +63,39 @@ def expect_figures(page, folder):
     assert "<svg" in text and 'id="models"' in text
 
 
+def ink(page, number=0):
+    return page.value(INK.replace("NUMBER", str(number)))
+
+
+def choose(page, element, value, event):
+    page.value(f"""(() => {{
+      const element = document.getElementById('{element}');
+      element.value = '{value}';
+      element.dispatchEvent(new Event('{event}'));
+    }})()""")
+
+
 def expect_drawn(page, pictures):
     """Of every view a picture that is not empty, and another one after the slider moved."""
-    with browser.Browser(page) as shown:
+    with browser.Browser(page, 900, 700) as shown:
         shown.wait_for("window.report && window.report.ready")
         views = shown.value("window.report.viewers.length")
-        ink = "(() => { const v = window.report.viewers[%d]; v.drawNow(); const gl = v.renderer.getContext(), n = 4 *" \
-              " gl.drawingBufferWidth * gl.drawingBufferHeight, p = new Uint8Array(n); gl.readPixels(0, 0, gl.drawingBufferWidth," \
-              " gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, p); let ink = 0, sum = 0; for (let i = 0; i < n; i += 4) {" \
-              " if (p[i] + p[i + 1] + p[i + 2] < 700) ++ink; sum += (i % 977) * p[i]; } return [ink * 4 / n, sum]; })()"
         for view in ("open", "section", "detail", "whole", "inside"):
             shown.value(f"window.report.controls.view('{view}')")
             for number in range(views):
-                part, _ = shown.value(ink % number)
+                part, _ = ink(shown, number)
                 assert part > .02, f"{page}: the view {view} shows nothing: {part}"
             shown.picture(pictures / f"{page.parent.name}_{view}.png")
         shown.value("window.report.controls.view('open')")
-        _, last = shown.value(ink % 0)
+        _, last = ink(shown)
         label = shown.value("document.getElementById('state-label').textContent")
-        shown.value("(() => { const s = document.getElementById('state'); s.value = 0; s.dispatchEvent(new Event('input')); })()")
-        _, first = shown.value(ink % 0)
+        choose(shown, "state", 0, "input")
+        _, first = ink(shown)
         assert first != last, f"{page}: the slider moves nothing"
         assert label != shown.value("document.getElementById('state-label').textContent")
         for colour in shown.value("[...document.getElementById('colour').options].map(o => o.value)"):
-            shown.value("(() => { const s = document.getElementById('colour'); s.value = '%s'; s.dispatchEvent(new Event('change')); })()" % colour)
-            assert shown.value(ink % 0)[0] > .02, colour
+            choose(shown, "colour", colour, "change")
+            assert ink(shown)[0] > .02, colour
         assert not shown.faults, shown.faults
 
 

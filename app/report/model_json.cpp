@@ -17,7 +17,7 @@ namespace {
 using json = nlohmann::json;
 
 // Bytes of a page per value of a state and per node of a hexahedron: more than has been seen.
-constexpr double bytes_of_value = 1.3, bytes_of_corner = 1.5;
+constexpr double bytes_of_value = 1, bytes_of_corner = .7;
 
 double diagonal(const SavedMesh& mesh) {
   double square = 0;

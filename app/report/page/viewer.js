@@ -4,7 +4,7 @@ const FIELD_OF_VIEW = 28, BACKGROUND = 0xfbfbf9;
 
 class Viewer {
   constructor(element, model) {
-    Object.assign(this, {element, model, onMove: () => {}, pending: false});
+    Object.assign(this, {element, model, onMove: () => {}, pending: false, materials: []});
     this.box = boxOf(model.solid.positions[model.frames.length - 1], model.symmetry);
     this.makeStage();
     const {solid, bodies, lines} = model;
@@ -17,9 +17,9 @@ class Viewer {
   }
 
   makeStage() {
-    this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
+    this.slow = isDrawnBySoftware();
+    this.renderer = new THREE.WebGLRenderer({antialias: !this.slow, preserveDrawingBuffer: true});
     this.renderer.localClippingEnabled = true;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setClearColor(BACKGROUND);
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
@@ -37,6 +37,8 @@ class Viewer {
     this.orbit = new THREE.OrbitControls(this.camera, canvas);
     this.orbit.enableKeys = false;
     this.orbit.addEventListener('change', () => this.moved());
+    this.orbit.addEventListener('start', () => this.resize(this.slow ? .5 : 1));  // coarse while it turns
+    this.orbit.addEventListener('end', () => this.resize());
     canvas.addEventListener('keydown', event => this.key(event));
     new ResizeObserver(() => this.resize()).observe(this.element);
   }
@@ -52,7 +54,10 @@ class Viewer {
       group.add(mesh);
       return mesh;
     };
-    const lambert = options => new THREE.MeshLambertMaterial({side: THREE.DoubleSide, clippingPlanes: [this.clip], ...options});
+    const lambert = options => {
+      this.materials.push(new THREE.MeshLambertMaterial({side: THREE.DoubleSide, ...options}));
+      return this.materials[this.materials.length - 1];
+    };
     const faint = options => lambert({...options, transparent: true, opacity: .13, depthWrite: false});
     for (const region of this.regions)
       add(region, [lambert({vertexColors: THREE.VertexColors}), faint({vertexColors: THREE.VertexColors})]);
@@ -144,6 +149,7 @@ class Viewer {
     const at = this.box.low[c] + cut.part * (this.box.high[c] - this.box.low[c]) + 1e-4 * this.box.size;
     const normal = [0, 1, 2].map(i => i === c ? -sign : 0);
     this.clip.set(new THREE.Vector3(...normal), cut.on ? sign * at : 1e9);
+    for (const material of this.materials) material.clippingPlanes = cut.on ? [this.clip] : null;
     for (const image of this.images) {
       image.cut.visible = image.edges.visible = cut.on;
       if (cut.on && image.group.visible) this.cutImage(image, {normal: [0, 1, 2].map(i => i === c ? image.signs[c] : 0), at});
@@ -203,9 +209,10 @@ class Viewer {
     this.draw();
   }
 
-  resize() {
+  resize(fineness = 1) {
     const {clientWidth: width, clientHeight: height} = this.element;
     if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(fineness * Math.min(window.devicePixelRatio || 1, this.slow ? 1 : 2));
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -224,6 +231,13 @@ class Viewer {
   drawNow() {
     this.renderer.render(this.scene, this.camera);
   }
+}
+
+// Without a graphics processor pixels are dear.
+function isDrawnBySoftware() {
+  const gl = document.createElement('canvas').getContext('webgl'), plain = gl.getParameter(gl.RENDERER);
+  const names = plain === 'WebKit WebGL' && gl.getExtension('WEBGL_debug_renderer_info');  // Firefox tells it plainly
+  return /swiftshader|llvmpipe|software/i.test(names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : plain);
 }
 
 // The box of positions with their images; `low`, `high` of the drawn part and its images.
