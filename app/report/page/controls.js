@@ -1,9 +1,5 @@
 // The panel: what it says is one state, which all viewers show.
 
-const VIEWS = {
-  open: 'Section and outside', section: 'Section', detail: 'Close-up', whole: 'Whole model', inside: 'Look inside'
-};
-
 function elementOf(name, properties = {}, ...children) {
   const element = Object.assign(document.createElement(name), properties);
   element.append(...children);
@@ -15,8 +11,12 @@ class Controls {
     Object.assign(this, {element, legend, models, viewers, playing: null});
     const [model] = models;
     this.state = {
-      time: model.frames[model.frames.length - 1].time, colour: 'region', range: {low: 0, high: 1}, hidden: new Set(),
-      mirrored: false, cut: {on: false, axis: 'x', part: .5, flipped: false}
+      time: model.frames[model.frames.length - 1].time,
+      colour: 'region',
+      range: {low: 0, high: 1},
+      hidden: new Set(),
+      mirrored: false,
+      cut: {on: false, axis: 'x', part: .5, flipped: false}
     };
     element.append(this.viewRow(), this.timeRow(), this.colourRow(), this.cutRow(), this.itemsRow());
     this.view('open');
@@ -32,46 +32,76 @@ class Controls {
   // Rows
 
   viewRow() {
-    const buttons = Object.entries(VIEWS).map(([name, words]) =>
-      elementOf('button', {type: 'button', textContent: words, onclick: () => this.view(name)}));
+    const buttons = Object.entries(VIEWS).map(
+        ([name, words]) =>
+            elementOf('button', {type: 'button', textContent: words, onclick: () => this.view(name)}));
     return elementOf('div', {className: 'row'}, elementOf('span', {textContent: 'View'}), ...buttons);
   }
 
   timeRow() {
     const {frames} = this.models[0];
-    this.slider = elementOf('input', {type: 'range', id: 'state', min: 0, max: frames.length - 1, step: 1, value: frames.length - 1,
-                                      oninput: () => this.change({time: frames[this.slider.value].time})});
+    this.slider = elementOf('input', {
+      type: 'range',
+      id: 'state',
+      min: 0,
+      max: frames.length - 1,
+      step: 1,
+      value: frames.length - 1,
+      oninput: () => this.change({time: frames[this.slider.value].time})
+    });
     this.label = elementOf('output', {id: 'state-label'});
     this.play = elementOf('button', {type: 'button', textContent: 'Play', onclick: () => this.togglePlay()});
-    return elementOf('div', {className: 'row'}, elementOf('label', {htmlFor: 'state', textContent: 'State'}), this.slider, this.play, this.label);
+    return elementOf(
+        'div', {className: 'row'}, elementOf('label', {htmlFor: 'state', textContent: 'State'}), this.slider,
+        this.play, this.label);
   }
 
   colourRow() {
     const names = ['region', ...this.models[0].solid.fields.map(f => f.name)];
     names.splice(this.models[0].solid.fields.some(f => f.name === 'mises') ? 2 : 1, 0, 'displacement');
-    const options = names.map(name => elementOf('option', {value: name, textContent: name === 'region' ? 'region' : wordsOfField(name)}));
-    this.colour = elementOf('select', {id: 'colour', onchange: () => this.change({colour: this.colour.value})}, ...options);
-    return elementOf('div', {className: 'row'}, elementOf('label', {htmlFor: 'colour', textContent: 'Colour by'}), this.colour);
+    const options = names.map(
+        name => elementOf(
+            'option', {value: name, textContent: name === 'region' ? 'region' : wordsOfField(name)}));
+    this.colour = elementOf(
+        'select', {id: 'colour', onchange: () => this.change({colour: this.colour.value})}, ...options);
+    return elementOf(
+        'div', {className: 'row'}, elementOf('label', {htmlFor: 'colour', textContent: 'Colour by'}),
+        this.colour);
   }
 
   cutRow() {
-    const changed = () => this.change({cut: {on: this.cut.checked, axis: this.axis.value, part: this.part.value / 1000, flipped: this.flipped.checked}});
+    const changed = () => this.change({
+      cut: {
+        on: this.cut.checked,
+        axis: this.axis.value,
+        part: this.part.value / 1000,
+        flipped: this.flipped.checked
+      }
+    });
     this.cut = elementOf('input', {type: 'checkbox', onchange: changed});
-    this.axis = elementOf('select', {onchange: changed, ariaLabel: 'axis'}, ...['x', 'y', 'z'].map(axis => elementOf('option', {textContent: axis})));
-    this.part = elementOf('input', {type: 'range', min: 0, max: 1000, value: 500, oninput: changed, ariaLabel: 'place of the cut'});
+    this.axis = elementOf(
+        'select', {onchange: changed, ariaLabel: 'axis'},
+        ...['x', 'y', 'z'].map(axis => elementOf('option', {textContent: axis})));
+    this.part = elementOf(
+        'input',
+        {type: 'range', min: 0, max: 1000, value: 500, oninput: changed, ariaLabel: 'place of the cut'});
     this.flipped = elementOf('input', {type: 'checkbox', onchange: changed});
-    this.mirrored = elementOf('input', {type: 'checkbox', onchange: () => this.change({mirrored: this.mirrored.checked})});
-    const row = elementOf('div', {className: 'row'}, elementOf('label', {}, this.cut, ' Cut across'), this.axis, this.part,
-                          elementOf('label', {}, this.flipped, ' other side'));
-    if (this.models[0].symmetry.length) row.append(elementOf('label', {}, this.mirrored, ' mirrored half'));
+    this.mirrored = elementOf(
+        'input', {type: 'checkbox', onchange: () => this.change({mirrored: this.mirrored.checked})});
+    const row = elementOf(
+        'div', {className: 'row'}, elementOf('label', {}, this.cut, ' Cut across'), this.axis, this.part,
+        elementOf('label', {}, this.flipped, ' other side'));
+    if (this.models[0].symmetry.length) row.append(elementOf('label', {}, this.mirrored, ' mirrored parts'));
     return row;
   }
 
   itemsRow() {
     const seen = new Map();
-    for (const v of this.viewers) for (const item of [...v.regions, ...v.bodies, ...v.lines]) seen.set(item.name, item.colour);
+    for (const v of this.viewers)
+      for (const item of [...v.regions, ...v.bodies, ...v.lines]) seen.set(item.name, item.colour);
     const boxes = [...seen].map(([name, colour]) => {
-      const box = elementOf('input', {type: 'checkbox', checked: true, onchange: () => this.toggle(name, box.checked)});
+      const box = elementOf(
+          'input', {type: 'checkbox', checked: true, onchange: () => this.toggle(name, box.checked)});
       const swatch = elementOf('span', {className: 'swatch'});
       swatch.style.background = cssColour(colour);
       return elementOf('label', {}, box, swatch, name.replaceAll('_', ' '));
@@ -105,43 +135,24 @@ class Controls {
   tell() {
     const {colour, range} = this.state, frame = this.models[0].frames[this.slider.value];
     this.label.textContent = frame.label;
-    this.legend.innerHTML = colour === 'region' ? '' : legendOf(wordsOfField(colour), unitOfField(this.models, colour), range);
+    this.legend.innerHTML =
+        colour === 'region' ? '' : legendOf(wordsOfField(colour), unitOfField(this.models, colour), range);
   }
 
   // Views
 
   view(name) {
-    const [axis] = this.models[0].symmetry, inside = name === 'inside', whole = name === 'whole' || inside;
-    const cutAxis = inside ? 'z' : 'x', on = inside || (!axis && name !== 'whole');
+    const {symmetry} = this.models[0], half = symmetry.length === 1, inside = name === 'inside';
+    const whole = name === 'whole' || inside || !half, cutAxis = inside ? 'z' : 'x',
+          on = inside || (!half && name !== 'whole');
     this.mirrored.checked = whole;
     Object.assign(this.cut, {checked: on});
     Object.assign(this.axis, {value: cutAxis});
     Object.assign(this.part, {value: inside ? 720 : 500});
-    this.change({mirrored: whole, cut: {on, axis: cutAxis, part: this.part.value / 1000, flipped: this.flipped.checked = false}});
-    for (const viewer of this.viewers) viewer.look(...lookOf(name, viewer, axis || 'x'));
+    this.change({
+      mirrored: whole,
+      cut: {on, axis: cutAxis, part: this.part.value / 1000, flipped: this.flipped.checked = false}
+    });
+    for (const viewer of this.viewers) viewer.look(...lookOf(name, viewer, half ? symmetry[0] : 'x'));
   }
-}
-
-// Direction, centre and radius of a view; sections are seen from where the other half would be.
-function lookOf(name, viewer, axis) {
-  const {low, high, part, centre, size} = viewer.box, c = 'xyz'.indexOf(axis);
-  if (name === 'inside') return [new THREE.Vector3(0, -.45, 1), centre, .32 * size];
-  if (name === 'whole') return [new THREE.Vector3(.75, .4, .8), centre, .36 * size];
-  const side = viewer.model.symmetry.length && part.high[c] > -part.low[c] ? -1 : 1;
-  const towards = new THREE.Vector3().setComponent(c, side);
-  if (name === 'open') towards.addScaledVector(new THREE.Vector3(c === 0 ? 0 : .6, .3, c === 2 ? 0 : .75), 1);
-  if (name === 'detail') return [towards, mostPressed(viewer, c) || centre, .1 * size];
-  return [towards, centre, .33 * size];
-}
-
-// The node of the section that contact presses most at the end; else null.
-function mostPressed(viewer, c) {
-  const {solid, frames} = viewer.model, last = frames.length - 1, pressure = fieldValues(solid, 'contact_pressure', last);
-  if (!pressure) return null;
-  const x = solid.positions[last];
-  let best = -1;
-  for (let n = 0; n < solid.nodes; ++n)
-    if (pressure.values[n] > 0 && Math.abs(x[3 * n + c] - viewer.box.centre.getComponent(c)) < .08 * viewer.box.size &&
-        (best < 0 || pressure.values[n] > pressure.values[best])) best = n;
-  return best < 0 ? null : new THREE.Vector3().fromArray(x, 3 * best).setComponent(c, 0);
 }

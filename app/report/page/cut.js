@@ -50,7 +50,8 @@ function cutSolid(solid, frame, plane, isVisible) {
   for (let cell = 0; solid.hexes && cell < solid.cells; ++cell) {
     const nodes = solid.hexes.subarray(8 * cell, 8 * cell + 8);
     let above = 0;
-    for (const n of nodes) if (d[n] > 0) ++above;
+    for (const n of nodes)
+      if (d[n] > 0) ++above;
     if (above === 0 || above === 8 || !isVisible(solid.names[solid.regions[cell]])) continue;
     for (const t of TETRAHEDRA) cutTetrahedron(t.map(i => nodes[i]), cell, points);
   }

@@ -21,7 +21,8 @@ async function unpacked16(base64, before) {
 async function unpacked32(base64, stride) {
   const b = await inflated(base64), n = b.length / 4, values = new Uint32Array(n);
   for (let i = 0; i < n; ++i)
-    values[i] = (b[i] | b[n + i] << 8 | b[2 * n + i] << 16 | b[3 * n + i] << 24) + (i < stride ? 0 : values[i - stride]);
+    values[i] = (b[i] | b[n + i] << 8 | b[2 * n + i] << 16 | b[3 * n + i] << 24) +
+        (i < stride ? 0 : values[i - stride]);
   return values;
 }
 
@@ -44,10 +45,17 @@ async function unpackedPlaces(places) {
 async function solidOf(packed) {
   const positions = await unpackedPlaces(packed.positions), reference = positions.pop(), fields = [];
   for (const f of packed.fields)
-    fields.push({...f, values: (await unpackedStates(f.values)).map(quanta => numbersOf(quanta, f.low, f.high))});
+    fields.push(
+        {...f, values: (await unpackedStates(f.values)).map(quanta => numbersOf(quanta, f.low, f.high))});
   return {
-    nodes: packed.nodes, cells: packed.cells, names: packed.region_names, positions, reference, fields,
-    regions: await unpacked32(packed.regions, 1), faceNodes: await unpacked32(packed.face_nodes, 4),
+    nodes: packed.nodes,
+    cells: packed.cells,
+    names: packed.region_names,
+    positions,
+    reference,
+    fields,
+    regions: await unpacked32(packed.regions, 1),
+    faceNodes: await unpacked32(packed.face_nodes, 4),
     faceCells: await unpacked32(packed.face_cells, 1),
     faceOthers: await unpacked32(packed.face_others, 1),  // regions beyond from 1, 0: none
     hexes: packed.hexes ? await unpacked32(packed.hexes, 8) : null
@@ -56,21 +64,32 @@ async function solidOf(packed) {
 
 async function bodiesOf(packed) {
   if (!packed) return null;
-  return {names: packed.names, body: await unpacked32(packed.body, 1),
-          triangles: await unpacked32(packed.triangles, 3), positions: await unpackedPlaces(packed.positions)};
+  return {
+    names: packed.names,
+    body: await unpacked32(packed.body, 1),
+    triangles: await unpacked32(packed.triangles, 3),
+    positions: await unpackedPlaces(packed.positions)
+  };
 }
 
 async function linesOf(packed) {
   if (!packed) return null;
   const states = [];
   for (const s of packed.states)
-    states.push({ends: (await unpackedPlaces(s.ends))[0], group: await unpacked32(s.group, 1), force: s.force});
+    states.push(
+        {ends: (await unpackedPlaces(s.ends))[0], group: await unpacked32(s.group, 1), force: s.force});
   return {names: packed.names, states};
 }
 
 async function modelOf(packed) {
-  return {title: packed.title, frames: packed.frames, symmetry: packed.symmetry, solid: await solidOf(packed.solid),
-          bodies: await bodiesOf(packed.bodies), lines: await linesOf(packed.lines)};
+  return {
+    title: packed.title,
+    frames: packed.frames,
+    symmetry: packed.symmetry,
+    solid: await solidOf(packed.solid),
+    bodies: await bodiesOf(packed.bodies),
+    lines: await linesOf(packed.lines)
+  };
 }
 
 // Values of a field in a state, of cells or nodes; of the displacement its length in mm.

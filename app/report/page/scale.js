@@ -1,6 +1,11 @@
 // The scale of a field: its range over all states, its unit, its round ticks.
 
-const FIELD_WORDS = {mises: 'Mises stress', displacement: 'displacement', gap: 'gap', contact_pressure: 'contact pressure'};
+const FIELD_WORDS = {
+  mises: 'Mises stress',
+  displacement: 'displacement',
+  gap: 'gap',
+  contact_pressure: 'contact pressure'
+};
 
 function wordsOfField(name) {
   const kind = Object.keys(FIELD_WORDS).find(k => name === k || name.startsWith(k + '_'));
@@ -55,7 +60,9 @@ function legendOf(words, unit, range) {
   const stops = VIRIDIS.map(cssColour).join(','), ticks = [];
   for (let value = 0; value <= high * (1 + 1e-9); value += step)
     ticks.push(`<span style="left:${100 * value / high}%">${numberText(value, step)}</span>`);
-  return `<p>${words} [${shown.unit}]</p><div class="bar" style="background:linear-gradient(to right,${stops})"></div>
+  return `<p>${words} [${shown.unit}]</p><div class="bar" style="background:linear-gradient(to right,${
+      stops})"></div>
     <div class="ticks">${ticks.join('')}</div>
-    <p class="note">${range.beyond ? 'Up to a hundredth of the values lies beyond the end. ' : ''}Grey: no value.</p>`;
+    <p class="note">${
+      range.beyond ? 'Up to a hundredth of the values lies beyond the end. ' : ''}Grey: no value.</p>`;
 }

@@ -5,7 +5,8 @@ class BodySurface {
     this.bodies = bodies;
     this.name = bodies.names[body] || 'body ' + body;
     this.corners = [];
-    bodies.body.forEach((b, t) => b === body && this.corners.push(...bodies.triangles.subarray(3 * t, 3 * t + 3)));
+    bodies.body.forEach(
+        (b, t) => b === body && this.corners.push(...bodies.triangles.subarray(3 * t, 3 * t + 3)));
     const nodes = [...new Set(this.corners)], number = new Map(nodes.map((n, k) => [n, k]));
     this.nodes = nodes;
     this.geometry = new THREE.BufferGeometry();
@@ -25,15 +26,20 @@ class BodySurface {
 
 // A prism with six sides from a to b.
 function addRod(a, b, radius, positions, normals) {
-  const axis = b.clone().sub(a), u = new THREE.Vector3(), v = new THREE.Vector3(), corner = new THREE.Vector3();
-  u.set(Math.abs(axis.x) < .5 * axis.length() ? 1 : 0, Math.abs(axis.x) < .5 * axis.length() ? 0 : 1, 0).cross(axis).normalize();
+  const axis = b.clone().sub(a), u = new THREE.Vector3(), v = new THREE.Vector3(),
+        corner = new THREE.Vector3();
+  u.set(Math.abs(axis.x) < .5 * axis.length() ? 1 : 0, Math.abs(axis.x) < .5 * axis.length() ? 0 : 1, 0)
+      .cross(axis)
+      .normalize();
   v.copy(axis).normalize().cross(u);
-  const direction = k => corner.copy(u).multiplyScalar(Math.cos(k * Math.PI / 3)).addScaledVector(v, Math.sin(k * Math.PI / 3));
+  const direction = k =>
+      corner.copy(u).multiplyScalar(Math.cos(k * Math.PI / 3)).addScaledVector(v, Math.sin(k * Math.PI / 3));
   const add = (end, k) => {
     normals.push(...direction(k).toArray());
     positions.push(...corner.multiplyScalar(radius).add(end).toArray());
   };
-  for (let k = 0; k < 6; ++k) [[a, k], [b, k], [b, k + 1], [a, k], [b, k + 1], [a, k + 1]].forEach(([end, i]) => add(end, i));
+  for (let k = 0; k < 6; ++k)
+    [[a, k], [b, k], [b, k + 1], [a, k], [b, k + 1], [a, k + 1]].forEach(([end, i]) => add(end, i));
 }
 
 class LineGroup {
@@ -49,7 +55,8 @@ class LineGroup {
   setPositions(frame) {
     const state = this.lines.states[frame], positions = [], normals = [];
     const end = i => new THREE.Vector3().fromArray(state.ends, 3 * i);
-    state.group.forEach((g, l) => g === this.group && addRod(end(2 * l), end(2 * l + 1), this.radius, positions, normals));
+    state.group.forEach(
+        (g, l) => g === this.group && addRod(end(2 * l), end(2 * l + 1), this.radius, positions, normals));
     this.geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
     this.geometry.setAttribute('normal', new THREE.Float32BufferAttribute(normals, 3));
     this.geometry.computeBoundingSphere();

@@ -62,8 +62,10 @@ class RegionSurface {
       const own = 3 * (corner >> 2), sum = [0, 0, 0];
       for (let k = start[n]; k < start[n + 1]; ++k) {
         const other = 3 * list[k];
-        const cosine = flat[own] * flat[other] + flat[own + 1] * flat[other + 1] + flat[own + 2] * flat[other + 2];
-        if (cosine > SHARP_COSINE) for (let c = 0; c < 3; ++c) sum[c] += flat[other + c];
+        const cosine =
+            flat[own] * flat[other] + flat[own + 1] * flat[other + 1] + flat[own + 2] * flat[other + 2];
+        if (cosine > SHARP_COSINE)
+          for (let c = 0; c < 3; ++c) sum[c] += flat[other + c];
       }
       to.array.set(sum, 3 * corner);
     });
@@ -72,7 +74,8 @@ class RegionSurface {
 
   flatNormals(x) {
     const flat = new Float32Array(3 * this.faces.length), a = new THREE.Vector3(), b = new THREE.Vector3();
-    const difference = (to, p, q) => to.set(x[3 * q] - x[3 * p], x[3 * q + 1] - x[3 * p + 1], x[3 * q + 2] - x[3 * p + 2]);
+    const difference = (to, p, q) =>
+        to.set(x[3 * q] - x[3 * p], x[3 * q + 1] - x[3 * p + 1], x[3 * q + 2] - x[3 * p + 2]);
     for (let k = 0; k < this.faces.length; ++k) {
       const n = this.corners.subarray(4 * k, 4 * k + 4);
       difference(a, n[0], n[2]).cross(difference(b, n[1], n[3])).normalize().toArray(flat, 3 * k);
@@ -84,24 +87,28 @@ class RegionSurface {
   setColours(field, range) {
     const to = this.geometry.attributes.color;
     this.corners.forEach((n, corner) => {
-      const value = field && field.values[field.on === 'cells' ? this.solid.faceCells[this.faces[corner >> 2]] : n];
+      const value =
+          field && field.values[field.on === 'cells' ? this.solid.faceCells[this.faces[corner >> 2]] : n];
       to.array.set(field ? viridis((value - range.low) / (range.high - range.low)) : this.colour, 3 * corner);
     });
     to.needsUpdate = true;
   }
 
-  // Faces in a plane of symmetry only where asked for, those to another region only where that is `absent`; those
-  // without a value of the field (if there is one) at a corner go into a second group, which is drawn faintly.
+  // Faces in a plane of symmetry only where asked for, those to another region only where that is `absent`;
+  // those without a value of the field (if there is one) at a corner go into a second group, which is drawn
+  // faintly.
   setFaces(withPlane, absent, field) {
     const withValue = [], without = [], {solid, corners} = this;
     for (let k = 0; k < (withPlane ? this.faces.length : this.outside); ++k) {
       const other = solid.faceOthers[this.faces[k]];
       if (other > 0 && !absent(solid.names[other - 1])) continue;
-      const none = field && field.on === 'nodes' && [0, 1, 2, 3].some(i => Number.isNaN(field.values[corners[4 * k + i]]));
+      const none = field && field.on === 'nodes' &&
+          [0, 1, 2, 3].some(i => Number.isNaN(field.values[corners[4 * k + i]]));
       (none ? without : withValue).push(k);
     }
     const index = this.geometry.index;
-    withValue.concat(without).forEach((k, at) => [0, 1, 2, 0, 2, 3].forEach((c, i) => index.array[6 * at + i] = 4 * k + c));
+    withValue.concat(without).forEach(
+        (k, at) => [0, 1, 2, 0, 2, 3].forEach((c, i) => index.array[6 * at + i] = 4 * k + c));
     index.needsUpdate = true;
     this.geometry.clearGroups();
     this.geometry.addGroup(0, 6 * withValue.length, 0);
@@ -114,7 +121,8 @@ class RegionSurface {
     const edges = new Map();
     for (let k = this.outside; k < this.faces.length; ++k)
       for (let i = 0; i < 4; ++i) {
-        const a = this.corners[4 * k + i], b = this.corners[4 * k + (i + 1) % 4], key = Math.min(a, b) + ',' + Math.max(a, b);
+        const a = this.corners[4 * k + i], b = this.corners[4 * k + (i + 1) % 4],
+              key = Math.min(a, b) + ',' + Math.max(a, b);
         edges.set(key, edges.has(key) ? null : [a, b]);
       }
     return [...edges.values()].filter(edge => edge).flat();

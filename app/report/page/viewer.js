@@ -1,12 +1,10 @@
-// One model on one canvas. `show(state)` draws what the controls say; nothing is drawn without a change.
+// One model on one canvas. `show(state)` draws what the controls say.
 
-const FIELD_OF_VIEW = 28, BACKGROUND = 0xfbfbf9;
-
-class Viewer {
+class Viewer extends Stage {
   constructor(element, model) {
-    Object.assign(this, {element, model, onMove: () => {}, pending: false, materials: []});
-    this.box = boxOf(model.solid.positions[model.frames.length - 1], model.symmetry);
-    this.makeStage();
+    const box = boxOf(model.solid.positions[model.frames.length - 1], model.symmetry);
+    super(element, box.size);
+    Object.assign(this, {model, box, materials: []});
     const {solid, bodies, lines} = model;
     this.regions = solid.names.map((_, r) => new RegionSurface(model, r)).filter(r => r.faces.length > 0);
     this.bodies = bodies ? bodies.names.map((_, b) => new BodySurface(bodies, b)) : [];
@@ -14,33 +12,6 @@ class Viewer {
     this.clip = new THREE.Plane();
     this.images = imagesOf(model.symmetry).map(signs => this.makeImage(signs));
     this.outline = this.makeOutline();
-  }
-
-  makeStage() {
-    this.slow = isDrawnBySoftware();
-    this.renderer = new THREE.WebGLRenderer({antialias: !this.slow, preserveDrawingBuffer: true});
-    this.renderer.localClippingEnabled = true;
-    this.renderer.setClearColor(BACKGROUND);
-    const canvas = this.renderer.domElement;
-    canvas.tabIndex = 0;
-    canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', 'The model in 3-D. Arrow keys turn it, plus and minus zoom.');
-    this.element.appendChild(canvas);
-    this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, .01 * this.box.size, 30 * this.box.size);
-    this.scene.add(this.camera, new THREE.HemisphereLight(0xffffff, 0xe2ded6, .74));
-    const lamp = new THREE.DirectionalLight(0xffffff, .36);
-    lamp.position.set(-.4, .6, 1);
-    this.camera.add(lamp);
-    this.camera.add(lamp.target);
-    lamp.target.position.set(0, 0, -1);
-    this.orbit = new THREE.OrbitControls(this.camera, canvas);
-    this.orbit.enableKeys = false;
-    this.orbit.addEventListener('change', () => this.moved());
-    this.orbit.addEventListener('start', () => this.resize(this.slow ? .5 : 1));  // coarse while it turns
-    this.orbit.addEventListener('end', () => this.resize());
-    canvas.addEventListener('keydown', event => this.key(event));
-    new ResizeObserver(() => this.resize()).observe(this.element);
   }
 
   // All that is drawn, mirrored by the signs of the axes.
@@ -55,7 +26,9 @@ class Viewer {
       return mesh;
     };
     const lambert = options => {
-      this.materials.push(new THREE.MeshLambertMaterial({side: THREE.DoubleSide, ...options}));
+      const behindEdges = {polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2};
+      this.materials.push(
+          new THREE.MeshLambertMaterial({side: THREE.DoubleSide, ...behindEdges, ...options}));
       return this.materials[this.materials.length - 1];
     };
     const faint = options => lambert({...options, transparent: true, opacity: .13, depthWrite: false});
@@ -66,16 +39,23 @@ class Viewer {
       mesh.userData.materials = [mesh.material, faint({color})];
     }
     for (const line of this.lines) add(line, lambert({color: new THREE.Color(...line.colour)}));
-    const cut = new THREE.Mesh(new THREE.BufferGeometry(),
-                               new THREE.MeshBasicMaterial({side: THREE.DoubleSide, vertexColors: THREE.VertexColors}));
-    const edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x333333}));
+    const flat = {
+      side: THREE.DoubleSide,
+      vertexColors: THREE.VertexColors,
+      polygonOffset: true,
+      polygonOffsetUnits: 2
+    };
+    const cut = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(flat));
+    const edges =
+        new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x333333}));
     group.add(cut, edges);
     return {group, signs, cut, edges};
   }
 
   // Of the regions in the plane of symmetry.
   makeOutline() {
-    const lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x333333}));
+    const lines =
+        new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x333333}));
     this.scene.add(lines);
     return lines;
   }
@@ -85,7 +65,8 @@ class Viewer {
     this.state = state;
     const frame = this.frameAt(state.time), moved = frame !== this.frame;
     this.frame = frame;
-    if (moved) for (const item of [...this.regions, ...this.bodies, ...this.lines]) item.setPositions(frame);
+    if (moved)
+      for (const item of [...this.regions, ...this.bodies, ...this.lines]) item.setPositions(frame);
     if (moved || state.colour !== before.colour || state.range !== before.range) this.setColours();
     this.setFaces();
     this.setVisible();
@@ -99,7 +80,8 @@ class Viewer {
   }
 
   field() {
-    return this.state.colour === 'region' ? null : fieldValues(this.model.solid, this.state.colour, this.frame);
+    return this.state.colour === 'region' ? null :
+                                            fieldValues(this.model.solid, this.state.colour, this.frame);
   }
 
   setColours() {
@@ -110,7 +92,8 @@ class Viewer {
   // Bodies are drawn faintly, too, where a field has values on some surfaces only.
   setFaces() {
     const field = this.field(), {mirrored, cut} = this.state, open = cut.on && !this.model.solid.hexes;
-    for (const region of this.regions) region.setFaces(!mirrored, name => open || !this.isVisible(name), field);
+    for (const region of this.regions)
+      region.setFaces(!mirrored, name => open || !this.isVisible(name), field);
     const sparse = field && field.values.some(Number.isNaN);
     for (const {group} of this.images)
       for (const mesh of group.children)
@@ -132,7 +115,8 @@ class Viewer {
     this.images.forEach(({group}, i) => {
       group.visible = i === 0 || mirrored;
       for (const mesh of group.children)
-        if (mesh.userData.item) mesh.visible = this.isVisible(mesh.userData.item.name) && this.isInPlace(mesh.userData.item);
+        if (mesh.userData.item)
+          mesh.visible = this.isVisible(mesh.userData.item.name) && this.isInPlace(mesh.userData.item);
     });
     this.outline.visible = !mirrored && !cut.on;
     if (!this.outline.visible) return;
@@ -152,17 +136,20 @@ class Viewer {
     for (const material of this.materials) material.clippingPlanes = cut.on ? [this.clip] : null;
     for (const image of this.images) {
       image.cut.visible = image.edges.visible = cut.on;
-      if (cut.on && image.group.visible) this.cutImage(image, {normal: [0, 1, 2].map(i => i === c ? image.signs[c] : 0), at});
+      if (cut.on && image.group.visible)
+        this.cutImage(image, {normal: [0, 1, 2].map(i => i === c ? image.signs[c] : 0), at});
     }
   }
 
   cutImage(image, plane) {
-    const {solid} = this.model, visible = name => this.isVisible(name), field = this.field(), {range} = this.state;
-    const points = cutSolid(solid, this.frame, plane, visible), colours = new Float32Array(3 * points.from.length);
+    const {solid} = this.model, visible = name => this.isVisible(name), field = this.field(),
+          {range} = this.state;
+    const points = cutSolid(solid, this.frame, plane, visible),
+          colours = new Float32Array(3 * points.from.length);
     points.cell.forEach((cell, i) => {
       const value = field && (field.on === 'cells' ? field.values[cell] : points.value(i, field.values));
-      const own = field ? viridis((value - range.low) / (range.high - range.low))
-                        : colourOf(solid.names[solid.regions[cell]], solid.regions[cell]);
+      const own = field ? viridis((value - range.low) / (range.high - range.low)) :
+                          colourOf(solid.names[solid.regions[cell]], solid.regions[cell]);
       colours.set(own, 3 * i);
     });
     image.cut.userData.cells = points.cell;
@@ -173,71 +160,6 @@ class Viewer {
     image.edges.geometry.setAttribute('position', new THREE.BufferAttribute(lines, 3));
     image.edges.geometry.computeBoundingSphere();
   }
-
-  // Looks from `direction` at `centre`, so that a ball of that radius fits.
-  look(direction, centre, radius) {
-    const half = FIELD_OF_VIEW / 2 * Math.PI / 180, narrow = Math.min(1, this.camera.aspect);
-    this.orbit.target.copy(centre);
-    this.camera.position.copy(direction).setLength(radius / Math.sin(half) / narrow).add(centre);
-    this.orbit.update();
-    this.moved();
-  }
-
-  key(event) {
-    const steps = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[event.key];
-    const zoom = {'+': .9, '=': .9, '-': 1 / .9}[event.key];
-    if (!steps && !zoom) return;
-    event.preventDefault();
-    const arm = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.orbit.target));
-    arm.theta += steps ? steps[0] : 0;
-    arm.phi = Math.min(Math.max(arm.phi + (steps ? steps[1] : 0), .01), Math.PI - .01);
-    arm.radius *= zoom || 1;
-    this.camera.position.setFromSpherical(arm).add(this.orbit.target);
-    this.orbit.update();
-    this.moved();
-  }
-
-  moved() {
-    this.onMove(this);
-    this.draw();
-  }
-
-  follow(other) {
-    this.camera.position.copy(other.camera.position);
-    this.orbit.target.copy(other.orbit.target);
-    this.camera.lookAt(this.orbit.target);
-    this.draw();
-  }
-
-  resize(fineness = 1) {
-    const {clientWidth: width, clientHeight: height} = this.element;
-    if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(fineness * Math.min(window.devicePixelRatio || 1, this.slow ? 1 : 2));
-    this.renderer.setSize(width, height);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    this.draw();
-  }
-
-  draw() {
-    if (this.pending) return;
-    this.pending = true;
-    requestAnimationFrame(() => {
-      this.pending = false;
-      this.drawNow();
-    });
-  }
-
-  drawNow() {
-    this.renderer.render(this.scene, this.camera);
-  }
-}
-
-// Without a graphics processor pixels are dear.
-function isDrawnBySoftware() {
-  const gl = document.createElement('canvas').getContext('webgl'), plain = gl.getParameter(gl.RENDERER);
-  const names = plain === 'WebKit WebGL' && gl.getExtension('WEBGL_debug_renderer_info');  // Firefox tells it plainly
-  return /swiftshader|llvmpipe|software/i.test(names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : plain);
 }
 
 // The box of positions with their images; `low`, `high` of the drawn part and its images.
