@@ -11,7 +11,7 @@ std::string element(const std::string& name, const std::string& html, const std:
 std::string text(const std::string& name, const std::string& words, const std::string& kind = "");
 /// A section with a heading that a link leads to.
 std::string section(const std::string& id, const std::string& heading, const std::string& html);
-/// Folded until it is asked for; unfolded on paper.
+/// Folded until it is asked for, on paper too.
 std::string details(const std::string& summary, const std::string& html);
 std::string link(const std::string& address, const std::string& words);
 

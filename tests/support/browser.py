@@ -17,9 +17,10 @@ class Browser:
     """`with Browser(path) as page:` loads the file and waits for nothing. `faults` gathers messages of the console, exceptions and
     requests for anything but the file itself."""
 
-    def __init__(self, path, width=1400, height=1000):
+    def __init__(self, path, width=1400, height=1000, fineness=1):
         self.folder = tempfile.TemporaryDirectory()
-        self.faults, self.number, self.size = [], 0, (width, height)
+        self.faults, self.number = [], 0
+        self.metrics = {"width": width, "height": height, "deviceScaleFactor": fineness, "mobile": False}
         self.url = "file://" + os.path.abspath(path)
         to_read, self.to = os.pipe()
         self.source, from_write = os.pipe()
@@ -42,7 +43,7 @@ class Browser:
         self.session = self.ask("Target.attachToTarget", targetId=page, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(domain + ".enable")
-        self.ask("Emulation.setDeviceMetricsOverride", width=self.size[0], height=self.size[1], deviceScaleFactor=1, mobile=False)
+        self.ask("Emulation.setDeviceMetricsOverride", **self.metrics)
         self.ask("Page.navigate", url=self.url)
         return self
 
@@ -109,8 +110,9 @@ class Browser:
                 raise RuntimeError(f"not within {seconds} s: {expression}; {self.faults}")
             time.sleep(.05)
 
-    def picture(self, path, whole=False):
-        """Of what is seen, or of the whole page, as a PNG file."""
-        data = self.ask("Page.captureScreenshot", format="png", captureBeyondViewport=whole)["data"]
+    def picture(self, path, whole=False, clip=None):
+        """Of what is seen, of the whole page or of its upper left corner (width, height), as a PNG file."""
+        part = {"clip": {"x": 0, "y": 0, "width": clip[0], "height": clip[1], "scale": 1}} if clip else {}
+        data = self.ask("Page.captureScreenshot", format="png", captureBeyondViewport=whole, **part)["data"]
         with open(path, "wb") as file:
             file.write(base64.b64decode(data))

@@ -1,9 +1,5 @@
 // Starts the page. `window.report` is for tests: it says when all is drawn, and draws on request.
 
-function foldOut(open) {
-  document.querySelectorAll('details').forEach(details => details.open = open);
-}
-
 function tellFault(words) {
   document.querySelectorAll('.canvas').forEach(canvas => canvas.textContent = words);
 }
@@ -15,7 +11,6 @@ function canDraw() {
 }
 
 async function start() {
-  window.addEventListener('beforeprint', () => foldOut(true));
   if (!canDraw())
     return tellFault('This browser cannot draw in 3-D: it needs WebGL, and Firefox 113, Chromium 80 or later.');
   const packed = JSON.parse(document.getElementById('models').textContent), models = [];

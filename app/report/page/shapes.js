@@ -22,6 +22,14 @@ class BodySurface {
     this.geometry.computeBoundingSphere();
     this.geometry.computeBoundingBox();
   }
+
+  leastDistance(point) {
+    const x = this.geometry.attributes.position.array;
+    let least = Infinity;
+    for (let i = 0; i < x.length; i += 3)
+      least = Math.min(least, Math.hypot(x[i] - point.x, x[i + 1] - point.y, x[i + 2] - point.z));
+    return least;
+  }
 }
 
 // A prism with six sides from a to b.

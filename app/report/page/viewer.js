@@ -104,10 +104,11 @@ class Viewer extends Stage {
     return !this.state.hidden.has(name);
   }
 
-  // Bodies that wait far away are left out.
+  // Bodies that wait far away are left out: single, or in parts all around. A large plate has far corners only.
   isInPlace(item) {
-    return !(item instanceof BodySurface) ||
-        item.geometry.boundingBox.distanceToPoint(this.box.centre) < 1.2 * this.box.size;
+    if (!(item instanceof BodySurface)) return true;
+    const {centre, size} = this.box, away = item.geometry.boundingBox.distanceToPoint(centre);
+    return item.leastDistance(centre) < .75 * size || (away > 0 && away < .75 * size);
   }
 
   setVisible() {
