@@ -44,12 +44,13 @@ std::string view_of(const nlohmann::json& model, const std::string& caption) {
          "<div class=\"canvas\"></div>" + note + "</figure>\n";
 }
 
-std::string model_section(const std::string& views) {
-  return html::section("model", "Model",
-                       "<div id=\"controls\"></div>\n" + html::element("div", views, "views") +
-                           "<p id=\"told\" aria-live=\"polite\">A click on the model tells what is there. "
-                           "Drag to turn, wheel to zoom, right button to move; on the keyboard arrows, plus "
-                           "and minus.</p>\n<div id=\"legend\"></div>\n");
+std::string model_section(const std::string& views, bool drawn) {
+  constexpr const char* below =
+      "<p id=\"told\" aria-live=\"polite\">A click on the model tells what is there. Drag to turn, wheel to "
+      "zoom, right button to move; on the keyboard arrows, plus and minus.</p>\n<div id=\"legend\"></div>\n";
+  return html::section(
+      "model", "Model",
+      "<div id=\"controls\"></div>\n" + html::element("div", views, "views") + (drawn ? below : ""));
 }
 
 void claim(const fs::path& file) {
@@ -65,17 +66,17 @@ std::string run_report(const std::string& folder) {
   const RunRecord run = read_run(folder);
   Page page{run.title(), "", {}};
   const nlohmann::json model = model_of(run, room_of(run));
-  page.body = heading_of(run.title(), {{"model", "Model"},
-                                       {"figures", "Figures"},
-                                       {"histories", "Histories"},
-                                       {"cost", "Convergence and cost"},
-                                       {"records", "Scene and log"}}) +
-              html::element("section", conclusions_of(run)) + model_section(view_of(model, "")) +
-              html::section("figures", "Figures", figures_of(run)) +
-              html::section("histories", "Histories", histories_of(run)) +
-              html::section("cost", "Convergence and cost", cost_of(run)) +
-              html::section("records", "Scene and log", records_of(run)) +
-              html::element("footer", origin_of(run));
+  page.body =
+      heading_of(run.title(), {{"model", "Model"},
+                               {"figures", "Figures"},
+                               {"histories", "Histories"},
+                               {"cost", "Convergence and cost"},
+                               {"records", "Scene and log"}}) +
+      html::element("section", conclusions_of(run)) + model_section(view_of(model, ""), !model.is_null()) +
+      html::section("figures", "Figures", figures_of(run)) +
+      html::section("histories", "Histories", histories_of(run)) +
+      html::section("cost", "Convergence and cost", cost_of(run)) +
+      html::section("records", "Scene and log", records_of(run)) + html::element("footer", origin_of(run));
   if (!model.is_null()) page.models.push_back(model);
   return html_of(page);
 }
@@ -91,7 +92,8 @@ std::string comparison_report(const std::string& first, const std::string& secon
     if (!model.is_null()) page.models.push_back(model);
   }
   page.body = heading_of(page.title, {{"differences", "Differences"}, {"model", "Models"}}) +
-              html::section("differences", "Differences", differences_of(a, b)) + model_section(views) +
+              html::section("differences", "Differences", differences_of(a, b)) +
+              model_section(views, !page.models.empty()) +
               html::element("footer", origin_of(a) + origin_of(b));
   return html_of(page);
 }

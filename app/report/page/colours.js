@@ -22,9 +22,7 @@ const VIRIDIS = [
   '#bddf26', '#fde725'
 ].map(rgbOf);
 
-function rgbOf(hex) {
-  return [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255);
-}
+function rgbOf(hex) { return [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255); }
 
 function colourOf(name, number, others = OTHER_COLOURS) {
   return rgbOf(KNOWN_COLOURS[name] || others[number % others.length]);
@@ -38,6 +36,4 @@ function viridis(part) {
   return VIRIDIS[i].map((low, c) => low + (at - i) * (VIRIDIS[i + 1][c] - low));
 }
 
-function cssColour(rgb) {
-  return 'rgb(' + rgb.map(c => Math.round(255 * c)).join(',') + ')';
-}
+function cssColour(rgb) { return 'rgb(' + rgb.map(c => Math.round(255 * c)).join(',') + ')'; }

@@ -11,9 +11,7 @@ function distances(x, plane) {
 
 // Points on edges between nodes: `from`, `to` and the part of the way.
 class CutPoints {
-  constructor(x, d) {
-    Object.assign(this, {x, d, from: [], to: [], part: [], cell: []});
-  }
+  constructor(x, d) { Object.assign(this, {x, d, from: [], to: [], part: [], cell: []}); }
   add(p, q, cell) {
     this.from.push(p);
     this.to.push(q);

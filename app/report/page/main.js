@@ -12,7 +12,8 @@ function canDraw() {
 
 async function start() {
   if (!canDraw())
-    return tellFault('This browser cannot draw in 3-D: it needs WebGL, and Firefox 113, Chromium 80 or later.');
+    return tellFault(
+        'This browser cannot draw in 3-D: it needs WebGL, and Firefox 113, Chromium 80 or later.');
   const packed = JSON.parse(document.getElementById('models').textContent), models = [];
   for (const model of packed) models.push(await modelOf(model));
   const places = [...document.querySelectorAll('.canvas')],

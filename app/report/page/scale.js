@@ -51,9 +51,7 @@ function unitOfField(models, name) {
   return field ? field.unit : '';
 }
 
-function numberText(value, step) {
-  return value.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
-}
+function numberText(value, step) { return value.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9))); }
 
 function legendOf(words, unit, range) {
   const shown = shownUnit(unit, range.high), high = range.high * shown.factor, step = roundStep(high);

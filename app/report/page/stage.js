@@ -88,9 +88,7 @@ class Stage {
     });
   }
 
-  drawNow() {
-    this.renderer.render(this.scene, this.camera);
-  }
+  drawNow() { this.renderer.render(this.scene, this.camera); }
 }
 
 // Without a graphics processor pixels are dear.

@@ -100,11 +100,10 @@ class Viewer extends Stage {
         if (mesh.userData.materials) mesh.material = mesh.userData.materials[sparse ? 1 : 0];
   }
 
-  isVisible(name) {
-    return !this.state.hidden.has(name);
-  }
+  isVisible(name) { return !this.state.hidden.has(name); }
 
-  // Bodies that wait far away are left out: single, or in parts all around. A large plate has far corners only.
+  // Bodies that wait far away are left out: single, or in parts all around. A large plate has far corners
+  // only.
   isInPlace(item) {
     if (!(item instanceof BodySurface)) return true;
     const {centre, size} = this.box, away = item.geometry.boundingBox.distanceToPoint(centre);
