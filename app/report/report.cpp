@@ -53,9 +53,15 @@ std::string model_section(const std::string& views, bool drawn) {
       "<div id=\"controls\"></div>\n" + html::element("div", views, "views") + (drawn ? below : ""));
 }
 
+// Lists the page among the records of its folder, which a later run may take away.
 void claim(const fs::path& file) {
-  const std::string folder = file.parent_path().string();
-  if (fs::exists(fs::path(folder) / "manifest.txt")) Manifest(folder).add({file.filename().string()});
+  const std::string folder = file.parent_path().string(), name = file.filename().string();
+  if (!fs::exists(fs::path(folder) / "manifest.txt")) return;
+  Manifest manifest(folder);
+  if (fs::exists(file) && !manifest.lists(name))
+    throw input_error(file.string(), 0, "is there, and no run wrote it",
+                      "Move it away, or name another file with -o.");
+  manifest.add({name});
 }
 
 bool is_of_a_study(const std::string& folder) { return fs::exists(fs::path(folder) / "study.json"); }
@@ -100,12 +106,12 @@ std::string comparison_report(const std::string& first, const std::string& secon
 
 std::string write_report(const std::string& folder, const std::string& second, const std::string& file) {
   const bool study = second.empty() && is_of_a_study(folder);
-  const std::string page = study            ? study_report(folder)
-                           : second.empty() ? run_report(folder)
-                                            : comparison_report(folder, second);
   const fs::path path =
       !file.empty() ? fs::path(file) : fs::path(folder) / (second.empty() ? report_file : comparison_file);
   if (file.empty()) claim(path);
+  const std::string page = study            ? study_report(folder)
+                           : second.empty() ? run_report(folder)
+                                            : comparison_report(folder, second);
   write_whole(path.string(), page);
   return path.string();
 }

@@ -127,6 +127,14 @@ TEST(Report, ReadsTheLinesThatWereWritten) {
   EXPECT_THROW(read_vtp((folder / "history.csv").string()), std::runtime_error);
 }
 
+TEST(Report, LeavesFilesOfOthersAlone) {
+  const std::string folder = (suture().folder / "out").string();
+  EXPECT_EQ(write_report(folder, "", ""), folder + "/report.html");
+  std::ofstream(folder + "/comparison.html") << "mine";
+  EXPECT_THROW(write_report(folder, folder, ""), InputError);
+  EXPECT_EQ(write_report(folder, folder, folder + "/other.html"), folder + "/other.html");
+}
+
 TEST(Report, RefusesWhatIsNoFolderOfResults) {
   EXPECT_THROW(run_report(fresh_folder("bulbus_report_empty").string()), InputError);
 }
