@@ -26,7 +26,7 @@ std::vector<std::string> row_of(const ComparedFigure& f, bool differs) {
 
 }  // namespace
 
-std::string differences_of(const RunRecord& a, const RunRecord& b) {
+Differences differences_of(const RunRecord& a, const RunRecord& b) {
   const CompareOptions options;
   const std::vector<ComparedFigure> figures = compared_figures(a.history, b.history);
   html::Table table{
@@ -40,9 +40,7 @@ std::string differences_of(const RunRecord& a, const RunRecord& b) {
   const std::string verdict =
       fmt::format("{} of {} figures differ by more than {:g} of the probe's largest value.", different,
                   figures.size(), options.relative);
-  return html::text("p", verdict, different ? "verdict bad" : "verdict good") +
-         html::text("p", "first: " + a.folder + ", " + a.title()) +
-         html::text("p", "second: " + b.folder + ", " + b.title()) + html::table(table);
+  return {html::text("p", verdict, different ? "verdict bad" : "verdict good"), html::table(table)};
 }
 
 }  // namespace bulbus

@@ -97,9 +97,10 @@ std::string comparison_report(const std::string& first, const std::string& secon
     views += view_of(model, (run == &a ? "first: " : "second: ") + run->folder);
     if (!model.is_null()) page.models.push_back(model);
   }
-  page.body = heading_of(page.title, {{"differences", "Differences"}, {"model", "Models"}}) +
-              html::section("differences", "Differences", differences_of(a, b)) +
-              model_section(views, !page.models.empty()) +
+  const Differences differences = differences_of(a, b);
+  page.body = heading_of(page.title, {{"model", "Models"}, {"differences", "Differences"}}) +
+              differences.verdict + model_section(views, !page.models.empty()) +
+              html::section("differences", "Differences", differences.table) +
               html::element("footer", origin_of(a) + origin_of(b));
   return html_of(page);
 }

@@ -20,7 +20,10 @@ std::string records_of(const RunRecord& run);
 std::string origin_of(const RunRecord& run);
 
 /// Figures of two runs at the ends of their steps. Throws InputError if there is nothing to compare.
-std::string differences_of(const RunRecord& a, const RunRecord& b);
+struct Differences {
+  std::string verdict, table;
+};
+Differences differences_of(const RunRecord& a, const RunRecord& b);
 
 /// What a probe measures; empty where that is not known.
 std::string meaning_of(const RunRecord& run, const std::string& probe);

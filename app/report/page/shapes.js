@@ -23,12 +23,18 @@ class BodySurface {
     this.geometry.computeBoundingBox();
   }
 
-  leastDistance(point) {
-    const x = this.geometry.attributes.position.array;
-    let least = Infinity;
-    for (let i = 0; i < x.length; i += 3)
-      least = Math.min(least, Math.hypot(x[i] - point.x, x[i + 1] - point.y, x[i + 2] - point.z));
-    return least;
+  // Between the body and a point, in a state of which it is kept: a large plate is near where its corners are
+  // not.
+  leastDistance(frame, point) {
+    if (this.measured && this.measured.frame === frame) return this.measured.distance;
+    const x = this.bodies.positions[frame], triangle = new THREE.Triangle(), foot = new THREE.Vector3();
+    let distance = Infinity;
+    for (let k = 0; k < this.corners.length; k += 3) {
+      [triangle.a, triangle.b, triangle.c].forEach((p, i) => p.fromArray(x, 3 * this.corners[k + i]));
+      distance = Math.min(distance, triangle.closestPointToPoint(point, foot).distanceTo(point));
+    }
+    this.measured = {frame, distance};
+    return distance;
   }
 }
 

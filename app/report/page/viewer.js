@@ -102,12 +102,10 @@ class Viewer extends Stage {
 
   isVisible(name) { return !this.state.hidden.has(name); }
 
-  // Bodies that wait far away are left out: single, or in parts all around. A large plate has far corners
-  // only.
+  // Bodies that wait far away, single or in parts all around, are left out.
   isInPlace(item) {
-    if (!(item instanceof BodySurface)) return true;
-    const {centre, size} = this.box, away = item.geometry.boundingBox.distanceToPoint(centre);
-    return item.leastDistance(centre) < .75 * size || (away > 0 && away < .75 * size);
+    return !(item instanceof BodySurface) ||
+        item.leastDistance(this.frame, this.box.centre) < .75 * this.box.size;
   }
 
   setVisible() {
