@@ -18,10 +18,11 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 from support import browser
 
+# Replaces the page by its panels and the bar of the field; its size in pixels.
 COMPOSE = """(panels => {
   const {viewers: [viewer], controls} = window.report, {frames} = controls.models[0];
   viewer.element.style.cssText = `width: ${%(width)d}px; height: ${%(height)d}px; max-height: none`;
-  viewer.resize();
+  viewer.resize(4);  // finer than the picture: edges come out smooth
   controls.view('%(view)s');
   controls.colour.value = '%(colour)s';
   controls.colour.onchange();

@@ -16,7 +16,7 @@ function lookOf(name, viewer, axis) {
   const side = viewer.model.symmetry.length === 1 && part.high[c] > -part.low[c] ? -1 : 1;
   const towards = new THREE.Vector3().setComponent(c, side);
   if (name === 'open') towards.addScaledVector(new THREE.Vector3(c === 0 ? 0 : .6, .3, c === 2 ? 0 : .75), 1);
-  if (name === 'detail') return [towards, mostPressed(viewer, c) || centre, .1 * size];
+  if (name === 'detail') return [towards, mostPressed(viewer, c) || centre, .13 * size];
   return [towards, centre, .33 * size];
 }
 
