@@ -5,7 +5,7 @@
 #include "app/commands.hpp"
 #include "app/study/study_results.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::string text_of(const std::optional<double>& value) {
@@ -47,4 +47,4 @@ int compare(const std::string& first, const std::string& second, const CompareOp
   return different > 0 ? 1 : 0;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 void plot_history(const std::string& folder, std::vector<std::string> probes, const std::string& file,
                   const Comm& comm) {
@@ -22,4 +22,4 @@ void plot_history(const std::string& folder, std::vector<std::string> probes, co
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

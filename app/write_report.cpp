@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 std::string report(const std::string& folder, const std::string& second, const std::string& file,
                    const Comm& comm) {
@@ -21,4 +21,4 @@ std::string report(const std::string& folder, const std::string& second, const s
   return path;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Steps end at the same time if they differ by no more than this.
@@ -77,4 +77,4 @@ bool ComparedFigure::differs(const CompareOptions& options) const {
   return !(size <= options.absolute || size <= options.relative * largest);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 
 #include "app/records/history.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Differences that count as none.
 struct CompareOptions {
@@ -27,4 +27,4 @@ struct ComparedFigure {
 /// has two units, or there is nothing to compare.
 std::vector<ComparedFigure> compared_figures(const History& first, const History& second);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -9,7 +9,7 @@
 #include "app/report/pack.hpp"
 #include "core/io/vtp_read.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -98,4 +98,4 @@ json lines_json(const RunRecord& run, const std::vector<int>& frames) {
   return {{"names", names}, {"states", states}};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

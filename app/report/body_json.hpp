@@ -4,7 +4,7 @@
 
 #include "app/report/run_record.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// States of equally many values, each packed as its difference to the one before.
 nlohmann::json packed_states(const std::vector<std::vector<std::uint16_t>>& states);
@@ -19,4 +19,4 @@ nlohmann::json bodies_json(const RunRecord& run, const std::vector<int>& frames)
 /// Bars and strings of sutures in these frames, whose number may change; null where there are none.
 nlohmann::json lines_json(const RunRecord& run, const std::vector<int>& frames);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

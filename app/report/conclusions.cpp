@@ -6,7 +6,7 @@
 #include "app/report/probe_words.hpp"
 #include "app/report/sections.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using nlohmann::json;
@@ -103,4 +103,4 @@ std::string conclusions_of(const RunRecord& run) {
   return verdict_of(run.summary) + html::element("div", cards, "cards") + warnings_of(run.summary);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

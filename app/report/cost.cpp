@@ -5,7 +5,7 @@
 #include "app/report/html.hpp"
 #include "app/report/sections.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using nlohmann::json;
@@ -98,4 +98,4 @@ std::string origin_of(const RunRecord& run) {
   return html::text("p", run.folder + (words.empty() ? "" : ": " + words), "note");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

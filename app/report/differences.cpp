@@ -6,7 +6,7 @@
 #include "app/report/html.hpp"
 #include "app/report/sections.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::string cell_of(const std::optional<double>& value) { return value ? html::number(*value) : "–"; }
@@ -43,4 +43,4 @@ Differences differences_of(const RunRecord& a, const RunRecord& b) {
   return {html::text("p", verdict, different ? "verdict bad" : "verdict good"), html::table(table)};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

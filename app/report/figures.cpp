@@ -3,7 +3,7 @@
 #include "app/report/probe_words.hpp"
 #include "app/report/sections.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 std::string meaning_of(const RunRecord& run, const std::string& probe) {
   const ProbeSpec* spec = run.probe(probe);
@@ -36,4 +36,4 @@ std::string histories_of(const RunRecord& run) {
   return html::element("div", svg.substr(svg.find("<svg")), "wide");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "app/study/study_results.hpp"
 #include "core/base/did_you_mean.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::size_t index_of(const std::string& probe, const History& history) {
@@ -34,4 +34,4 @@ Chart chart_of(const History& history, const std::vector<std::string>& probes, c
   return chart;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace bulbus::html {
+namespace bulbus::inline app::html {
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -69,4 +69,4 @@ std::string unit(const std::string& unit) {
   return out;
 }
 
-}  // namespace bulbus::html
+}  // namespace bulbus::inline app::html

@@ -3,7 +3,7 @@
 #include <vector>
 
 /// Pieces of a page. What is called `html` is written as it stands, everything else is escaped.
-namespace bulbus::html {
+namespace bulbus::inline app::html {
 
 std::string escaped(const std::string& text);
 /// <name class="kind">html</name>; no class if it is empty.
@@ -28,4 +28,4 @@ std::string number(double value);
 /// mm², mm³ for mm2, mm3.
 std::string unit(const std::string& unit);
 
-}  // namespace bulbus::html
+}  // namespace bulbus::inline app::html

@@ -11,7 +11,7 @@
 #include "app/report/shown_states.hpp"
 #include "app/report/thinning.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -133,4 +133,4 @@ json model_json(const RunRecord& run, double limit) {
   return {};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -6,7 +6,7 @@
 #include "core/base/base64.hpp"
 #include "core/io/deflate.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Byte k of all values, for every k: high bytes of small differences are equal, which deflates well.
@@ -43,4 +43,4 @@ std::string packed(std::span<const std::uint32_t> values, std::size_t stride) {
   return text_of(differences);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Values as the page gets them: whole numbers from 0 to `quantum_top` between two bounds, `no_value` for
 /// NaN.
@@ -18,4 +18,4 @@ std::string packed(std::span<const std::uint16_t> values, std::span<const std::u
 /// The same with differences to the number `stride` places before, in four planes of bytes: `unpacked32`.
 std::string packed(std::span<const std::uint32_t> values, std::size_t stride);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "app/report/html.hpp"
 #include "app/report/page_files.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Fills the places {{name}} of a text.
@@ -56,4 +56,4 @@ std::string heading_of(const std::string& title,
   return html::element("header", html::text("h1", title) + html::element("nav", links));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

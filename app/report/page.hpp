@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A page that needs nothing else: style, scripts and data are in it.
 struct Page {
@@ -19,4 +19,4 @@ std::string heading_of(const std::string& title,
 /// Bytes that a page may have.
 constexpr double most_bytes = 15e6;
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -7,7 +7,7 @@
 #include <functional>
 #include <map>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::string statistic(const ProbeSpec& p) {
@@ -89,4 +89,4 @@ std::string title_of(const std::string& name) {
   return title;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

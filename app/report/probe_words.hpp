@@ -3,7 +3,7 @@
 
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a probe measures, as a sentence without its end: "largest gap of the contact retina on detached".
 std::string meaning_of(const ProbeSpec& probe);
@@ -11,4 +11,4 @@ std::string meaning_of(const ProbeSpec& probe);
 /// "axial_change" as a title: "Axial change".
 std::string title_of(const std::string& name);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

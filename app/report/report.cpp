@@ -11,7 +11,7 @@
 #include "core/io/manifest.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ std::string write_report(const std::string& folder, const std::string& second, c
   return path.string();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

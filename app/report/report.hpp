@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Of two runs, in the folder of the first.
 inline constexpr const char* comparison_file = "comparison.html";
@@ -22,4 +22,4 @@ std::string study_report(const std::string& folder);
 /// written. Not collective.
 std::string write_report(const std::string& folder, const std::string& second, const std::string& file);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -11,7 +11,7 @@
 #include "app/records/record_names.hpp"
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -86,4 +86,4 @@ RunRecord read_run(const std::string& folder) {
   return run;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "app/records/history.hpp"
 #include "app/scene/scene.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a run left in its folder, as far as it is there.
 struct RunRecord {
@@ -30,4 +30,4 @@ struct RunRecord {
 /// Throws InputError if the folder has no records of a run. Not collective.
 RunRecord read_run(const std::string& folder);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

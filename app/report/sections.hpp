@@ -4,7 +4,7 @@
 #include "app/report/run_record.hpp"
 
 /// Sections of a run's page, as html.
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Did it converge, and the figures that matter: of closing first, then pressures and changes; warnings.
 std::string conclusions_of(const RunRecord& run);
@@ -28,4 +28,4 @@ Differences differences_of(const RunRecord& a, const RunRecord& b);
 /// What a probe measures; empty where that is not known.
 std::string meaning_of(const RunRecord& run, const std::string& probe);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -6,7 +6,7 @@
 #include "app/records/record_names.hpp"
 #include "core/io/hdf5_read.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 const std::string points_group = "VTKHDF/PointData", cells_group = "VTKHDF/CellData";
@@ -93,4 +93,4 @@ ShownStates read_states(const RunRecord& run, const std::vector<int>& frames, co
   return states;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

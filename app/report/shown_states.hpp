@@ -5,7 +5,7 @@
 #include "app/report/run_record.hpp"
 #include "app/report/solid_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A scalar of the saved states for the cells or the nodes that are shown.
 struct ShownField {
@@ -36,4 +36,4 @@ ShownStates read_states(const RunRecord& run, const std::vector<int>& frames, co
 /// Scalars of the files that pages colour by: `mises` of the cells, gaps and contact pressures of the nodes.
 std::vector<ShownField> shown_fields(const RunRecord& run);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,7 +8,7 @@
 
 #include "core/mesh/faces.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // New numbers in the order in which the old ones are asked for.
@@ -104,4 +104,4 @@ ShownSolid clustered(const ShownSolid& surface, std::span<const Point> points, d
   return with_faces(surface, faces);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

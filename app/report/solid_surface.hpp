@@ -4,7 +4,7 @@
 
 #include "core/io/vtkhdf_read.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A face that is drawn, its nodes in turn with the normal out of its cell.
 struct ShownFace {
@@ -35,4 +35,4 @@ ShownSolid surface_of(const ShownSolid& solid);
 /// Surfaces whose nodes in the same cube of that width (mm) are one, without the faces that vanish.
 ShownSolid clustered(const ShownSolid& surface, std::span<const Point> points, double width);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

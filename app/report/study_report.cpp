@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using nlohmann::json;
@@ -93,4 +93,4 @@ std::string study_report(const std::string& folder) {
   return html_of(page);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

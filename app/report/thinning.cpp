@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 bool ends_a_step(const RunRecord::Frame& frame) {
@@ -39,4 +39,4 @@ std::vector<int> chosen_frames(const RunRecord& run, int at_most) {
   return chosen;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

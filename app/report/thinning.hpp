@@ -1,7 +1,7 @@
 #pragma once
 #include "app/report/run_record.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// How much of a run a page shows.
 struct Thinning {
@@ -16,4 +16,4 @@ std::vector<Thinning> thinnings();
 /// At most so many frames of the run: the first, the last, ends of steps before others.
 std::vector<int> chosen_frames(const RunRecord& run, int at_most);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 std::vector<std::byte> deflated(std::span<const std::byte> bytes) {
   uLongf size = compressBound(bytes.size());
@@ -16,4 +16,4 @@ std::vector<std::byte> deflated(std::span<const std::byte> bytes) {
   return packed;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -2,7 +2,7 @@
 
 #include "core/io/hdf5_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
@@ -35,4 +35,4 @@ std::vector<std::string> names_in(const std::string& path, const std::string& gr
   return names;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// A whole dataset of numbers as doubles, row by row: such as `VTKHDF/PointData/displacement` of a saved
 /// state. Throws std::runtime_error. Not collective.
@@ -12,4 +12,4 @@ std::vector<double> read_dataset(const std::string& path, const std::string& dat
 /// std::runtime_error if the file cannot be read. Not collective.
 std::vector<std::string> names_in(const std::string& path, const std::string& group);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -5,7 +5,7 @@
 
 #include "core/io/hdf5_read.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -63,4 +63,4 @@ SavedMesh read_vtkhdf_mesh(const std::string& path) {
   return mesh;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -4,7 +4,7 @@
 
 #include "core/io/vtkhdf.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// The mesh of a state that write_vtkhdf saved: its pieces one behind the other, so that nodes between two
 /// ranks appear twice.
@@ -18,4 +18,4 @@ struct SavedMesh {
 /// Throws std::runtime_error if the file is missing, damaged or of other cells. Not collective.
 SavedMesh read_vtkhdf_mesh(const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

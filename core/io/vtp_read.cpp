@@ -9,7 +9,7 @@
 #include "core/mesh/vtk/vtu_bytes.hpp"
 #include "core/mesh/vtk/xml.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 constexpr VtuFormat saved_format{.wide = true};
@@ -74,4 +74,4 @@ SavedPolygons read_vtp(const std::string& path) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

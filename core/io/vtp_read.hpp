@@ -5,7 +5,7 @@
 
 #include "core/io/vtkhdf.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// What write_vtp has written.
 struct SavedPolygons {
@@ -21,4 +21,4 @@ struct SavedPolygons {
 /// Throws std::runtime_error if the file is missing or damaged. Not collective.
 SavedPolygons read_vtp(const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io
