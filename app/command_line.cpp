@@ -43,6 +43,8 @@ struct Parser {
   CLI::App* compare = app.add_subcommand(
       "compare", "probes of two runs at the end of each step: exit status 0 if they agree, 1 if they differ");
   CLI::App* plot = app.add_subcommand("plot", "draw probes of a run over its steps (SVG)");
+  CLI::App* report = app.add_subcommand(
+      "report", "a run, two runs side by side or a study as one page for a browser, with the model in 3-D");
   CLI::App* help =
       app.add_subcommand("help", "the keys of a scene or a study, or the JSON schema of a scene");
 
@@ -87,6 +89,10 @@ struct Parser {
     plot->add_option("PROBE", given.probes, "columns of history.csv (default: every probe)");
     plot->add_option("-o", given.out, "file to write (default: history.svg in the folder)")
         ->type_name("FILE.svg");
+    report->add_option("DIR", given.first, "folder of the results of a run or of a study")->required();
+    report->add_option("DIR2", given.second, "of another run, to compare with");
+    report->add_option("-o", given.out, "file to write (default: report.html or comparison.html in DIR)")
+        ->type_name("FILE.html");
     help->add_option("TOPIC", given.topic, "scene, study or schema")
         ->required()
         ->check(CLI::IsMember({"scene", "study", "schema"}));
@@ -194,6 +200,10 @@ int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
     const std::string file = given.out.empty() ? given.first + "/history.svg" : given.out;
     plot_history(given.first, given.probes, file, comm);
     out << file << "\n";
+    return 0;
+  }
+  if (*parser.report) {
+    out << report(given.first, given.second, given.out, comm) << "\n";
     return 0;
   }
   const auto [out_dir, checkpoint] = places_of(parser);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/records/comparison.hpp"
 #include "app/study/study.hpp"
 #include "core/base/parallel.hpp"
 #include "core/io/log.hpp"
@@ -41,12 +42,6 @@ struct TradeOptions {
 int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir,
               const TradeOptions& options, const Comm& comm);
 
-/// Differences that count as none.
-struct CompareOptions {
-  double relative = 1e-6;  ///< parts of the largest magnitude that the probe has in both runs
-  double absolute = 0;     ///< in the probe's unit
-};
-
 /// Prints the probes of two runs' folders at the end of every step, and their differences. Returns the exit
 /// status: 0 none differs, 1 some do. Throws InputError if a folder has no history, a probe has two units, or
 /// there is nothing to compare. Not collective.
@@ -57,6 +52,12 @@ int compare(const std::string& first, const std::string& second, const CompareOp
 /// Collective. Throws InputError and OutputError.
 void plot_history(const std::string& folder, std::vector<std::string> probes, const std::string& file,
                   const Comm& comm);
+
+/// Writes the page of a run, of two runs side by side (`second` not empty) or of a study, to `file` or, if
+/// that is empty, into the folder. Returns its path, on the first rank. Collective. Throws InputError, and
+/// OutputError where it cannot be written.
+std::string report(const std::string& folder, const std::string& second, const std::string& file,
+                   const Comm& comm);
 
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);

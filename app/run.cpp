@@ -14,6 +14,7 @@
 #include "app/records/folder.hpp"
 #include "app/records/recorder.hpp"
 #include "app/records/summary.hpp"
+#include "app/report/report.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/io/disk_file.hpp"
 #include "core/io/json_file.hpp"
@@ -117,6 +118,18 @@ std::string folder_of(const std::string& file) {
   return folder.empty() ? "." : folder.string();
 }
 
+// A run is none the worse for a page that cannot be made.
+void write_report_of(ResultsFolder& folder, const Log& log, const Comm& comm) {
+  folder.claim({report_file});
+  if (comm.rank() != 0) return;
+  try {
+    write_whole(folder.path() + "/" + report_file, run_report(folder.path()));
+    log.info("open " + folder.path() + "/" + report_file + " in a browser");
+  } catch (const std::runtime_error& fault) {
+    log.warn(std::string("there is no ") + report_file + ": " + fault.what());
+  }
+}
+
 // Where the log itself cannot be written, nothing can be done.
 void note_in_log(const ResultsFolder& folder, const std::string& fault) {
   const std::string log = folder.path() + "/" + log_file;
@@ -191,6 +204,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
     if (comm.rank() == 0) write_json(path_of(summary_file), summary);
   });
   write_end(log, scene.model, recorder, report, diagnosis, folder.path(), seconds);
+  if (scene.output.report && !report.signal) write_report_of(folder, log, comm);
   write_together(comm, [&] { log.require_written(); });
   if (report.signal) return 128 + report.signal;
   return report.converged ? 0 : 1;

@@ -25,11 +25,12 @@ ROOMS = {
     "contact/rigid": ["contact/law", "contact/suture", "contact/search"],
     "contact/law": ["contact/suture", "contact/rigid"],
     "contact/suture": ["contact/law", "contact/search"],
-    "app/plot": ["app/memory", "app/records", "app/scene", "app/study", "app/trade"],
-    "app/scene": ["app/records", "app/trade", "app/plot"],
-    "app/memory": ["app/records", "app/study", "app/trade", "app/plot"],
-    "app/records": ["app/study", "app/trade", "app/plot"],
-    "app/study": ["app/records", "app/trade", "app/memory"],
+    "app/plot": ["app/memory", "app/records", "app/report", "app/scene", "app/study", "app/trade"],
+    "app/scene": ["app/records", "app/trade", "app/plot", "app/report"],
+    "app/memory": ["app/records", "app/study", "app/trade", "app/plot", "app/report"],
+    "app/records": ["app/study", "app/trade", "app/plot", "app/report"],
+    "app/study": ["app/records", "app/trade", "app/memory", "app/report"],
+    "app/report": ["app/memory", "app/trade"],
 }
 LEVEL = {folder: level for level, floor in enumerate(FLOORS) for folder in floor}
 WRAPPED = {  # header pattern: the sources that may include it
@@ -37,7 +38,7 @@ WRAPPED = {  # header pattern: the sources that may include it
     r"_?hypre\w*\.h|HYPRE\w*\.h": r"precond/amg/boomeramg\.cpp",
     r"dmumps_c\.h": r"core/solve/mumps\.cpp",
     r"hdf5\.h|H5\w*\.h": r"core/io/hdf5_\w+\.(cpp|hpp)|core/solve/dump\.cpp|core/io/vtkhdf\.cpp",
-    r"zlib\.h": r"core/mesh/vtk/vtu_bytes\.cpp",
+    r"zlib\.h": r"core/mesh/vtk/vtu_bytes\.cpp|core/io/deflate\.cpp",
     r"metis\.h": r"core/mesh/distributed/partition\.cpp",
     r"yaml-cpp/.*": r"app/.*",
     r"muParser\.h": r"core/problem/formula\.cpp",

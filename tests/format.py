@@ -9,7 +9,7 @@ FOLDERS = ["app", "benchmarks", "contact", "core", "examples", "precond", "tests
 
 
 def main():
-    sources = sorted(p for folder in FOLDERS for p in (ROOT / folder).rglob("*.[ch]pp"))
+    sources = sorted(p for folder in FOLDERS for end in ("[ch]pp", "js") for p in (ROOT / folder).rglob("*." + end))
     how = ["-i"] if "--fix" in sys.argv[1:] else ["--dry-run", "-Werror", "--ferror-limit=1"]
     done = subprocess.run(["clang-format", *how, *sources], capture_output=True, text=True)
     print(done.stderr[-3000:] or f"{len(sources)} files are formatted")

@@ -37,6 +37,7 @@ RecordNames record_names(const Scene& scene) {
   RecordNames records{{summary_file, history_file, resolved_file, log_file, checkpoint_file}};
   const LinearSettings& linear = scene.solver.linear;
   if (linear.record_krylov || linear.record_spectrum) records.names.insert(krylov_file);
+  if (scene.output.report) records.names.insert(report_file);
   if (!scene.output.vtk) return records;
   records.names.insert({series_file, bodies_index, lines_index});
   records.increments = 0;

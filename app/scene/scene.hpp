@@ -13,7 +13,7 @@ namespace bulbus::inline app {
 
 /// What a run saves for ParaView. The last converged increment is always saved.
 struct OutputSettings {
-  bool vtk = true;
+  bool vtk = true, report = false;
   int every = 1, checkpoint = 0;
   std::vector<std::string> fields{"displacement", "stress",           "mises",         "pressure", "region",
                                   "gap",          "contact_pressure", "contact_status"};
@@ -22,6 +22,8 @@ struct OutputSettings {
     v("vtk", vtk,
       About{"write result_*.hdf (VTKHDF) and result.hdf.series, the rigid bodies as bodies_*.vtp with "
             "bodies.pvd, bars and sutures as lines_*.vtp with lines.pvd"});
+    v("report", report,
+      About{"write report.html at the end: the run as one page for a browser, with the model in 3-D"});
     v("every", every, About{"save each n-th converged increment, and always the last"}.between(1, 1000000));
     v("checkpoint", checkpoint,
       About{"write checkpoint.h5, from which --restart goes on, at each n-th converged increment and at the "

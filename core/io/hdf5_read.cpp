@@ -3,6 +3,14 @@
 #include "core/io/hdf5_file.hpp"
 
 namespace bulbus::inline io {
+namespace {
+
+herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+}  // namespace
 
 std::vector<double> read_dataset(const std::string& path, const std::string& dataset) {
   using hdf5::Handle;
@@ -14,6 +22,17 @@ std::vector<double> read_dataset(const std::string& path, const std::string& dat
   std::vector<double> values(H5Sget_simple_extent_npoints(space));
   hdf5::check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), fault);
   return values;
+}
+
+std::vector<std::string> names_in(const std::string& path, const std::string& group) {
+  using hdf5::Handle;
+  const hdf5::Quiet quiet;
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
+  if (H5Lexists(file, group.c_str(), H5P_DEFAULT) <= 0) return {};
+  Handle opened(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose, path + ": the group " + group);
+  std::vector<std::string> names;
+  hdf5::check(H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name, &names), path);
+  return names;
 }
 
 }  // namespace bulbus::inline io

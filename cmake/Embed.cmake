@@ -1,0 +1,17 @@
+# cmake -DOUTPUT=FILE.cpp -DHEADER=page_files.hpp -DNAMESPACE=bulbus::page_files -DENTRIES=NAME=FILE[+FILE...],... -P Embed.cmake
+# Writes a source with the contents of files as text constants, several files one behind the other.
+set(source "#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n\n")
+string(REPLACE "," ";" entries "${ENTRIES}")
+foreach(entry IN LISTS entries)
+  string(REGEX MATCH "^([^=]+)=(.*)$" found "${entry}")
+  set(name ${CMAKE_MATCH_1})
+  string(REPLACE "+" ";" files "${CMAKE_MATCH_2}")
+  string(APPEND source "const std::string_view ${name} =")
+  foreach(file IN LISTS files)
+    file(READ "${file}" text)
+    string(APPEND source " R\"embedded(${text})embedded\"")
+  endforeach()
+  string(APPEND source ";\n\n")
+endforeach()
+string(APPEND source "}  // namespace ${NAMESPACE}\n")
+file(WRITE "${OUTPUT}" "${source}")
