@@ -132,6 +132,22 @@ TEST(Laws, SimpleShear) {
     }
 }
 
+// exp(2000 (Ī1 − 3)) overflows from a stretch of .38 on, and long before it no increment comes to its end:
+// what is left is the last state in equilibrium.
+TEST(Laws, OverflowingExponentialIsCutAndNotAccepted) {
+  RegionSpec law = fung();
+  law.fung->b = 2000;
+  Scene scene = stretched(law, 2, {}, {});
+  scene.model.steps[0].increments = 1;
+  Trial run(scene);
+  run.direct();
+  EXPECT_FALSE(run.report.converged);
+  for (const Increment& i : run.increments) EXPECT_TRUE(std::isfinite(i.newton.balance.force));
+  EXPECT_GT(run.report.cuts, 0);
+  EXPECT_TRUE(std::isfinite(largest(run.state.x)) && std::isfinite(largest(run.state.lambda)));
+  EXPECT_TRUE(std::isfinite(run.problem.solid().energy(run.state.x)));
+}
+
 constexpr double inner = 10, outer = 12, dispersion = .1;
 
 /// A quarter of a tube whose length is kept, with families at `half_angle` to its circles: n × 2n × 1 cells.
