@@ -262,7 +262,7 @@ TEST(Laws, FibreBlockIsThatOfAnotherCode) {
           worse(worst, std::abs(run->displacement(run->problem.mesh().local(corner[0]), c) - r[names[c]]));
   }
   measured("fibre block: displacements differ from those of another code by {:.1e} mm", worst);
-  EXPECT_LT(worst, 1e-8);
+  EXPECT_LT(worst, 1e-10);
 }
 
 TEST(Laws, IterativeIsDirectWithFibres) {
