@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 namespace {
 
 RegionSpec neo_hookean(double c10) {
@@ -73,4 +73,4 @@ void require_tissues(const std::vector<std::string>& regions, const Model& model
                         "Add `" + name + ": {c10: ...}` under `regions`, or say `materials: paper`.");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline material {
 
 template <class T>
 Sym3<T> deviator(Sym3<T> a, const T& factor) {
@@ -39,4 +39,4 @@ void add(const Sym3<T>& S, Mat3<T>& t) {
     for (int j = 0; j < 3; ++j) t(i, j) += S(i, j);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline material

@@ -2,7 +2,7 @@
 #include "core/base/pack.hpp"
 #include "core/material/convected.hpp"
 
-namespace bulbus {
+namespace bulbus::inline material {
 
 /// A neo-Hookean matrix with families of dispersed fibres [Holzapfel, Gasser and Ogden 2000; Gasser, Ogden
 /// and Holzapfel 2006]:
@@ -114,4 +114,4 @@ constexpr bool has_fibres = false;
 template <class T>
 constexpr bool has_fibres<FibreLaw<T>> = true;
 
-}  // namespace bulbus
+}  // namespace bulbus::inline material

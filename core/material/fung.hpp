@@ -2,7 +2,7 @@
 #include "core/base/pack.hpp"
 #include "core/material/convected.hpp"
 
-namespace bulbus {
+namespace bulbus::inline material {
 
 /// W = a/(2b) (exp(b (Ī1 − 3)) − 1) [Demiray 1972], the isotropic law of Fung's kind: a is the initial shear
 /// modulus (MPa), b the rate of stiffening. Where the exponential overflows, stress and energy are infinite.
@@ -38,4 +38,4 @@ struct Fung {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline material

@@ -1,6 +1,6 @@
 #include "core/material/material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline material {
 
 Material make_material(const std::vector<Polynomial::Term>& terms) {
   double c10 = 0, c01 = 0;
@@ -28,4 +28,4 @@ bool always_stable(const Material& material) {
          std::holds_alternative<FibreReinforced>(material);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline material

@@ -6,7 +6,7 @@
 #include "core/material/fibres.hpp"
 #include "core/material/fung.hpp"
 
-namespace bulbus {
+namespace bulbus::inline material {
 
 /// Isochoric hyperelasticity as pointwise mathematics in the current frame, on doubles or packs alike.
 ///
@@ -200,4 +200,4 @@ double initial_shear_modulus(const Material& material);
 /// rising convex function of Σ e^(2ε), ε the logarithmic stretches.
 bool always_stable(const Material& material);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline material

@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/formula.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 using Direction = std::function<Vec3<double>(const Vec3<double>& X)>;
@@ -91,4 +91,4 @@ std::vector<double> fibre_directions(const FibresSpec& fibres, const std::string
   return directions;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

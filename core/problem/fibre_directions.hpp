@@ -6,7 +6,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Unit vectors of the families of a region's hexahedra in the reference configuration, taken at the mean of
 /// a hexahedron's nodes: 3 numbers of each family of each hexahedron. `X`: places of the nodes; `key` names
@@ -14,4 +14,4 @@ namespace bulbus {
 std::vector<double> fibre_directions(const FibresSpec& fibres, const std::string& key,
                                      std::span<const double> X, std::span<const Hex> hexes);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

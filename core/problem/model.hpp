@@ -10,7 +10,7 @@
 #include "core/problem/spec/material_spec.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// What a scene says of the physics, as plain data: Problem is built from a Mesh and a Model. Defaults, units
 /// and bounds stand here and nowhere else.
@@ -262,4 +262,4 @@ struct Model {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

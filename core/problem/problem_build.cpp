@@ -8,7 +8,7 @@
 #include "core/problem/problem.hpp"
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // Mean place of some nodes, on the symmetry planes where there are any: the same on every rank.
@@ -176,4 +176,4 @@ void Problem::hold_fixed() {
   dofs_->build();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -2,7 +2,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // All terms c_rs.
@@ -43,4 +43,4 @@ void check_law(const RegionSpec& spec, const std::string& key) {
     refuse("`fibres` stand beside c10 alone", "Leave the other coefficients of the region out.");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -2,7 +2,7 @@
 #include "core/material/material.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// The law that the keys of a deformable region choose: the only place that turns a RegionSpec into a
 /// Material.
@@ -11,4 +11,4 @@ Material material_of(const RegionSpec& spec);
 /// Throws InputError where keys of a region exclude one another; `key` is the region's.
 void check_law(const RegionSpec& spec, const std::string& key);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -16,7 +16,7 @@
 #include "core/problem/region_material.hpp"
 #include "core/problem/symmetry_planes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 template <class Map>
@@ -253,4 +253,4 @@ void validate(const Mesh& mesh, const Model& model) {
   require_supported(mesh, model);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -5,7 +5,7 @@
 
 #include "core/base/parameters.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// W = a/(2b) (exp(b (Ī1 − 3)) − 1), Fung-Demiray.
 struct FungSpec {
@@ -54,4 +54,4 @@ struct FibresSpec {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem
