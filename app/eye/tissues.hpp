@@ -7,9 +7,9 @@
 
 namespace bulbus::inline eye {
 
-/// c10 of a tissue of the eye, MPa, or nothing if no tissue has that name. `materials` is one of the choices
+/// The law of a tissue of the eye, or nothing if no tissue has that name. `materials` is one of the choices
 /// of Scene::materials.
-std::optional<double> tissue_stiffness(const std::string& materials, const std::string& tissue);
+std::optional<RegionSpec> tissue_law(const std::string& materials, const std::string& tissue);
 
 /// Gives every region that the model leaves out what `materials` say.
 void add_tissues(const std::string& materials, const std::vector<std::string>& regions, Model& model);

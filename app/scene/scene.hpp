@@ -55,8 +55,9 @@ struct Scene {
       About{"what regions named after a tissue of the eye have where `regions` does not mention them: "
             "`paper`, c10 in MPa of cornea "
             "0.0333, sclera 0.0833, ciliary_body 0.01, choroid 0.0083, retina 0.0008, optic_nerve 0.05, lens "
-            "1; `physiological`, six "
-            "times that but for the lens; `stiff_lens`, `paper` with a lens of 100"}
+            "1; `physiological`, cornea and sclera that stiffen as in living eyes, with figures of "
+            "measurements "
+            "(resolved.yaml has them); `stiff_lens`, `paper` with a lens of 100"}
           .one_of({"none", "paper", "physiological", "stiff_lens"}));
     model.describe(v);
     v("solver", solver, About{"how the equations are solved"});

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -100,6 +101,47 @@ inline Pack inverse_cube_root(const Pack& x) {
   const Pack::Vector third = __builtin_convertvector(std::bit_cast<Bits>(x.v), Pack::Vector) * (1.0 / 3);
   const Bits guess = 0x553EF0FF289DD796 - __builtin_convertvector(third, Bits);
   return refined_inverse_cube_root(x, refined_inverse_cube_root(x, Pack(std::bit_cast<Pack::Vector>(guess))));
+}
+
+using PackBits = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
+
+/// x between two bounds; a NaN stays one.
+inline double clamped(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+inline Pack clamped(const Pack& x, double low, double high) {
+  const Pack least(low), most(high);
+  return Pack(Pack::Vector(x.v < least.v ? least.v : x.v > most.v ? most.v : x.v));
+}
+
+/// y where x > bound, else 0.
+inline double where_above(double bound, double x, double y) { return x > bound ? y : 0; }
+inline Pack where_above(double bound, const Pack& x, const Pack& y) {
+  return Pack(Pack::Vector(x.v > Pack(bound).v ? y.v : Pack(0.).v));
+}
+
+/// 2^n for whole n between -1022 and 1024, which is infinite.
+inline double power_of_two(double n) {
+  return std::bit_cast<double>((static_cast<std::int64_t>(n) + 1023) << 52);
+}
+inline Pack power_of_two(const Pack& n) {
+  return Pack(std::bit_cast<Pack::Vector>((__builtin_convertvector(n.v, PackBits) + 1023) << 52));
+}
+
+/// e^x to two units in the last place, as 2^n e^r with |r| ≤ ½ ln 2 and a Taylor polynomial of degree 13 in
+/// r; infinite from x = 709.5 on, 1e-308 below x = -708.
+template <class T>
+T exponential(const T& x) {
+  constexpr double per_ln2 = 1.4426950408889634, ln2_high = 6.93147180369123816490e-01,
+                   ln2_low = 1.90821492927058770002e-10;  // ln 2 in two parts: n ln2_high is exact
+  constexpr double shift = 0x1.8p52;                      // added and taken away it rounds to a whole number
+  const T y = clamped(x, -708, 710), n = (y * per_ln2 + shift) - shift;
+  const T r = (y - n * ln2_high) - n * ln2_low;
+  constexpr double inverse_factorial[] = {1. / 479001600, 1. / 39916800, 1. / 3628800, 1. / 362880,
+                                          1. / 40320,     1. / 5040,     1. / 720,     1. / 120,
+                                          1. / 24,        1. / 6};
+  T p(1. / 6227020800);
+  for (double c : inverse_factorial) p = p * r + c;
+  const T tail = r * r * (0.5 + r * p);
+  return power_of_two(n) * (1.0 + (r + tail));
 }
 
 }  // namespace bulbus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "core/base/memory.hpp"
 #include "core/element/solid_kernel.hpp"
@@ -35,6 +36,7 @@ Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<Soli
     r.first_pack = static_cast<int>(packs_.size());
     r.packs = static_cast<int>(packs.size());
     packs_.insert(packs_.end(), packs.begin(), packs.end());
+    pack_fibres(r);
   }
   for_each_pack([&](const auto&, int p, int first) {
     store_some(volume_of(reference_gradient(gather<8>(packs_[p], X_))), V0_, first, packs_[p].used);
@@ -48,6 +50,25 @@ Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<Soli
   for (std::size_t i = 0; i < rigid_.size(); ++i)
     V0_[rigid_[i]] =
         volume_of(reference_gradient(gather<8>(packs[i / lanes], X_)))[static_cast<int>(i % lanes)];
+}
+
+void Solid::pack_fibres(SolidRegion& r) {
+  r.first_fibre = static_cast<int>(fibres_.size());
+  const auto* law = std::get_if<FibreReinforced>(&r.material);
+  if (!law) return;
+  if (r.directions.size() != 3ul * r.count * law->families)
+    throw std::invalid_argument("region '" + r.name +
+                                "': a direction for each family of each hexahedron is needed");
+  fibres_.resize(fibres_.size() + r.packs * law->families);
+  for (int p = 0; p < r.packs; ++p)
+    for (int i = 0; i < law->families; ++i)
+      for (int l = 0; l < lanes; ++l) {
+        const int hex = std::min(p * lanes + l, r.count - 1);  // unused lanes repeat the last hexahedron
+        for (int c = 0; c < 3; ++c)
+          fibres_[r.first_fibre + p * law->families + i][c].v[l] =
+              r.directions[3 * (hex * law->families + i) + c];
+      }
+  std::vector<double>().swap(r.directions);
 }
 
 void Solid::residual(std::span<const double> x, std::span<const double> lambda, std::span<double> force,
@@ -123,15 +144,17 @@ void Solid::update_moduli() {
       std::fill_n(mu_.begin() + r.first, r.count, initial);
     else
       std::visit(
-          [&](const auto& material) {
+          [&](const auto& law) {
             for (int p = 0; p < r.packs; ++p) {
+              const auto& material = on_pack(law, r, p);
               const auto& pack = packs_[r.first_pack + p];
               const auto gx = reference_gradient(gather(pack, x_)),
                          gX = reference_gradient(gather<8>(pack, X_));
               Pack mu(0.);
               for_each_gauss_point([&](int i, int j, int k) {
                 const Mat3<Pack> a = gx.at(i, j, k);
-                mu += 0.125 * material.shear_modulus(point_strain(a, determinant(a), gX.at(i, j, k)).b);
+                mu += 0.125 *
+                      material.shear_modulus(point_strain(material, a, determinant(a), gX.at(i, j, k)).b);
               });
               for (int l = 0; l < pack.used; ++l)
                 mu_[r.first + p * lanes + l] = std::max(mu[l], floor * initial);
@@ -146,22 +169,24 @@ void Solid::update_moduli() {
 void Solid::fill_cache() {
   constexpr int per_point = cached_floats * lanes;
   cache_.resize(packs_.size() * pack_floats);
-  for_each_pack([&](const auto&, int p, int) {
-    const auto gx = reference_gradient(gather(packs_[p], x_)),
-               gX = reference_gradient(gather<8>(packs_[p], X_));
-    for_each_gauss_point([&](int i, int j, int k) {
-      const Mat3<Pack> a = gx.at(i, j, k);
-      const PointStrain<Pack> s = point_strain(a, determinant(a), gX.at(i, j, k));
-      float* to = cache_.data() + (static_cast<std::size_t>(p) * 8 + i + 2 * j + 4 * k) * per_point;
-      for (int c = 0; c < 6; ++c) store(s.b.v[c], to + c * lanes);
-      store(s.dV0, to + 6 * lanes);
-    });
+  for_each_pack([&]<class Material>(const Material& material, int p, int) {
+    if constexpr (!has_fibres<Material>) {  // the strain of fibres is always recomputed
+      const auto gx = reference_gradient(gather(packs_[p], x_)),
+                 gX = reference_gradient(gather<8>(packs_[p], X_));
+      for_each_gauss_point([&](int i, int j, int k) {
+        const Mat3<Pack> a = gx.at(i, j, k);
+        const auto s = point_strain(material, a, determinant(a), gX.at(i, j, k));
+        float* to = cache_.data() + (static_cast<std::size_t>(p) * 8 + i + 2 * j + 4 * k) * per_point;
+        for (int c = 0; c < 6; ++c) store(s.b.v[c], to + c * lanes);
+        store(s.dV0, to + 6 * lanes);
+      });
+    }
   });
 }
 
 void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
                   std::span<double> volume_change) const {
-  for_each_pack([&](const auto& material, int p, int first) __attribute__((flatten)) {
+  for_each_pack([&]<class Material>(const Material& material, int p, int first) __attribute__((flatten)) {
     const auto& pack = packs_[p];
     const Pack lambda = load_some(lambda_, first, pack.used), penalty = load_some(penalty_, first, pack.used);
     const Pack dl = dlambda.empty() ? Pack(0.) : load_some(dlambda, first, pack.used);
@@ -172,10 +197,13 @@ void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, s
           tangent_action(material, strain, gather(pack, x_), gather(pack, dx), lambda, dl, penalty, theta),
           force);
     };
-    if (source_ == StrainSource::cache)
-      add_action(CachedStrain{cache_.data() + static_cast<std::size_t>(p) * pack_floats});
-    else
-      add_action(RecomputedStrain{reference_gradient(gather<8>(pack, X_))});
+    if constexpr (!has_fibres<Material>)
+      if (source_ == StrainSource::cache) {
+        add_action(CachedStrain{cache_.data() + static_cast<std::size_t>(p) * pack_floats});
+        if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
+        return;
+      }
+    add_action(recomputed_strain(material, reference_gradient(gather<8>(pack, X_))));
     if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
   });
 }
@@ -199,8 +227,8 @@ void Solid::volume_change(std::span<const double> dx, std::span<double> volume_c
 }
 
 std::size_t Solid::bytes() const {
-  return bytes_of(X_) + bytes_of(packs_) + bytes_of(V0_) + bytes_of(mu_) + bytes_of(penalty_) +
-         bytes_of(single_.x);
+  return bytes_of(X_) + bytes_of(packs_) + bytes_of(fibres_) + bytes_of(V0_) + bytes_of(mu_) +
+         bytes_of(penalty_) + bytes_of(single_.x);
 }
 
 std::size_t Solid::cache_bytes() const { return bytes_of(cache_) + bytes_of(single_.tangents); }

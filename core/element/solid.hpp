@@ -17,7 +17,10 @@ struct SolidRegion {
   std::string name;
   Material material;
   int first = 0, count = 0;  ///< hexahedra
-  int first_pack = 0, packs = 0;
+  /// Of a law with fibres: unit vectors in the reference configuration, 3 numbers of each family of each
+  /// hexahedron.
+  std::vector<double> directions = {};
+  int first_pack = 0, packs = 0, first_fibre = 0;
 };
 
 /// How the tangent gets the strain at its Gauss points.
@@ -97,18 +100,28 @@ class Solid {
   std::size_t cache_bytes() const;
 
  private:
+  // The law of a region's pack p.
+  template <class Law>
+  const Law& on_pack(const Law& material, const SolidRegion&, int) const {
+    return material;
+  }
+  FibreLaw<Pack> on_pack(const FibreReinforced& material, const SolidRegion& r, int p) const {
+    return {material, fibres_.data() + r.first_fibre + p * material.families};
+  }
   // body(material, pack number, first hexahedron)
   template <class Body>
   void for_each_pack(Body body) const {
     for (const SolidRegion& r : regions_)
       std::visit(
           [&](const auto& material) {
-            for (int p = 0; p < r.packs; ++p) body(material, r.first_pack + p, r.first + p * lanes);
+            for (int p = 0; p < r.packs; ++p)
+              body(on_pack(material, r, p), r.first_pack + p, r.first + p * lanes);
           },
           r.material);
   }
   template <class Use>
   void for_each_least_jacobian(std::span<const double> x, Use use) const;
+  void pack_fibres(SolidRegion& r);
   void update_moduli();
   void fill_cache();
   void round_places() const;
@@ -119,6 +132,7 @@ class Solid {
   std::vector<double> X_;
   std::vector<SolidRegion> regions_;
   std::vector<PackNodes<8>> packs_;
+  std::vector<Vec3<Pack>> fibres_;  // of each pack of a region with fibres: a direction per family
   std::vector<double> V0_, mu_, penalty_;
   std::vector<int> rigid_;
   std::vector<float, LargePages<float>> cache_;

@@ -2,6 +2,7 @@
 #include "core/base/pack.hpp"
 #include "core/element/mean_tangent.hpp"
 #include "core/element/semidefinite.hpp"
+#include "core/material/material.hpp"
 
 namespace bulbus::inline element {
 
@@ -16,35 +17,66 @@ void for_each_gauss_point(Body body) {
       for (int i = 0; i < 2; ++i) body(i, j, k);
 }
 
-/// Isochoric left Cauchy-Green tensor and reference volume of a Gauss point.
-template <class T>
+/// Strain, for isotropic laws the isochoric left Cauchy-Green tensor, and reference volume of a Gauss point.
+template <class T, class Strain = Sym3<T>>
 struct PointStrain {
-  Sym3<T> b;
+  Strain b;
   T dV0;
 };
+template <class T>
+using PointFibreStrain = PointStrain<T, FibreStrain<T>>;
 
 /// b = J^(−2/3) F Fᵀ from the Jacobians a = ∂x/∂ξ (with its determinant) and A = ∂X/∂ξ.
 template <class T>
-PointStrain<T> point_strain(const Mat3<T>& a, const T& det_a, const Mat3<T>& A) {
+PointFibreStrain<T> point_fibre_strain(const Mat3<T>& a, const T& det_a, const Mat3<T>& A) {
   const Mat3<T> cof = cofactor(A);
   const T dV0 = determinant(A, cof), inverse = 1.0 / dV0;
   const Mat3<T> F = times_transposed(a, cof);  // a cof(A)ᵀ = F det A
-  const T root = inverse_cube_root(T(det_a * inverse)) * inverse;
-  return {gram(F, T(root * root)), dV0};
+  const T root = inverse_cube_root(T(det_a * inverse)) * inverse, scale = root * root;
+  return {{gram(F, scale), F, scale}, dV0};
 }
 
-/// The strain of a pack's Gauss points, computed from the reference configuration too.
-struct RecomputedStrain {
+/// What the law needs.
+template <class Material, class T>
+PointStrain<T> point_strain(const Material&, const Mat3<T>& a, const T& det_a, const Mat3<T>& A) {
+  const PointFibreStrain<T> s = point_fibre_strain(a, det_a, A);
+  return {s.b.b, s.dV0};
+}
+template <class T>
+PointFibreStrain<T> point_strain(const FibreLaw<T>&, const Mat3<T>& a, const T& det_a, const Mat3<T>& A) {
+  return point_fibre_strain(a, det_a, A);
+}
+
+/// The strain of a pack's Gauss points with fibres, computed from the reference configuration too.
+struct RecomputedFibreStrain {
   ReferenceGradient<Pack> A;
   /// a = ∂x/∂ξ, det = det a
-  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a, const Pack& det) const {
+  PointFibreStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a, const Pack& det) const {
     const Mat3<Pack> reference = A.at(i, j, k), cof = cofactor(reference);
     const Pack dV0 = determinant(reference, cof);
     const Pack product = det * dV0 * dV0,
                root = inverse_cube_root(Pack(product * product));  // (det² dV0⁴)^(-1/3) = J^(-2/3) / dV0²
-    return {gram(times_transposed(a, cof), root), dV0};
+    const Mat3<Pack> F = times_transposed(a, cof);
+    return {{gram(F, root), F, root}, dV0};
   }
 };
+
+/// The same for isotropic laws.
+struct RecomputedStrain {
+  RecomputedFibreStrain of;
+  PointStrain<Pack> at(int i, int j, int k, const Mat3<Pack>& a, const Pack& det) const {
+    const PointFibreStrain<Pack> s = of.at(i, j, k, a, det);
+    return {s.b.b, s.dV0};
+  }
+};
+
+template <class Material>
+RecomputedStrain recomputed_strain(const Material&, const ReferenceGradient<Pack>& A) {
+  return {{A}};
+}
+inline RecomputedFibreStrain recomputed_strain(const FibreLaw<Pack>&, const ReferenceGradient<Pack>& A) {
+  return {A};
+}
 
 /// Floats kept per element and Gauss point by the cache: b and dV0.
 constexpr int cached_floats = 7;
@@ -73,7 +105,7 @@ NodalVectors<Pack> internal_force(const Material& material, const ReferenceGradi
     const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
     const Pack det = determinant(a, cof), inverse = 1.0 / det;
     volume += det;
-    const PointStrain<Pack> s = point_strain(a, det, X.at(i, j, k));
+    const auto s = point_strain(material, a, det, X.at(i, j, k));
     const Sym3<Pack> tau = material.deviatoric(s.b);
     Mat3<Pack> q;  // (τ dV0) a⁻ᵀ, and a⁻ᵀ = cof / det
     const Pack scale = s.dV0 * inverse;
@@ -99,7 +131,7 @@ NodalVectors<P> tangent_action(const Material& material, const Strain& strain, c
   for_each_gauss_point([&](int i, int j, int k) {
     const Mat3<P> a = gx.at(i, j, k), cof = cofactor(a);
     const P det = determinant(a, cof), inverse = 1.0 / det;
-    const PointStrain<P> s = strain.at(i, j, k, a, det);
+    const auto s = strain.at(i, j, k, a, det);
     const Mat3<P> l = times_transposed(gd.at(i, j, k), cof);  // l det
     // T is linear in l: hand over l det and divide once. Everything carries one more 1/det for a⁻ᵀ = cof /
     // det.
@@ -125,7 +157,7 @@ MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient
   for_each_gauss_point([&](int i, int j, int k) {
     const Mat3<Pack> a = x.at(i, j, k), cof = cofactor(a);
     const Pack det = determinant(a, cof), inverse = 1.0 / det;
-    const PointStrain<Pack> s = point_strain(a, det, X.at(i, j, k));
+    const auto s = point_strain(material, a, det, X.at(i, j, k));
     const Pack weight = s.dV0 * inverse * inverse, pressure = taken * inverse;
     for (int f = 0; f < 3; ++f) {
       const int e = (f + 2) % 3, d = (f + 1) % 3;  // (d, e, f) is cyclic

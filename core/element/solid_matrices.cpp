@@ -30,8 +30,8 @@ std::array<Pack, 24> constraint(const NodalVectors<Pack>& x) {
 }
 
 // One Gauss point's share of the matrix: column (n, c) is the action on l = e_c ⊗ ∇ₓN_n.
-template <class Material>
-void add_point(const Material& material, const PointStrain<Pack>& s, const ShapeGradients& g, const Pack& det,
+template <class Material, class Strain>
+void add_point(const Material& material, const Strain& s, const ShapeGradients& g, const Pack& det,
                const Pack& lambda, std::vector<Pack>& K) {
   const Pack pressure = lambda * det;
   for (int n = 0; n < 8; ++n)
@@ -141,8 +141,8 @@ void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
     for_each_gauss_point([&](int i, int j, int k) {
       const Mat3<Pack> a = gx.at(i, j, k), cof = cofactor(a);
       const Pack det = determinant(a, cof);
-      add_point(material, point_strain(a, det, gX.at(i, j, k)), spatial_gradients(i, j, k, cof, 1. / det),
-                det, lambda, K);
+      add_point(material, point_strain(material, a, det, gX.at(i, j, k)),
+                spatial_gradients(i, j, k, cof, 1. / det), det, lambda, K);
     });
     if (augmented) {
       const auto b = constraint(gather(pack, x_));
@@ -177,7 +177,7 @@ std::vector<CellStress> Solid::stresses(std::span<const double> x, std::span<con
     for_each_gauss_point([&](int i, int j, int k) {
       const Mat3<Pack> a = gx.at(i, j, k);
       const Pack det = determinant(a);
-      const PointStrain<Pack> s = point_strain(a, det, gX.at(i, j, k));
+      const auto s = point_strain(material, a, det, gX.at(i, j, k));
       const Sym3<Pack> tau = material.deviatoric(s.b);  // σ = τ / J + λ I
       const Pack per_J = s.dV0 / det, norm2 = contract(tau, tau);
       for (int l = 0; l < pack.used; ++l) {
@@ -198,7 +198,7 @@ double Solid::energy(std::span<const double> x) const {
     const auto gx = reference_gradient(gather(pack, x)), gX = reference_gradient(gather<8>(pack, X_));
     for_each_gauss_point([&](int i, int j, int k) {
       const Mat3<Pack> a = gx.at(i, j, k);
-      const PointStrain<Pack> s = point_strain(a, determinant(a), gX.at(i, j, k));
+      const auto s = point_strain(material, a, determinant(a), gX.at(i, j, k));
       const Pack w = material.energy(s.b) * s.dV0;
       for (int l = 0; l < pack.used; ++l) sum += w[l];
     });

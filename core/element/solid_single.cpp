@@ -41,13 +41,13 @@ void Solid::fill_tangents() const {
   single_.tangents.clear();
   single_.tangents.reserve(pairs);
   for (const SolidRegion& r : regions_) {
-    const auto store_all = [&](const auto& material) {
+    const auto store_all = [&](const auto& law) {
       for (int p = 0; p < r.packs; ++p) {
         const PackNodes<8>& pack = packs_[r.first_pack + p];
         const int first = r.first + p * lanes, half = p % 2 * lanes;
         Pack rest;
         const auto C = mean_tangent(
-            material, reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)),
+            on_pack(law, r, p), reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)),
             load_some(lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
         if (half == 0) single_.tangents.push_back({});
         SingleTangent& to = single_.tangents.back();

@@ -23,4 +23,9 @@ double initial_shear_modulus(const Material& material) {
   return std::visit([&](const auto& m) { return m.shear_modulus(identity); }, material);
 }
 
+bool always_stable(const Material& material) {
+  return std::holds_alternative<NeoHooke>(material) || std::holds_alternative<Fung>(material) ||
+         std::holds_alternative<FibreReinforced>(material);
+}
+
 }  // namespace bulbus::inline material

@@ -2,7 +2,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/tensor.hpp"
+#include "core/material/convected.hpp"
+#include "core/material/fibres.hpp"
+#include "core/material/fung.hpp"
 
 namespace bulbus::inline material {
 
@@ -19,14 +21,6 @@ namespace bulbus::inline material {
 /// shear_modulus(b) = 2 (W1 + W2) and tangent(b, l, w, p) = w T(l) + p (tr(l) I − lᵀ): folding the weight and
 /// the pressure part in saves a tenth of the operations of an application.
 
-template <class T>
-Sym3<T> deviator(Sym3<T> a, const T& factor) {
-  const T mean = trace(a) * (1.0 / 3);
-  for (int i = 0; i < 3; ++i) a.v[i] = factor * (a.v[i] - mean);
-  for (int i = 3; i < 6; ++i) a.v[i] = factor * a.v[i];
-  return a;
-}
-
 /// W = c10 (Ī1 − 3)
 struct NeoHooke {
   double c10;
@@ -36,23 +30,11 @@ struct NeoHooke {
     return deviator(b, T(2 * c10));
   }
 
-  /// T = 2 c10 [ l b − ⅔ (b:l) I + ⅓ tr b lᵀ − ⅔ tr l b + 2/9 tr b tr l I ]; here b carries 2 c10 w.
-  /// With e = ⅔ tr l and q = (l − e I) b, whose trace is b:l − e tr b, this is q + ⅓ tr b lᵀ − ⅔ tr q I − ⅓ e
-  /// tr b I.
   template <class T>
   Mat3<T> tangent(Sym3<T> b, const Mat3<T>& l, const T& w, const T& p) const {
     const T weight = 2 * c10 * w;
     for (T& v : b.v) v *= weight;
-    const T third = trace(b) * (1.0 / 3), tr = trace(l), e = tr * (2.0 / 3), transposed = third - p;
-    Mat3<T> t = l;
-    for (int i = 0; i < 3; ++i) t(i, i) -= e;
-    t = t * b;
-    const T spherical = p * tr - third * e - trace(t) * (2.0 / 3);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) t(i, j) += transposed * l(j, i);
-      t(i, i) += spherical;
-    }
-    return t;
+    return convected_tangent(b, l, p);
   }
 
   template <class T>
@@ -204,12 +186,18 @@ struct Isotropic {
   }
 };
 
-using Material = std::variant<NeoHooke, Isotropic<MooneyRivlin>, Isotropic<Polynomial>>;
+using Material =
+    std::variant<NeoHooke, Isotropic<MooneyRivlin>, Isotropic<Polynomial>, Fung, FibreReinforced>;
 
 /// The leanest material for the given terms: neo-Hookean regions run no Ī2 code.
 Material make_material(const std::vector<Polynomial::Term>& terms);
 
-/// 2 (W1 + W2) in the undeformed state: the small-strain shear modulus.
+/// 2 (W1 + W2) in the undeformed state: the small-strain shear modulus. Fibres, which carry nothing there,
+/// have no part in it.
 double initial_shear_modulus(const Material& material);
+
+/// Is the law stable in every state by its form (see core/problem/material_stability)? Its energy is then a
+/// rising convex function of Σ e^(2ε), ε the logarithmic stretches.
+bool always_stable(const Material& material);
 
 }  // namespace bulbus::inline material

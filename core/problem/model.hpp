@@ -7,6 +7,7 @@
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/problem/spec/contact_spec.hpp"
+#include "core/problem/spec/material_spec.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
 namespace bulbus::inline problem {
@@ -14,7 +15,7 @@ namespace bulbus::inline problem {
 /// What a scene says of the physics, as plain data: Problem is built from a Mesh and a Model. Defaults, units
 /// and bounds stand here and nowhere else.
 
-/// W = Σ c_rs (Ī1 − 3)^r (Ī2 − 3)^s of one region, or a rigid body in its place.
+/// W = Σ c_rs (Ī1 − 3)^r (Ī2 − 3)^s of one region, one of the other laws, or a rigid body in its place.
 struct RegionSpec {
   struct Term {
     int r = 0, s = 0;
@@ -28,6 +29,8 @@ struct RegionSpec {
   };
   double c10 = 0, c01 = 0, c20 = 0, c11 = 0, c02 = 0, c30 = 0;
   std::vector<Term> terms;
+  std::optional<FungSpec> fung;
+  std::optional<FibresSpec> fibres;
   bool rigid = false;
   template <class V>
   void describe(V&& v) {
@@ -39,6 +42,8 @@ struct RegionSpec {
     v("c02", c02, About{"coefficient of (I2 - 3)^2", Quantity::stress});
     v("c30", c30, About{"coefficient of (I1 - 3)^3", Quantity::stress});
     v("terms", terms, About{"further terms c_rs (I1 - 3)^r (I2 - 3)^s"});
+    v("fung", fung, About{"a law that stiffens, a/(2b) (exp(b (I1 - 3)) - 1), in place of all coefficients"});
+    v("fibres", fibres, About{"families of dispersed fibres (Holzapfel-Gasser-Ogden) beside c10"});
     v("rigid", rigid, About{"the region moves as one rigid body: six unknowns, no material"});
   }
 };

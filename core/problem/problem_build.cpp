@@ -4,6 +4,7 @@
 
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/fibre_directions.hpp"
 #include "core/problem/problem.hpp"
 #include "core/problem/region_material.hpp"
 
@@ -93,6 +94,9 @@ void Problem::build_bodies_and_solid() {
     if (!spec.rigid) {
       const auto& run = mesh_.regions[r];
       regions.push_back({name, material_of(spec), run.first, run.count});
+      if (spec.fibres)
+        regions.back().directions = fibre_directions(*spec.fibres, "regions." + name + ".fibres", mesh_.X,
+                                                     std::span(mesh_.hexes).subspan(run.first, run.count));
       continue;
     }
     const auto& nodes = mesh_.region_nodes[r];  // ghosts too of which this rank has no hexahedron

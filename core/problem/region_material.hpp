@@ -8,4 +8,7 @@ namespace bulbus::inline problem {
 /// Material.
 Material material_of(const RegionSpec& spec);
 
+/// Throws InputError where keys of a region exclude one another; `key` is the region's.
+void check_law(const RegionSpec& spec, const std::string& key);
+
 }  // namespace bulbus::inline problem

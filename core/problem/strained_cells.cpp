@@ -35,8 +35,7 @@ StrainedCells strained_cells(const Problem& problem, std::span<const double> x) 
   const LocalMesh& mesh = problem.mesh();
   StrainedCells found;
   for (const SolidRegion& r : problem.solid().regions()) {
-    if (!found.unstable_region.empty() || std::holds_alternative<NeoHooke>(r.material))
-      continue;  // a neo-Hookean law is stable everywhere
+    if (!found.unstable_region.empty() || always_stable(r.material)) continue;
     long long count = 0;
     for (int h = r.first; h < r.first + r.count; ++h) count += !is_stable(r.material, stretches(mesh, h, x));
     if (count = mesh.comm.sum(count); count > 0) found.unstable_region = r.name, found.unstable = count;

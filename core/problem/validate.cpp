@@ -9,6 +9,7 @@
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/fibre_directions.hpp"
 #include "core/problem/plausible.hpp"
 #include "core/problem/pressed_surfaces.hpp"
 #include "core/problem/probes/cancelled_figures.hpp"
@@ -31,6 +32,16 @@ std::string known(const std::string& word, const std::vector<std::string>& names
   return did_you_mean(word, names, names.empty() ? "The mesh has none." : "Known: " + list + ".");
 }
 
+// On every rank alike, before each asks for those of its own hexahedra.
+void check_fibres(const Mesh& mesh, const std::string& region, const FibresSpec& fibres) {
+  std::vector<double> X;
+  std::vector<Hex> hexes;
+  for (const Point& p : mesh.points) X.insert(X.end(), p.begin(), p.end());
+  for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
+    if (mesh.region[h] == region_index(mesh, region)) hexes.push_back(mesh.hexes[h]);
+  fibre_directions(fibres, "regions." + region + ".fibres", X, hexes);
+}
+
 void check_regions(const Mesh& mesh, const Model& model) {
   for (const auto& [name, spec] : model.regions)
     if (region_index(mesh, name) < 0)
@@ -41,6 +52,7 @@ void check_regions(const Mesh& mesh, const Model& model) {
       throw scene_error("regions", "region '" + name + "' of the mesh has no material",
                         "Add `" + name + ": {c10: ...}` under `regions`.");
   for (const auto& [name, spec] : model.regions) {
+    check_law(spec, "regions." + name);
     if (spec.rigid) continue;
     const double mu = initial_shear_modulus(material_of(spec));
     if (!(mu > 0) || !std::isfinite(mu))
@@ -48,6 +60,7 @@ void check_regions(const Mesh& mesh, const Model& model) {
           "regions." + name,
           fmt::format("region '{}' has the initial shear modulus 2 (c10 + c01) = {:g} MPa", name, mu),
           "It must be positive and finite: give c10 (and c01), or `rigid: true`.");
+    if (spec.fibres) check_fibres(mesh, name, *spec.fibres);
   }
 }
 

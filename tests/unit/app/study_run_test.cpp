@@ -65,7 +65,7 @@ TEST(StudyRun, TakesUpWhereItWasLeft) {
 
 /// Their resolved.yaml says what the regions got, not only which materials they are of.
 TEST(StudyRun, FindsRunsOfMaterialsAgain) {
-  const auto scene = replaced(replaced(bar_scene, "{upper", "{region: sclera, upper"),
+  const auto scene = replaced(replaced(bar_scene, "{upper", "{region: ciliary_body, upper"),
                               "regions:\n  block: {c10: 0.5}", "materials: paper");
   const auto study = replaced(bar_study, "keys: [regions.block.c10], values: [0.5 MPa, 1 MPa]",
                               "keys: [materials], values: [paper, physiological]");

@@ -5,15 +5,21 @@
 namespace bulbus {
 namespace {
 
-TEST(Tissues, HaveTheirStiffness) {
-  EXPECT_EQ(tissue_stiffness("paper", "sclera"), .0833);
-  EXPECT_DOUBLE_EQ(*tissue_stiffness("physiological", "sclera"), 6 * .0833);
-  EXPECT_EQ(tissue_stiffness("stiff_lens", "sclera"), .0833);
-  EXPECT_EQ(tissue_stiffness("paper", "lens"), 1);
-  EXPECT_EQ(tissue_stiffness("physiological", "lens"), 1);
-  EXPECT_EQ(tissue_stiffness("stiff_lens", "lens"), 100);
-  EXPECT_FALSE(tissue_stiffness("none", "lens"));
-  EXPECT_FALSE(tissue_stiffness("paper", "lenses"));
+TEST(Tissues, HaveTheirLaws) {
+  EXPECT_EQ(tissue_law("paper", "sclera")->c10, .0833);
+  EXPECT_EQ(tissue_law("stiff_lens", "sclera")->c10, .0833);
+  EXPECT_EQ(tissue_law("paper", "lens")->c10, 1);
+  EXPECT_EQ(tissue_law("physiological", "lens")->c10, 1);
+  EXPECT_EQ(tissue_law("stiff_lens", "lens")->c10, 100);
+  EXPECT_FALSE(tissue_law("none", "lens"));
+  EXPECT_FALSE(tissue_law("paper", "lenses"));
+}
+
+TEST(Tissues, OfThePaperAreNeoHookeanAndLivingOnesStiffen) {
+  for (const char* tissue : {"cornea", "sclera"}) {
+    EXPECT_FALSE(tissue_law("paper", tissue)->fung);
+    EXPECT_TRUE(tissue_law("physiological", tissue)->fung);
+  }
 }
 
 TEST(Tissues, FillInWhatTheModelLeavesOut) {
@@ -24,7 +30,7 @@ TEST(Tissues, FillInWhatTheModelLeavesOut) {
   EXPECT_EQ(model.regions.size(), 3u);
   EXPECT_EQ(model.regions["lens"].c10, 0);
   EXPECT_EQ(model.regions["retina"].c10, 3);
-  EXPECT_DOUBLE_EQ(model.regions["choroid"].c10, 6 * .0083);
+  EXPECT_DOUBLE_EQ(model.regions["choroid"].c10, .1);
 }
 
 }  // namespace

@@ -56,22 +56,32 @@ std::vector<Mat3<double>> states() {
 }
 
 template <class M>
-std::vector<double> difference_tangent(const M& material, const Mat3<double>& F, const Mat3<double>& l) {
-  const auto tau = [&](std::span<const double> f) { return flat(material.deviatoric(isochoric(matrix(f)))); };
-  const Mat3<double> t = matrix(derivative(tau, flat(F), flat(l * F)));
-  return plus(flat(t), -1, flat(matrix(flat(material.deviatoric(isochoric(F)))) * transposed(l)));
+Sym3<double> strain_of(const M&, const Mat3<double>& F) {
+  return isochoric(F);
+}
+FibreStrain<double> strain_of(const FibreLaw<double>&, const Mat3<double>& F) {
+  return {isochoric(F), F, std::pow(determinant(F), -2.0 / 3)};
 }
 
 template <class M>
-void expect_consistent(const M& material) {
+std::vector<double> difference_tangent(const M& material, const Mat3<double>& F, const Mat3<double>& l) {
+  const auto tau = [&](std::span<const double> f) {
+    return flat(material.deviatoric(strain_of(material, matrix(f))));
+  };
+  const Mat3<double> t = matrix(derivative(tau, flat(F), flat(l * F), 1e-4));
+  return plus(flat(t), -1, flat(matrix(flat(material.deviatoric(strain_of(material, F)))) * transposed(l)));
+}
+
+template <class M>
+void expect_consistent(const M& material, const std::vector<Mat3<double>>& at = states()) {
   int seed = 100;
-  for (const Mat3<double>& F : states()) {
+  for (const Mat3<double>& F : at) {
     const Mat3<double> l = random_matrix(++seed);
-    const Sym3<double> b = isochoric(F);
+    const auto b = strain_of(material, F);
     EXPECT_LT(relative_difference(flat(material.tangent(b, l, 1., 0.)), difference_tangent(material, F, l)),
               1e-8);
     const auto energy = [&](std::span<const double> f) {
-      return std::vector{material.energy(isochoric(matrix(f)))};
+      return std::vector{material.energy(strain_of(material, matrix(f)))};
     };
     const double change = derivative(energy, flat(F), flat(l * F))[0];
     EXPECT_NEAR(contract(material.deviatoric(b), l), change, 1e-9 * (1 + std::abs(change)));
@@ -84,6 +94,51 @@ TEST(Material, MooneyRivlinStressAndTangentAreDerivatives) {
   expect_consistent(Isotropic<MooneyRivlin>{{.8, .35}});
 }
 TEST(Material, PolynomialStressAndTangentAreDerivatives) { expect_consistent(Isotropic<Polynomial>{{full}}); }
+
+TEST(Material, FungStressAndTangentAreDerivatives) { expect_consistent(Fung{.8, .9}); }
+
+/// Two families, and their law.
+struct Families {
+  FibreReinforced law{.4, .3, .7, .1, 2};
+  std::array<Vec3<double>, 2> M{Vec3<double>{.6, .8, 0}, Vec3<double>{0, .28, .96}};
+  FibreLaw<double> with() const { return {law, M.data()}; }
+};
+
+TEST(Material, FibreStressAndTangentAreDerivatives) {
+  Families f;
+  auto strained = states();
+  strained.erase(strained.begin());  // unstrained fibres have a tangent to either side
+  expect_consistent(f.with(), strained);
+  f.law.kappa = 0;
+  expect_consistent(f.with(), strained);
+}
+
+// κ = ⅓: W = c10 (Ī1 − 3) + N k1/(2 k2) (exp(k2 (Ī1 − 3)²/9) − 1)
+TEST(Material, FibresWithoutDirectionAreIsotropic) {
+  Families f;
+  f.law.kappa = 1. / 3;
+  for (const Mat3<double>& F : states()) {
+    const Sym3<double> b = isochoric(F);
+    const double E = (trace(b) - 3) / 3, W1 = .4 + 2 * .3 / 3 * E * std::exp(.7 * E * E);
+    EXPECT_LT(largest(plus(flat(f.with().deviatoric(strain_of(f.with(), F))), -1, flat(deviator(b, 2 * W1)))),
+              1e-13 * W1 * trace(b));
+  }
+}
+
+TEST(Material, CompressedFibresBearNothing) {
+  Families f;
+  f.law.kappa = 0;
+  Mat3<double> F{{{{.8, 0, 0}, {0, .7, 0}, {0, 0, 1}}}};
+  f.M[1] = {0, 1, 0};
+  EXPECT_LT(relative_difference(flat(f.with().deviatoric(strain_of(f.with(), F))),
+                                flat(NeoHooke{.4}.deviatoric(isochoric(F)))),
+            1e-15);
+}
+
+TEST(Material, InfiniteStressWhereTheExponentialOverflows) {
+  const Sym3<double> b{{900, 1. / 30, 1. / 30, 0, 0, 0}};
+  EXPECT_FALSE(std::isfinite(Fung{1, 1}.deviatoric(b).v[0]));
+}
 
 TEST(Material, NeoHookeClosedFormIsThePolynomialsTangent) {
   const Isotropic<Polynomial> general{{Terms{{1, 0, .8}}}};
@@ -114,6 +169,7 @@ TEST(Material, EnergyVanishesUndeformed) {
   const Sym3<double> b{{1, 1, 1, 0, 0, 0}};
   EXPECT_EQ(NeoHooke{.8}.energy(b), 0);
   EXPECT_EQ((Isotropic<Polynomial>{{full}}.energy(b)), 0);
+  EXPECT_EQ((Fung{.8, 5}.energy(b)), 0);
 }
 
 // formulation.md, section 1, with λ = 0
@@ -165,6 +221,13 @@ TEST(Material, PacksComputeWhatDoublesDo) {
   expect_packs_as_doubles(NeoHooke{.8});
   expect_packs_as_doubles(Isotropic<MooneyRivlin>{{.8, .35}});
   expect_packs_as_doubles(Isotropic<Polynomial>{{full}});
+  expect_packs_as_doubles(Fung{.8, .9});
+}
+
+TEST(Material, OnlyLawsThatAreStableSaySo) {
+  EXPECT_TRUE(always_stable(make_material({{1, 0, 2}})));
+  EXPECT_TRUE(always_stable(Fung{1, 2}));
+  EXPECT_FALSE(always_stable(make_material({{1, 0, 2}, {2, 0, -1}})));
 }
 
 TEST(MakeMaterial, PicksTheLeanest) {
@@ -177,6 +240,8 @@ TEST(MakeMaterial, PicksTheLeanest) {
 TEST(MakeMaterial, AddsRepeatedTerms) {
   EXPECT_DOUBLE_EQ(initial_shear_modulus(make_material({{1, 0, 2}, {1, 0, 3}})), 10);
   EXPECT_DOUBLE_EQ(initial_shear_modulus(make_material({{1, 0, 2}, {0, 1, 1}})), 6);
+  EXPECT_DOUBLE_EQ(initial_shear_modulus(Fung{.7, 20}), .7);
+  EXPECT_DOUBLE_EQ(initial_shear_modulus(FibreReinforced{.4, 3, 7, 0, 2}), .8);
   EXPECT_DOUBLE_EQ(initial_shear_modulus(make_material({{1, 0, 2}, {0, 1, 1}, {2, 0, 7}})), 6);
 }
 

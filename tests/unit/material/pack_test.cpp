@@ -30,6 +30,37 @@ TEST(Pack, InverseCubeRootOfEveryLane) {
   }
 }
 
+TEST(Pack, ExponentialToTwoUlp) {
+  for (int i = 0; i <= 8000; ++i) {
+    const double x = i < 4000 ? -2 + 4 * i / 4000.0 : -700 + 1409 * (i - 4000) / 4000.0;
+    ASSERT_LE(ulps(exponential(x), std::exp(static_cast<long double>(x))), 2) << x;
+  }
+  EXPECT_EQ(exponential(0.), 1);
+}
+
+TEST(Pack, ExponentialOfEveryLane) {
+  for (int i = 0; i <= 500; ++i) {
+    double x[lanes];
+    for (int l = 0; l < lanes; ++l) x[l] = -30 + 60 * (i * lanes + l) / 4008.0;
+    const Pack y = exponential(load(x));
+    for (int l = 0; l < lanes; ++l)
+      ASSERT_LE(ulps(y[l], std::exp(static_cast<long double>(x[l]))), 2) << x[l];
+  }
+}
+
+TEST(Pack, ExponentialOverflowsToInfinityAndKeepsNaN) {
+  const double x[lanes] = {710, 1e300, INFINITY, NAN, -1e300, -INFINITY, 709, 0};
+  const Pack y = exponential(load(x));
+  for (int l = 0; l < lanes; ++l) {
+    const double alone = exponential(x[l]);
+    EXPECT_TRUE(y[l] == alone || (std::isnan(y[l]) && std::isnan(alone))) << x[l];
+  }
+  for (int l = 0; l < 3; ++l) EXPECT_EQ(y[l], INFINITY);
+  EXPECT_TRUE(std::isnan(y[3]));
+  for (int l = 4; l < 6; ++l) EXPECT_LT(y[l], 1e-300);
+  EXPECT_TRUE(std::isfinite(y[6]));
+}
+
 TEST(Pack, LoadsAndStoresDoubles) {
   double x[lanes + 1], y[lanes + 1] = {};
   for (int l = 0; l <= lanes; ++l) x[l] = 1.0 / (l + 3);
