@@ -7,6 +7,7 @@
 #include "app/scene/value.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/model.hpp"
+#include "core/problem/spec/reference_spec.hpp"
 #include "core/solve/settings.hpp"
 
 namespace bulbus {
@@ -41,6 +42,7 @@ struct Scene {
   std::string title;
   MeshSource mesh;
   std::string materials = "none";  ///< of regions that the model leaves out, if they are tissues
+  std::optional<ReferenceSpec> reference;
   Model model;
   SolverSettings solver;
   OutputSettings output;
@@ -56,6 +58,9 @@ struct Scene {
             "1; `physiological`, six "
             "times that but for the lens; `stiff_lens`, `paper` with a lens of 100"}
           .one_of({"none", "paper", "physiological", "stiff_lens"}));
+    v("reference", reference,
+      About{"the mesh is drawn under these loads: the unloaded one is found first, and the steps start from "
+            "it. Coordinates of the scene are those of the drawn mesh"});
     model.describe(v);
     v("solver", solver, About{"how the equations are solved"});
     v("output", output, About{"what is saved"});

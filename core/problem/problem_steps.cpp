@@ -97,9 +97,10 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
     auto formula = std::make_shared<Formula>(text, where + "." + what);
     std::vector<Constraint> constraints;
     for (int n : nodes) {
-      const Vec3<double> d = direction(n), X = at(mesh_.X, n);
-      formula->require_finite(X, step);
-      constraints.push_back({n, d, course(formula, X, dot(d, minus(at(start.x, n), X)), from_start, step)});
+      const Vec3<double> d = direction(n), drawn = at(mesh_.drawn_places(), n);
+      formula->require_finite(drawn, step);
+      const double done = dot(d, minus(at(start.x, n), at(mesh_.X, n)));
+      constraints.push_back({n, d, course(formula, drawn, done, from_start, step)});
     }
     dofs_->constrain("2 " + spec.set + "/" + what, std::move(constraints));
   };
