@@ -186,6 +186,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
         std::move(solver), linear.dump, folder, [&] { return recorder.increments() + 1; }, comm);
   solver->watch([&](const SolveProgress& progress) { recorder.solve_lasts(progress); });
   auto [place, step_start, state] = from ? recorder.resume(*from) : Resumed{.state = problem.initial_state()};
+  if (prepared.reference && place.report.increments == 0) place.expected = prepared.reference->loaded;
   const MarchReport report = march(problem, system, *solver, state, scene.solver, profiler, recorder, place);
 
   recorder.finish(state);

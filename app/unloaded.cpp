@@ -16,6 +16,8 @@
 namespace bulbus {
 namespace {
 
+constexpr double least_curvature = -1e-2;  // as of Newton's method: beneath, a loose solve may have made it
+
 // Problem and interactions on the same meshes after `move` has changed them.
 template <class Move>
 void rebuild(Prepared& prepared, Move move) {
@@ -31,14 +33,14 @@ void rebuild(Prepared& prepared, Move move) {
 std::string loads_of(const ReferenceSpec& r) {
   std::string loads;
   for (const auto& [name, pressure] : r.loaded)
-    loads += fmt::format("{}{} at {} MPa", loads.empty() ? "" : ", ", name, pressure);
+    loads += fmt::format("{}{} at {}", loads.empty() ? "" : ", ", name, pressure);
   if (!r.loads.empty()) loads += loads.empty() ? "loads" : ", loads";
   if (!r.displace.empty()) loads += loads.empty() ? "displacements" : ", displacements";
   return loads;
 }
 
 void tell(const Log& log, const UnloadedIteration& i, double start) {
-  std::string line = fmt::format("    {:>3}  {:<6.4g}  {:.3e}  {:>7}  {:.1e}  {:>6}  {}", i.number, i.load,
+  std::string line = fmt::format("    {:>3}  {:<6.4g}  {:.3e}     {:<7}  {:.1e}  {:>6}  {}", i.number, i.load,
                                  i.distance, i.ratio > 0 ? fmt::format("{:.2g}", i.ratio) : "", i.tolerance,
                                  i.krylov_iterations, duration(Clock::now() - start));
   if (i.negative_pivots >= 0) line += fmt::format("  {} negative pivots", i.negative_pivots);
@@ -50,7 +52,7 @@ UnloadedReport search(const Scene& scene, Prepared& prepared, const Log& log, Pr
   const Model model = reference_model(prepared.problem->model(), spec);
   log.info("");
   log.info(fmt::format("unloaded reference: the mesh is drawn under {}", loads_of(spec)));
-  log.info("     it  load    distance   ratio    eta      Krylov  elapsed");
+  log.info("     it  load    distance, mm  ratio    eta      Krylov  elapsed");
   const double start = Clock::now();
   const UnloadedSolver solver{system_settings(scene.solver.linear),
                               [&] { return make_solver(scene.solver.linear, profiler); }, profiler};
@@ -103,6 +105,12 @@ bool take_unloaded_reference(const Scene& scene, Prepared& prepared, const Check
   }
   prepared.reference = report;
   if (!report.found) return false;
+  if (report.curvature < least_curvature) {
+    prepared.warnings.emplace_back(
+        "perhaps the drawn state is not stable under its loads: the last solution of the search for the "
+        "unloaded reference has negative curvature");
+    log.warn(prepared.warnings.back());
+  }
   log.info(
       fmt::format("unloaded reference {}: {} iterations, {} Krylov iterations, {:.1e} mm from the drawn "
                   "positions, {:.3g} mm between both, in {}",

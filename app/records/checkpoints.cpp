@@ -25,6 +25,9 @@ void serialize(Archive& archive, std::vector<double>& unloaded, UnloadedReport& 
   archive.nodes("X", unloaded);
   archive.scalars("report", r.found, r.iterations, r.krylov_iterations, r.divisions, r.distance, r.way,
                   r.negative_pivots, r.seconds);
+  if (!r.loaded || (archive.reading() && !archive.knows("loaded"))) return;
+  const Archive::Group loaded(archive, "loaded");
+  r.loaded->serialize(archive);
 }
 
 // `previous` exists between two increments of a step alone.
@@ -54,6 +57,7 @@ Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepar
   refuse_another(mark, mark_of(scene, prepared.inputs, problem, place_.step), prepared.inputs, path);
   if (!scene.reference) return;
   unloaded_ = problem.mesh().X;
+  reference_.loaded = std::make_shared<State>(problem.initial_state());
   serialize(*kept_, unloaded_, reference_);
 }
 
@@ -94,6 +98,7 @@ void Checkpoints::write(MarchPlace place, State& state) {
     mark.serialize(archive);
     if (reference_) {
       auto unloaded = problem_.mesh().X;
+      if (place.report.increments > 0) reference_->loaded.reset();  // it has been made use of
       serialize(archive, unloaded, *reference_);
     }
     serialize(archive, states_of(place, start_, state));

@@ -34,9 +34,11 @@ struct MarchPlace {
   double last = 0;       ///< the increment that led from `previous` to the present state; 0: no such state
   State previous;        ///< that converged before it in the same step
   bool careful = false;  ///< has an increment of the step failed?
+  /// In which the first increment is expected to end if it is a whole step: Newton's method begins there.
+  std::shared_ptr<const State> expected;
   MarchReport report;
   void next_step();
-  /// All but `previous`.
+  /// All but `previous` and `expected`.
   void serialize(Archive& archive);
 };
 

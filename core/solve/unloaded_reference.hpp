@@ -31,6 +31,7 @@ struct UnloadedReport {
   double curvature = 0;  ///< of the last solution (LinearReport)
   int negative_pivots = -1;
   double seconds = 0;
+  std::shared_ptr<State> loaded;  ///< in which the loads hold the drawn places; null if it is not found
 };
 
 /// What the search solves with: a solver for every iteration.

@@ -21,7 +21,7 @@ std::vector<double> added(std::span<const double> x) {
   return f;
 }
 
-double size(std::span<const double> f) {
+double length_of(std::span<const double> f) {
   double sum = 0;
   for (double v : f) sum += v * v;
   return std::sqrt(sum);
@@ -32,7 +32,7 @@ int iterations(int depth) {
   std::vector<double> x(n);
   for (int k = 0; k < 100; ++k) {
     const auto f = added(x);
-    if (size(f) < 1e-8) return k;
+    if (length_of(f) < 1e-8) return k;
     x = anderson.next(x, f);
   }
   return 100;
