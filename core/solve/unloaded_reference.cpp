@@ -157,17 +157,25 @@ class Search {
     return X;
   }
 
-  // As far as no element of the reference inverts.
+  // Are cavities still open? A sphere turned through its middle has elements of positive volume.
+  static bool cavities_open(const Problem& problem, std::span<const double> before,
+                            std::span<const double> X) {
+    return std::ranges::all_of(
+        problem.liquids(), [&](const Liquid& l) { return l.volume(X) > least_jacobian * l.volume(before); });
+  }
+
+  // As far as no element of the reference inverts and no cavity closes.
   bool move_without_inversion(const Problem& problem, std::span<const double> to, Iterate& iterate) {
     std::vector<double> X(to.size());
     for (double part = 1; part >= least_length; part /= 2) {
       for (std::size_t i = 0; i < X.size(); ++i) X[i] = iterate.X[i] + part * (to[i] - iterate.X[i]);
-      if (mesh_.comm.min(problem.solid().least_jacobian(X)) > least_jacobian) {
+      if (mesh_.comm.min(problem.solid().least_jacobian(X)) > least_jacobian &&
+          cavities_open(problem, iterate.X, X)) {
         iterate.X = std::move(X);
         return true;
       }
     }
-    return fail("an element of the unloaded mesh would invert");
+    return fail("an element or a cavity of the unloaded mesh would turn inside out");
   }
 
   bool fail(std::string reason) {

@@ -146,7 +146,7 @@ TEST(UnloadedRun, ABalloonThatNoPressureHoldsStopsClearly) {
   std::string scene = drawn;
   for (int i = 0; i < 2; ++i) scene = replaced(scene, "{inside: 15 mmHg}", "{inside: 90 mmHg}");
   const Ran r = run_scene(scene, {"regions.shell.c10=20 kPa"});
-  EXPECT_EQ(r.status, 1);
+  ASSERT_EQ(r.status, 1) << r.err;
   const auto s = r.summary();
   EXPECT_EQ(s["converged"], false);
   EXPECT_EQ(s["reference"]["found"], false);
@@ -163,11 +163,11 @@ struct Slip {
 TEST(UnloadedRun, WhatWouldBeAmbiguousIsRefused) {
   for (const Slip& slip : std::vector<Slip>{
            {"loaded: {inside: 15 mmHg}", "loaded: {outside: 15 mmHg}",
-            "scene.yaml:8: reference.loaded.outside: there is no liquid 'outside'"},
+            "scene.yaml:9: reference.loaded.outside: there is no liquid 'outside'"},
            {"  loaded: {inside: 15 mmHg}", "  tolerance: 1e-5", "the mesh is drawn under no load"},
-           {"loaded: {inside: 15 mmHg}", "loaded: {inside: 15*q}", "scene.yaml:8: reference.loaded.inside: "},
+           {"loaded: {inside: 15 mmHg}", "loaded: {inside: 15*q}", "scene.yaml:9: reference.loaded.inside: "},
            {"loaded: {inside: 15 mmHg}", "loaded: {inside: 15 mmHg}\n  displace: [{set: nowhere, x: 0}]",
-            "scene.yaml:9: reference.displace.0.set: "},
+            "scene.yaml:10: reference.displace.0.set: "},
            {"    couple: [inside]", "    couple: [inside]\n    displace: [{set: zmin, x: 0}]",
             "the displacement counts from the reference"},
            {"    couple: [inside]",
