@@ -8,7 +8,7 @@
 #include "core/io/log.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Solves the scene into the folder, or goes on from a checkpoint (empty: none) and adds to the records
 /// beside that. Returns the exit status: 0 finished, 1 not converged, 128 and the signal's number if it was
@@ -61,4 +61,4 @@ void plot_history(const std::string& folder, std::vector<std::string> probes, co
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -22,7 +22,7 @@
 #include "core/io/text_file.hpp"
 #include "precond/make_preconditioner.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
@@ -215,4 +215,4 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

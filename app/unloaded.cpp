@@ -13,7 +13,7 @@
 #include "core/problem/reference_model.hpp"
 #include "precond/make_preconditioner.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double least_curvature = -1e-2;  // as of Newton's method: beneath, a loose solve may have made it
@@ -139,4 +139,4 @@ std::string remedy_of(const UnloadedReport& r) {
          "flatter, or let `max_iterations` of `reference` be larger if the distances were still falling.";
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "core/io/log.hpp"
 #include "core/solve/linear_solver.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Finds the unloaded reference of a scene that has one, tells its iterations and puts the problem onto it,
 /// or takes over what a checkpoint (null: none) has kept of it; writes the mesh into the folder. A scene
@@ -19,4 +19,4 @@ MarchReport march_without(const UnloadedReport& reference);
 /// What to try then.
 std::string remedy_of(const UnloadedReport& reference);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

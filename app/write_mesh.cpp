@@ -2,7 +2,7 @@
 #include "app/scene/size_limits.hpp"
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm) {
   std::string fault;
@@ -20,4 +20,4 @@ int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& fo
   return 0;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

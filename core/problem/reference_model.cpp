@@ -4,7 +4,7 @@
 
 #include "core/base/did_you_mean.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 bool counts_from_reference(const DisplaceSpec& d) {
@@ -69,4 +69,4 @@ InputError in_reference(const InputError& fault) {
   return fault;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -1,6 +1,6 @@
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // All terms c_rs.
@@ -21,4 +21,4 @@ std::vector<Polynomial::Term> terms_of(const RegionSpec& s) {
 
 Material material_of(const RegionSpec& spec) { return make_material(terms_of(spec)); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -2,10 +2,10 @@
 #include "core/material/material.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// The law that the keys of a deformable region choose: the only place that turns a RegionSpec into a
 /// Material.
 Material material_of(const RegionSpec& spec);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

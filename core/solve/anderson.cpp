@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <numeric>
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 // Directions in which differences of this relative size cancel say nothing: the squares are rounding.
@@ -66,4 +66,4 @@ std::vector<double> AndersonAcceleration::next(std::span<const double> x, std::s
   return result;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

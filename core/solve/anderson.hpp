@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Anderson's acceleration of a fixed point x = x + f(x) (Anderson, J. ACM 12, 1965; type II of Fang and
 /// Saad, Numer. Linear Algebra Appl. 16, 2009):
@@ -35,4 +35,4 @@ class AndersonAcceleration {
   std::vector<double> x_, f_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

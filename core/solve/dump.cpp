@@ -12,7 +12,7 @@
 #include "core/base/error.hpp"
 #include "core/io/hdf5_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 /// An HDF5 identifier with its closing function.
@@ -178,4 +178,4 @@ void write_matrix_market(const std::string& path, const SystemDump& whole) {
   for (double v : whole.rhs) std::fprintf(rhs.get(), "%.17g\n", v);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

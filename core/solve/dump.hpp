@@ -6,7 +6,7 @@
 #include "core/base/parallel.hpp"
 #include "core/solve/triplets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// What an unknown of a linear system is.
 enum class UnknownKind : unsigned char {
@@ -38,4 +38,4 @@ SystemDump read_system(const std::string& path);
 /// `_rhs` before its extension. Not collective. Throws InputError if a file cannot be written.
 void write_matrix_market(const std::string& path, const SystemDump& whole);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

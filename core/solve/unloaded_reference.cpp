@@ -9,11 +9,11 @@
 #include "core/base/interrupt.hpp"
 #include "core/solve/anderson.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 constexpr double least_part = 1.0 / 16;  // of the loads, at a time
-constexpr double underway = 1e-2;        // of the first distance: enough before all of the loads act
+constexpr double intermediate = 1e-2;    // of the first distance: enough before all of the loads act
 // Of the linear solves. A lens in its zonules hardly counts in the residual: looser solves leave it where it
 // is, so that distances come out too small one time and too large the next.
 constexpr double eta = 1e-5;
@@ -87,7 +87,7 @@ class Search {
       levels_ = std::move(problem).take_levels();
       if (!distance) return false;
       tell(load, *distance, before);
-      if (k == 0 && load < 1) enough = underway * *distance;
+      if (k == 0 && load < 1) enough = intermediate * *distance;
       if (*distance <= enough) return true;
       if (k == 0 || *distance < least) least = *distance, since = 0;
       if (since == patience) return fail(fmt::format("the distances do not fall below {:.2g} mm", least));
@@ -226,4 +226,4 @@ UnloadedReport find_unloaded(std::vector<MeshLevel>& levels, const Model& model,
   return Search(levels, model, spec, solver, observer).run();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

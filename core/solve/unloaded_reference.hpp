@@ -7,7 +7,7 @@
 #include "core/problem/spec/reference_spec.hpp"
 #include "core/solve/newton.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// One iteration of the search for the unloaded reference.
 struct UnloadedIteration {
@@ -52,4 +52,4 @@ UnloadedReport find_unloaded(std::vector<MeshLevel>& levels, const Model& model,
 /// Largest distance of a node's two places (3 numbers per local node), mm. Collective.
 double largest_distance(const LocalMesh& mesh, std::span<const double> a, std::span<const double> b);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -4,7 +4,7 @@
 
 #include "core/solve/assemble.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // Triplets come sorted, each entry once.
@@ -85,4 +85,4 @@ void ExactBlock::apply(std::span<const double> x, std::span<double> y) const {
   mumps_->solve(x.first(nodal_), y.first(nodal_));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

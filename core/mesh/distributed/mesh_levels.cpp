@@ -7,7 +7,7 @@
 #include "core/mesh/distributed/partition.hpp"
 #include "core/mesh/running_sums.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 // Edges or faces of a part follow each other as in the whole, by their lowest node; labelled nodes have all
@@ -128,4 +128,4 @@ void move_reference(std::vector<MeshLevel>& levels, std::vector<double> X) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

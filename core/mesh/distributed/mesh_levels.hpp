@@ -3,7 +3,7 @@
 
 #include "core/mesh/prolongation.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// One rank's part of a mesh of a hierarchy.
 struct MeshLevel {
@@ -20,4 +20,4 @@ std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, cons
 /// those of their nodes; what was drawn is kept. Collective.
 void move_reference(std::vector<MeshLevel>& levels, std::vector<double> X);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

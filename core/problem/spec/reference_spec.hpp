@@ -5,7 +5,7 @@
 
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Under what the mesh is drawn, where it is not drawn unloaded, and how its unloaded reference is searched
 /// (formulation, section 4.3).
@@ -34,4 +34,4 @@ struct ReferenceSpec {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem
