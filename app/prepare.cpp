@@ -6,6 +6,7 @@
 #include "app/scene/size_limits.hpp"
 #include "contact/interaction_probes.hpp"
 #include "core/base/error.hpp"
+#include "core/problem/reference_model.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/validate.hpp"
 #include "core/problem/warnings.hpp"
@@ -47,6 +48,20 @@ void keep_finest(std::vector<MeshLevel>& levels) {
   levels.back().prolongation.reset();
 }
 
+// What the search for the unloaded reference would stumble over.
+void check_reference(const ReferenceSpec& reference, const Mesh& base, const Model& model,
+                     std::vector<MeshLevel>& levels) {
+  const Model loaded = reference_model(model, reference);
+  try {
+    validate(base, loaded);
+    Problem problem(std::move(levels), loaded);
+    problem.rehearse(1);
+    levels = std::move(problem).take_levels();
+  } catch (const InputError& fault) {
+    throw in_reference(fault);
+  }
+}
+
 void rehearse(Problem& problem, const Mesh& base) {
   const auto interactions = Interactions::attach(problem, base);
   const ProbeSet probes(problem, interaction_probes(interactions));
@@ -67,12 +82,14 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   validate(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
+  if (scene.reference) check_reference(*scene.reference, meshes.base, model, levels);
   Prepared prepared{std::make_unique<Problem>(std::move(levels), model),
                     nullptr,
                     {},
                     std::move(notes),
                     {},
-                    std::move(inputs)};
+                    std::move(inputs),
+                    scene.reference ? std::make_shared<Mesh>(meshes.base) : nullptr};
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
   prepared.warnings = warnings_of(meshes.base, model);

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/scene/input_files.hpp"
@@ -7,6 +8,7 @@
 #include "contact/interactions.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/problem/problem.hpp"
+#include "core/solve/unloaded_reference.hpp"
 
 namespace bulbus::inline app {
 
@@ -15,9 +17,11 @@ struct Prepared {
   std::unique_ptr<Problem> problem;
   std::shared_ptr<const Interactions> interactions;
   std::vector<RegionQuality> quality;
-  std::vector<std::string> notes;     ///< on what of the mesh's file was left out
-  std::vector<std::string> warnings;  ///< of mesh and model, the same on every rank
-  std::vector<InputFile> inputs;      ///< as they were read
+  std::vector<std::string> notes;           ///< on what of the mesh's file was left out
+  std::vector<std::string> warnings;        ///< of mesh and model, the same on every rank
+  std::vector<InputFile> inputs;            ///< as they were read
+  std::shared_ptr<const Mesh> base;         ///< as it was drawn, of a scene with a reference
+  std::optional<UnloadedReport> reference;  ///< once it has been searched
 };
 
 /// Makes the mesh, checks it and builds the problem. All steps are set up once in rehearsal, so that a slip

@@ -15,6 +15,7 @@
 #include "app/records/recorder.hpp"
 #include "app/records/summary.hpp"
 #include "app/report/report.hpp"
+#include "app/unloaded.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/io/disk_file.hpp"
 #include "core/io/json_file.hpp"
@@ -24,12 +25,6 @@
 
 namespace bulbus::inline app {
 namespace {
-
-// The direct solver factorises the system as it is: augmentation would only fill it.
-LinearSettings settings_of_system(LinearSettings linear) {
-  if (linear.method == Method::direct) linear.gamma = 0;
-  return linear;
-}
 
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
   const std::string liquids = l.formulation == Formulation::eliminated ? ", liquid pressures eliminated" : "";
@@ -92,13 +87,17 @@ std::string line_of(const MemoryForecast& forecast) {
 }
 
 void write_end(const Log& log, const Model& model, const Recorder& recorder, const MarchReport& march,
-               const std::string& diagnosis, const std::string& folder, double seconds) {
+               const std::string& diagnosis, const std::string& folder, double seconds, bool has_begun) {
   log.info("");
   for (std::size_t i = 0; i < model.probes.size(); ++i)
     if (const auto& value = recorder.values()[i]; value && model.probes[i].kind == "closed_fraction")
       log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *value,
                            model.probes[i].tolerance));
-  if (march.signal)
+  if (march.signal && !has_begun)
+    log.warn(
+        fmt::format("interrupted by {} before the unloaded reference was found: 'bulbus run' starts anew",
+                    name_of_interrupt(march.signal)));
+  else if (march.signal)
     log.warn(
         fmt::format("interrupted by {} after increment {}: 'bulbus run' with --restart goes on from there",
                     name_of_interrupt(march.signal), march.increments));
@@ -152,7 +151,6 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
     memory = forecast_memory(prepared, scene);
     comm.together([&] { refuse_what_cannot_fit(memory, scene.solver.linear); });
   }
-  Problem& problem = *prepared.problem;
   std::optional<Checkpoint> from;
   if (!checkpoint.empty()) from.emplace(checkpoint, scene, prepared);
   if (from)
@@ -166,7 +164,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   folder.claim({resolved_file, log_file, summary_file});
   write_together(comm, [&] {
     if (comm.rank() == 0)
-      write_whole(path_of(resolved_file), resolved_yaml(with_materials_of(problem, scene)));
+      write_whole(path_of(resolved_file), resolved_yaml(with_materials_of(*prepared.problem, scene)));
   });
   const FileStart start_of_records = from ? FileStart::continued : FileStart::anew;
   const Log log(path_of(log_file), comm, screen, start_of_records);
@@ -174,15 +172,35 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   log.info(line_of(memory));
 
   const InterruptsHeeded heeded;
+  const bool may_begin =
+      take_unloaded_reference(scene, prepared, from ? &*from : nullptr, folder, log, profiler);
+  Problem& problem = *prepared.problem;
   Recorder recorder(prepared, scene, folder, log, profiler, start_of_records);
+  const auto conclude = [&](const MarchReport& report, const std::string& diagnosis) {
+    const double seconds = Clock::now() - start;
+    auto summary = summary_of(scene.title, prepared, recorder, report, profiler, seconds);
+    summary["memory_mb"]["forecast"] = json_of(memory);
+    if (!diagnosis.empty()) summary["diagnosis"] = diagnosis;
+    write_together(comm, [&] {
+      if (comm.rank() == 0) write_json(path_of(summary_file), summary);
+    });
+    write_end(log, scene.model, recorder, report, diagnosis, folder.path(), seconds, may_begin);
+    if (scene.output.report && !report.signal) write_report_of(folder, log, comm);
+    write_together(comm, [&] { log.require_written(); });
+    if (report.signal) return 128 + report.signal;
+    return report.converged ? 0 : 1;
+  };
+  if (!may_begin) return conclude(march_without(*prepared.reference), remedy_of(*prepared.reference));
+
   const LinearSettings& linear = scene.solver.linear;
-  CoupledSystem system(problem, settings_of_system(linear));
+  CoupledSystem system(problem, system_settings(linear));
   auto solver = make_solver(linear, profiler);
   if (!linear.dump.empty())
     solver = make_dumping_solver(
         std::move(solver), linear.dump, folder, [&] { return recorder.increments() + 1; }, comm);
   solver->watch([&](const SolveProgress& progress) { recorder.solve_lasts(progress); });
   auto [place, step_start, state] = from ? recorder.resume(*from) : Resumed{.state = problem.initial_state()};
+  if (prepared.reference && place.report.increments == 0) place.expected = prepared.reference->loaded;
   const MarchReport report = march(problem, system, *solver, state, scene.solver, profiler, recorder, place);
 
   recorder.finish(state);
@@ -195,19 +213,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
     }
   std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
   measure_memory(problem, system, profiler);
-  const double seconds = Clock::now() - start;
-  auto summary = summary_of(scene.title, prepared, recorder, report, profiler, seconds);
-  summary["memory_mb"]["forecast"] = json_of(memory);
-  const std::string diagnosis = report.converged ? "" : recorder.diagnosis(state);
-  if (!diagnosis.empty()) summary["diagnosis"] = diagnosis;
-  write_together(comm, [&] {
-    if (comm.rank() == 0) write_json(path_of(summary_file), summary);
-  });
-  write_end(log, scene.model, recorder, report, diagnosis, folder.path(), seconds);
-  if (scene.output.report && !report.signal) write_report_of(folder, log, comm);
-  write_together(comm, [&] { log.require_written(); });
-  if (report.signal) return 128 + report.signal;
-  return report.converged ? 0 : 1;
+  return conclude(report, report.converged ? "" : recorder.diagnosis(state));
 }
 
 }  // namespace

@@ -20,6 +20,16 @@ void serialize(Archive& archive, const NamedStates& states) {
   }
 }
 
+void serialize(Archive& archive, std::vector<double>& unloaded, UnloadedReport& r) {
+  const Archive::Group group(archive, "reference");
+  archive.nodes("X", unloaded);
+  archive.scalars("report", r.found, r.iterations, r.krylov_iterations, r.divisions, r.distance, r.way,
+                  r.negative_pivots, r.seconds);
+  if (!r.loaded || (archive.reading() && !archive.knows("loaded"))) return;
+  const Archive::Group loaded(archive, "loaded");
+  r.loaded->serialize(archive);
+}
+
 // `previous` exists between two increments of a step alone.
 NamedStates states_of(MarchProgress& place, State& start, State& now) {
   NamedStates states{{"start", &start}, {"now", &now}};
@@ -45,6 +55,10 @@ Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepar
   place_.serialize(*kept_);
   mark.serialize(*kept_);
   refuse_another(mark, mark_of(scene, prepared.inputs, problem, place_.step), prepared.inputs, path);
+  if (!scene.reference) return;
+  unloaded_ = problem.mesh().X;
+  reference_.loaded = std::make_shared<State>(problem.initial_state());
+  serialize(*kept_, unloaded_, reference_);
 }
 
 Resumed Checkpoint::resume(Problem& problem, Archived& records) {
@@ -82,6 +96,11 @@ void Checkpoints::write(MarchProgress place, State& state) {
   write_checkpoint(checkpoint_in(folder_.path()), problem_.mesh(), [&](Archive& archive) {
     place.serialize(archive);
     mark.serialize(archive);
+    if (reference_) {
+      auto unloaded = problem_.mesh().X;
+      if (place.report.increments > 0) reference_->loaded.reset();  // it has been made use of
+      serialize(archive, unloaded, *reference_);
+    }
     serialize(archive, states_of(place, start_, state));
     problem_.serialize(archive);
     records_.serialize(archive, place);

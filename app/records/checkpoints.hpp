@@ -32,12 +32,18 @@ class Checkpoint {
   /// Throws InputError if it is damaged, or of another problem. Collective.
   Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
   const MarchProgress& place() const { return place_; }
+  /// Reference places of the finest mesh, 3 per local node, of a scene with a reference, and how they were
+  /// found.
+  const std::vector<double>& unloaded() const { return unloaded_; }
+  const UnloadedReport& reference() const { return reference_; }
   /// Brings problem and records, both new, to where they were. Collective.
   Resumed resume(Problem& problem, Archived& records);
 
  private:
   std::unique_ptr<Archive> kept_;
   MarchProgress place_;
+  std::vector<double> unloaded_;
+  UnloadedReport reference_;
 };
 
 /// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
@@ -46,6 +52,7 @@ class Checkpoints {
   Checkpoints(const Scene& scene, const Prepared& prepared, Archived& records, ResultsFolder& folder)
       : scene_(scene),
         inputs_(prepared.inputs),
+        reference_(prepared.reference),
         problem_(*prepared.problem),
         records_(records),
         folder_(folder),
@@ -65,6 +72,7 @@ class Checkpoints {
 
   const Scene& scene_;
   std::vector<InputFile> inputs_;
+  std::optional<UnloadedReport> reference_;
   Problem& problem_;
   Archived& records_;
   ResultsFolder& folder_;

@@ -22,7 +22,7 @@ std::string remedy_for(const Interactions::Contact& contact) {
 
 json contacts_summary(const Interactions& interactions, const std::vector<ContactStanding>& standings) {
   json all = json::object();
-  for (std::size_t k = 0; k < interactions.contacts().size(); ++k) {
+  for (std::size_t k = 0; k < standings.size(); ++k) {
     const auto& contact = interactions.contacts()[k];
     const ContactStanding& now = standings[k];
     json& one = all[contact.spec.name] = {
@@ -95,7 +95,7 @@ json bodies_summary(const Problem& problem, const Interactions& interactions,
   for (const auto& [name, body] : interactions.bodies()) {
     std::vector<Wrench> parts(body->parts.size());
     Wrench sum;
-    for (std::size_t k = 0; k < interactions.contacts().size(); ++k)
+    for (std::size_t k = 0; k < standings.size(); ++k)
       if (interactions.contacts()[k].body == body)
         for (std::size_t p = 0; p < parts.size(); ++p) {
           add(parts[p], standings[k].on_master[p]);

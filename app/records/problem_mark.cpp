@@ -18,12 +18,13 @@ double draw(long long number) {
 
 // Sums over nodes and corners do not depend on who holds them, but for round-off.
 std::vector<double> figures_of(const LocalMesh& mesh) {
+  const auto drawn = mesh.drawn_places();
   std::vector<double> sums(4);
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
     for (int k = 0; k < 8; ++k)
       sums[0] += draw(8LL * mesh.input_hex[h] + k) * draw(mesh.input_node[mesh.hexes[h][k]]);
   for (int n = 0; n < mesh.owned; ++n)
-    for (int c = 0; c < 3; ++c) sums[1 + c] += draw(mesh.input_node[n]) * mesh.X[3 * n + c];
+    for (int c = 0; c < 3; ++c) sums[1 + c] += draw(mesh.input_node[n]) * drawn[3 * n + c];
   mesh.comm.sum(sums);
   sums.insert(sums.begin(), {static_cast<double>(mesh.all_hexes), static_cast<double>(mesh.all_nodes)});
   return sums;

@@ -1,5 +1,7 @@
 #include "app/records/recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -36,6 +38,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       record_(probes_),
       results_(scene.output, problem_, interactions_, folder),
       checkpoints_(scene, prepared, *this, folder) {
+  values_.resize(probes_.size());
   const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
   folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file}
                       : std::vector<std::string>{history_file});
@@ -123,6 +126,11 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   progress_.increment_done(increment, state);
   progress_.contacts(interactions_->contacts(), contacts_);
   progress_.probes(probes_, values_);
+  if (const LocalMesh& mesh = problem_.mesh();
+      !mesh.drawn.empty() && increment.step == 0 && increment.progress == 1) {
+    from_drawn_ = largest_distance(mesh, state.x, mesh.drawn);
+    log_.info(fmt::format("    {:.2e} mm from the drawn positions at most", *from_drawn_));
+  }
   write_together(problem_.comm(), [&] {
     if (history_) append_history(increment);
     if (!fault_.empty()) throw std::runtime_error(fault_);

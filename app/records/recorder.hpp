@@ -47,6 +47,8 @@ class Recorder final : public MarchObserver, public Archived {
   /// After a march that did not converge: its cause as far as it is known, and what to try. Collective.
   std::string diagnosis(const State& last) const;
   const std::vector<StepRecord>& steps() const { return steps_; }
+  /// At the end of the first step, of a node from where it is drawn, mm; of a run with an unloaded reference.
+  const std::optional<double>& from_drawn() const { return from_drawn_; }
   /// Converged so far.
   int increments() const { return increments_; }
   /// Of the last factorisation; -1 if there was none of a symmetric matrix.
@@ -86,6 +88,7 @@ class Recorder final : public MarchObserver, public Archived {
   std::vector<StepRecord> steps_;
   int increments_ = 0, cuts_ = 0, negative_pivots_ = -1, direct_solves_ = 0, unstable_increments_ = 0;
   std::optional<FactorReport> factor_;
+  std::optional<double> from_drawn_;
   double worst_reduction_ = 0;
   bool taken_ = false;  // are the values of the last state?
   double since_ = Clock::now();

@@ -59,6 +59,17 @@ json totals_of(const MarchReport& m) {
           {"cuts", m.cuts}};
 }
 
+json reference_of(const UnloadedReport& r) {
+  return {{"found", r.found},
+          {"reason", r.found ? "" : r.reason},
+          {"iterations", r.iterations},
+          {"krylov_iterations", r.krylov_iterations},
+          {"divisions", r.divisions},
+          {"distance_mm", r.distance},
+          {"largest_displacement_mm", r.way},
+          {"seconds", r.seconds}};
+}
+
 json factor_of(const FactorReport& f, double worst_reduction) {
   return {{"matrix_entries", f.matrix_entries},
           {"factor_entries", f.factor_entries},
@@ -115,6 +126,8 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
     s["negative_pivots"] = recorder.negative_pivots();
     s["negative_pivots_if_stable"] = stable_pivots(problem);
   }
+  if (prepared.reference) s["reference"] = reference_of(*prepared.reference);
+  if (recorder.from_drawn()) s["reference"]["first_step_distance_mm"] = *recorder.from_drawn();
   s["direct_solves"] = recorder.direct_solves();
   s["unstable_increments"] = recorder.unstable_increments();
   if (recorder.factor()) s["factor"] = factor_of(*recorder.factor(), recorder.worst_reduction());

@@ -7,6 +7,7 @@
 #include "app/scene/yaml_node.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/model.hpp"
+#include "core/problem/spec/reference_spec.hpp"
 #include "core/solve/settings.hpp"
 
 namespace bulbus::inline app {
@@ -43,6 +44,7 @@ struct Scene {
   std::string title;
   MeshSource mesh;
   std::string materials = "none";  ///< of regions that the model leaves out, if they are tissues
+  std::optional<ReferenceSpec> reference;
   Model model;
   SolverSettings solver;
   OutputSettings output;
@@ -59,6 +61,9 @@ struct Scene {
             "measurements "
             "(resolved.yaml has them); `stiff_lens`, `paper` with a lens of 100"}
           .one_of({"none", "paper", "physiological", "stiff_lens"}));
+    v("reference", reference,
+      About{"the mesh is drawn under these loads: the unloaded one is found first, and the steps start from "
+            "it. Coordinates of the scene are those of the drawn mesh"});
     model.describe(v);
     v("solver", solver, About{"how the equations are solved"});
     v("output", output, About{"what is saved"});

@@ -10,11 +10,12 @@ namespace {
 // Indices in the Mesh of some local nodes, of all ranks, ascending; with their places.
 std::vector<int> gathered(const LocalMesh& mesh, const std::vector<int>& nodes,
                           std::vector<Point>* places = nullptr) {
+  const auto drawn = mesh.drawn_places();
   std::vector<double> mine;
   for (int n : nodes)
     if (n < mesh.owned)
-      mine.insert(mine.end(), {static_cast<double>(mesh.input_node[n]), mesh.X[3 * n], mesh.X[3 * n + 1],
-                               mesh.X[3 * n + 2]});
+      mine.insert(mine.end(), {static_cast<double>(mesh.input_node[n]), drawn[3 * n], drawn[3 * n + 1],
+                               drawn[3 * n + 2]});
   const auto all = mesh.comm.gather(std::span<const double>(mine));
   std::vector<std::array<double, 4>> rows(all.size() / 4);
   for (std::size_t i = 0; i < all.size(); ++i) rows[i / 4][i % 4] = all[i];

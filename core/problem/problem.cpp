@@ -57,6 +57,13 @@ Problem::Problem(std::vector<MeshLevel> levels, const Model& model)
   coarser_->follows_ = true;
 }
 
+std::vector<MeshLevel> Problem::take_levels() && {
+  std::vector<MeshLevel> levels;
+  if (coarser_) levels = std::move(*coarser_).take_levels();
+  levels.push_back(std::move(level_));
+  return levels;
+}
+
 void Problem::build() {
   multiplicity_ = 1;
   enclosed_ = std::make_shared<EnclosedParts>();

@@ -48,6 +48,8 @@ class Problem {
   /// The same of a model that validate() lets pass on the base mesh; `levels` as from distribute_levels().
   /// Collective.
   Problem(std::vector<MeshLevel> levels, const Model& model);
+  /// Gives its meshes back, for another model or other reference places, and is of no use afterwards.
+  std::vector<MeshLevel> take_levels() &&;
 
   const LocalMesh& mesh() const { return mesh_; }
   const Model& model() const { return model_; }

@@ -59,6 +59,13 @@ std::vector<Quad> faces_towards(const LocalMesh& mesh, const std::string& surfac
   return faces;
 }
 
+// Bodies, contacts and sutures are drawn where the mesh is drawn: in an unloaded reference parts may overlap
+// that its loads hold apart.
+State as_drawn(const LocalMesh& mesh, State state) {
+  state.x = mesh.drawn;
+  return state;
+}
+
 void build_dofs(DofMap& dofs, int step) {
   try {
     dofs.build();
@@ -84,7 +91,13 @@ void Problem::begin(int step, const State& start, void (Term::*begin_term)(int, 
   });
   if (!follows_) find_enclosed(step, start);
   begin_liquids(spec, step, start);
-  for (const auto& term : terms()) (term.get()->*begin_term)(step, start);
+  const auto begin_terms = [&](const State& seen) {
+    for (const auto& term : terms()) (term.get()->*begin_term)(step, seen);
+  };
+  if (step == 0 && !mesh_.drawn.empty())
+    begin_terms(as_drawn(mesh_, start));
+  else
+    begin_terms(start);
   if (coarser_) coarser_->begin(step, coarsened(start), begin_term);
   s_ = 0;
 }
@@ -97,9 +110,10 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
     auto formula = std::make_shared<Formula>(text, where + "." + what);
     std::vector<Constraint> constraints;
     for (int n : nodes) {
-      const Vec3<double> d = direction(n), X = at(mesh_.X, n);
-      formula->require_finite(X, step);
-      constraints.push_back({n, d, course(formula, X, dot(d, minus(at(start.x, n), X)), from_start, step)});
+      const Vec3<double> d = direction(n), drawn = at(mesh_.drawn_places(), n);
+      formula->require_finite(drawn, step);
+      const double done = dot(d, minus(at(start.x, n), at(mesh_.X, n)));
+      constraints.push_back({n, d, course(formula, drawn, done, from_start, step)});
     }
     dofs_->constrain("2 " + spec.set + "/" + what, std::move(constraints));
   };

@@ -22,6 +22,7 @@ class RigidBody {
   const std::string& name() const { return name_; }
   std::span<const int> nodes() const { return nodes_; }
   const std::array<bool, 6>& free() const { return free_; }
+  const Vec3<double>& center() const { return center_; }  ///< in the reference, mm
 
   /// Places its nodes.
   void place(const Pose& pose, std::span<const double> X, std::span<double> x) const;

@@ -129,9 +129,10 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
     };
     while (done < 1) {
       if (interrupt(problem.comm())) return leave();
-      const double to = increments.next(done), start = Clock::now();
+      const auto expected = std::exchange(place.expected, nullptr);
+      const double to = expected ? 1 : increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
-      State trial = state;
+      State trial = expected ? *expected : state;
       if (place.last > 0) extrapolate(problem, place.previous, (to - done) / place.last, trial);
       NewtonReport newton = within_memory(problem.comm(), [&] {
         return bulbus::newton(problem, system, solver, trial, to,

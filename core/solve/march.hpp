@@ -34,9 +34,11 @@ struct MarchProgress {
   double last = 0;       ///< the increment that led from `previous` to the present state; 0: no such state
   State previous;        ///< that converged before it in the same step
   bool careful = false;  ///< has an increment of the step failed?
+  /// In which the step is expected to end: Newton's method begins there, with all of the step at once.
+  std::shared_ptr<const State> expected;
   MarchReport report;
   void next_step();
-  /// All but `previous`.
+  /// All but `previous` and `expected`.
   void serialize(Archive& archive);
 };
 

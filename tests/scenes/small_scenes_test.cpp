@@ -148,6 +148,22 @@ TEST(Scenes, DrainedBall) {
   EXPECT_LT(r["pressure"], r.at_end_of(2, "pressure"));
 }
 
+TEST(Scenes, UnloadedEye) {
+  const Ran r("unloaded_eye");
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_LT(r.summary["reference"]["first_step_distance_mm"], 1e-6);
+  EXPECT_GT(r.at_end_of(1, "growth"), .01);
+  EXPECT_GT(r["IOP"], 15);
+  const Mesh drawn = generate(EyeSettings{.n = 8});
+  const auto mean = [&](const std::string& set) {
+    double sum = 0;
+    const auto nodes = nodes_of(drawn, set);
+    for (int n : nodes) sum += drawn.points[n][2] / static_cast<double>(nodes.size());
+    return sum;
+  };
+  EXPECT_NEAR(r.at_end_of(1, "axial_length"), mean("apex") - mean("nerve_ring"), 1e-6);
+}
+
 TEST(Scenes, Twist) {
   const Ran r("twist");
   ASSERT_EQ(r.status, 0) << r.err;

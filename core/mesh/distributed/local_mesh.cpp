@@ -25,8 +25,8 @@ const std::vector<int>* LocalMesh::nodes_of(const std::string& name) const {
 }
 
 std::size_t LocalMesh::bytes() const {
-  std::size_t total = bytes_of(X) + bytes_of(number) + bytes_of(input_node) + bytes_of(by_input) +
-                      bytes_of(hexes) + bytes_of(input_hex);
+  std::size_t total = bytes_of(X) + bytes_of(drawn) + bytes_of(number) + bytes_of(input_node) +
+                      bytes_of(by_input) + bytes_of(hexes) + bytes_of(input_hex);
   for (const auto& [name, faces] : surfaces) total += bytes_of(faces);
   for (const auto& [name, faces] : shared) total += bytes_of(faces);
   for (const auto& [name, group] : bars) total += bytes_of(group);

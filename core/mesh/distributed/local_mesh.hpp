@@ -20,7 +20,8 @@ struct LocalMesh {
 
   Comm comm;
   int owned = 0;                  ///< owned nodes
-  std::vector<double> X;          ///< 3 per local node, mm
+  std::vector<double> X;          ///< reference places, 3 per local node, mm
+  std::vector<double> drawn;      ///< places as drawn, where X has been moved (move_reference); else empty
   std::vector<long long> number;  ///< global number of a local node
   std::vector<int> input_node;    ///< its index in the Mesh
   std::vector<int> by_input;      ///< local nodes in the order of the Mesh
@@ -41,6 +42,8 @@ struct LocalMesh {
   int refinements = 0;  ///< that the Mesh is away from the one that was read or generated
   Halo halo;
 
+  /// What coordinates of the scene refer to: formulas, suture points.
+  std::span<const double> drawn_places() const { return drawn.empty() ? X : drawn; }
   int nodes() const { return static_cast<int>(input_node.size()); }
   /// Local number of a Mesh node, −1 if this rank does not hold it (owned or ghost).
   int local(int mesh_node) const;

@@ -117,4 +117,15 @@ std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, cons
   return levels;
 }
 
+void move_reference(std::vector<MeshLevel>& levels, std::vector<double> X) {
+  for (std::size_t i = levels.size(); i-- > 0;) {
+    LocalMesh& mesh = *levels[i].mesh;
+    if (mesh.drawn.empty()) mesh.drawn = mesh.X;
+    mesh.X = std::move(X);
+    if (i == 0) return;
+    X.resize(levels[i - 1].mesh->X.size());
+    levels[i].prolongation->inject(mesh.X, X);
+  }
+}
+
 }  // namespace bulbus::inline mesh
