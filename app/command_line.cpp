@@ -27,6 +27,7 @@ struct Arguments {
   bool text = false, expert = false, all = false;
   int repeat = 1;
   CompareOptions tolerances;
+  ExportOptions exported;
 };
 
 struct Parser {
@@ -40,6 +41,8 @@ struct Parser {
   CLI::App* check =
       app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
+  CLI::App* to_file = app.add_subcommand(
+      "export", "write mesh, sets, materials and steps of a scene for Abaqus, CalculiX or FEBio");
   CLI::App* compare = app.add_subcommand(
       "compare", "probes of two runs at the end of each step: exit status 0 if they agree, 1 if they differ");
   CLI::App* plot = app.add_subcommand("plot", "draw probes of a run over its steps (SVG)");
@@ -51,7 +54,7 @@ struct Parser {
   Parser() {
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("bulbus ") + version);
-    for (CLI::App* command : {run, trade, check, mesh}) {
+    for (CLI::App* command : {run, trade, check, mesh, to_file}) {
       command->add_option("SCENE", given.scene, "scene file (YAML)")->required();
       add_set(command);
     }
@@ -71,6 +74,19 @@ struct Parser {
             ->expected(0, 1);
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
     mesh->add_flag("--text", given.text, "write MSH 2.2 text instead");
+    to_file->add_option("--to", given.out, "file to write: .inp (Abaqus, CalculiX), .feb (FEBio 4.0), .msh")
+        ->type_name("FILE")
+        ->required();
+    to_file
+        ->add_option("--element", given.exported.element,
+                     "element of an .inp file: C3D8I suits CalculiX, C3D8H (exactly incompressible) Abaqus")
+        ->check(CLI::IsMember({"C3D8", "C3D8I", "C3D8H", "C3D8R"}))
+        ->capture_default_str();
+    to_file
+        ->add_option("--bulk", given.exported.bulk,
+                     "bulk modulus in parts of each region's shear modulus: those programs are compressible")
+        ->check(CLI::Range(1., 1e9))
+        ->capture_default_str();
     compare->add_option("DIR", given.first, "folder of the results of a run")->required();
     compare->add_option("DIR2", given.second, "and of another")->required();
     compare
@@ -175,7 +191,7 @@ void expect_fitting(const Parser& parser, bool of_a_study) {
   if (*parser.study && !of_a_study)
     throw input_error(file, 0, "is no study: it has neither 'scene' nor 'vary'",
                       "'bulbus help study' tells what it needs");
-  if (of_a_study && (*parser.run || *parser.trade || *parser.mesh))
+  if (of_a_study && (*parser.run || *parser.trade || *parser.mesh || *parser.to_file))
     throw input_error(file, 0, "is a study, not a scene", "solve it with 'bulbus study'");
 }
 
@@ -207,6 +223,7 @@ int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
   const Scene scene = read_together(given, comm, read_scene);
   if (*parser.check) return check(scene, comm);
   if (*parser.run) return run(scene, given.scene, out_dir, comm, Log::Screen::shown, checkpoint);
+  if (*parser.to_file) return export_scene(scene, given.scene, given.out, given.exported, comm, out);
   return write_mesh(scene, given.out, given.text ? GmshFormat{false, false} : GmshFormat{}, comm);
 }
 
