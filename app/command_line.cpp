@@ -46,6 +46,8 @@ struct Parser {
   CLI::App* compare = app.add_subcommand(
       "compare", "probes of two runs at the end of each step: exit status 0 if they agree, 1 if they differ");
   CLI::App* plot = app.add_subcommand("plot", "draw probes of a run over its steps (SVG)");
+  CLI::App* market =
+      app.add_subcommand("matrix-market", "write a dumped linear system as Matrix Market files");
   CLI::App* help =
       app.add_subcommand("help", "the keys of a scene or a study, or the JSON schema of a scene");
 
@@ -103,6 +105,12 @@ struct Parser {
     plot->add_option("PROBE", given.probes, "columns of history.csv (default: every probe)");
     plot->add_option("-o", given.out, "file to write (default: history.svg in the folder)")
         ->type_name("FILE.svg");
+    market->add_option("DUMP", given.first, "system of a run with solver.linear.dump: system_0001.h5")
+        ->required();
+    market
+        ->add_option("-o", given.out,
+                     "file of the matrix (default: beside the dump); others get its name and theirs")
+        ->type_name("FILE.mtx");
     help->add_option("TOPIC", given.topic, "scene, study or schema")
         ->required()
         ->check(CLI::IsMember({"scene", "study", "schema"}));
@@ -212,6 +220,7 @@ int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
     out << file << "\n";
     return 0;
   }
+  if (*parser.market) return matrix_market(given.first, given.out, comm, out);
   const auto [out_dir, checkpoint] = places_of(parser);
   const bool of_a_study = read_together(given, comm, is_a_study);
   expect_fitting(parser, of_a_study);

@@ -59,6 +59,10 @@ int compare(const std::string& first, const std::string& second, const CompareOp
 void plot_history(const std::string& folder, std::vector<std::string> probes, const std::string& file,
                   const Comm& comm);
 
+/// Writes a dumped linear system as Matrix Market files (empty: beside the dump) and prints their names.
+/// Collective. Throws InputError.
+int matrix_market(const std::string& dump, std::string file, const Comm& comm, std::ostream& out);
+
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);
 
