@@ -88,15 +88,18 @@ int export_scene(const Scene& scene, const std::string& scene_path, const std::s
   if (!write) return write_mesh(scene, file, {}, comm);
   Model model = scene.model;
   Mesh mesh;
+  ExportedModel told;
   comm.together([&] {
-    if (comm.rank() == 0) mesh = mesh_of_model(scene, model);
+    if (comm.rank() > 0) return;
+    mesh = mesh_of_model(scene, model);
+    told = exported_model(model, mesh);
   });
   const std::string heading = heading_of(scene, scene_path);
   std::vector<std::string> left_out;
   write_together(comm, [&] {
     if (comm.rank() > 0) return;
     write_at(file, [&](const std::string& temporary) {
-      left_out = write(temporary, {heading, mesh, model, options});
+      left_out = write(temporary, {heading, mesh, model, told, options});
     });
   });
   out << file << ": " << mesh.hexes.size() << " hexahedra, " << mesh.points.size() << " nodes\n";

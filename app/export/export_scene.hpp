@@ -17,12 +17,12 @@ struct ExportContent {
   const std::string& heading;
   const Mesh& mesh;
   const Model& model;
+  const ExportedModel& told;  ///< of this mesh and model
   const ExportOptions& options;
 };
 
 /// Writes an Abaqus or CalculiX input file, and returns what it leaves out: `left_out` of the model and of
-/// the format. Throws InputError for a mesh that cannot be told, std::runtime_error if it cannot be written.
-/// Not collective.
+/// the format. Throws std::runtime_error if it cannot be written. Not collective.
 std::vector<std::string> write_inp(const std::string& path, const ExportContent& content);
 
 /// The same as a FEBio file of version 4.0.

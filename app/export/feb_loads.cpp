@@ -119,7 +119,9 @@ void write_feb_loads(ExportFile& out, const ExportedModel& model) {
   conditions.loads();
   out.text("</Loads>\n<LoadData>\n");
   conditions.curves();
-  out.text("</LoadData>\n<Step>\n");
+  out.text("</LoadData>\n");
+  if (model.steps.empty()) return;
+  out.text("<Step>\n");
   for (std::size_t k = 0; k < model.steps.size(); ++k)
     write_step(out, model.steps[k], static_cast<int>(k + 1));
   out.text("</Step>\n");

@@ -15,7 +15,7 @@ bool is_yeoh(const ExportedMaterial& m) {
 class FebModel {
  public:
   explicit FebModel(const ExportContent& content)
-      : content_(content), mesh_(content.mesh), made_(exported_model(content.model, content.mesh)) {
+      : content_(content), mesh_(content.mesh), made_(content.told) {
     if (!made_.printed.empty())
       made_.left_out.push_back("records of displacements and reactions of sets: ask for them in FEBio");
     cut_steps_for_feb(made_);

@@ -15,9 +15,7 @@ constexpr int highest_order = 3;  // of CalculiX
 class InpModel {
  public:
   InpModel(const ExportContent& content)
-      : content_(content),
-        made_(exported_model(content.model, content.mesh)),
-        names_(content.mesh, made_.sets, made_.left_out) {
+      : content_(content), made_(content.told), names_(content.mesh, made_.sets, made_.left_out) {
     for (const std::string& region : content.mesh.region_names)
       if (const int order = exported_material(law(region)).order(); order > highest_order)
         made_.left_out.push_back(

@@ -120,7 +120,7 @@ TEST_F(Export, KeepsTheSideOfAFace) {
   Model model;
   for (const std::string& region : mesh.region_names) model.regions[region].c10 = 1;
   const std::string heading = "a shell";
-  write_inp(file("sides.inp"), {heading, mesh, model, {}});
+  write_inp(file("sides.inp"), {heading, mesh, model, exported_model(model, mesh), {}});
   const auto surfaces = read_abaqus(file("sides.inp")).mesh.surfaces;
   const FaceTable faces(mesh.hexes);
   for (const char* name : {"from_soft", "from_stiff"})
@@ -191,7 +191,8 @@ TEST_F(Export, RefusesWhatItCannotWrite) {
   EXPECT_EQ(write("a.stl").status, 2);
   EXPECT_NE(write("a.stl").err.find("end it in .inp"), std::string::npos);
   EXPECT_EQ(write("no/such/folder.inp").status, 1);
-  EXPECT_EQ(write("a.inp", {"--set", "regions={}"}).status, 2);
+  for (const char* wrong : {"regions={}", "steps.0.loads.0.pressure=log(s - 2)"})
+    EXPECT_EQ(write("a.inp", {"--set", wrong}).status, 2) << wrong;
 }
 
 TEST(Decimal, FitsInTwentyCharacters) {
