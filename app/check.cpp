@@ -5,7 +5,7 @@
 #include "app/prepare.hpp"
 #include "core/io/log.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 int check(const Scene& scene, const Comm& comm) {
   const Prepared prepared = prepare(scene, comm);
@@ -26,4 +26,4 @@ int check(const Scene& scene, const Comm& comm) {
   return 0;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "app/prepare.hpp"
 #include "app/study/study_design.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 int check_study(const Study& study, const Comm& comm) {
   const auto runs = plan(study);
@@ -22,4 +22,4 @@ int check_study(const Study& study, const Comm& comm) {
   return 0;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -18,7 +18,7 @@
 #include "core/base/process.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 struct Arguments {
@@ -285,4 +285,4 @@ int command_line(std::vector<std::string> arguments, const Comm& comm, std::ostr
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

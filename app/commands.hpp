@@ -9,7 +9,7 @@
 #include "core/io/log.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Solves the scene into the folder, or goes on from a checkpoint (empty: none) and adds to the records
 /// beside that. Returns the exit status: 0 finished, 1 not converged, 128 and the signal's number if it was
@@ -72,4 +72,4 @@ int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& fo
 int export_scene(const Scene& scene, const std::string& scene_path, const std::string& file,
                  const ExportOptions& options, const Comm& comm, std::ostream& out);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

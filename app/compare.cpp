@@ -8,7 +8,7 @@
 #include "app/study/study_results.hpp"
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Steps end at the same time if they differ by no more than this.
@@ -124,4 +124,4 @@ int compare(const std::string& first, const std::string& second, const CompareOp
   return different > 0 ? 1 : 0;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

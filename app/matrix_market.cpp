@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/solve/dump.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 int matrix_market(const std::string& dump, std::string file, const Comm& comm, std::ostream& out) {
   if (file.empty()) file = std::filesystem::path(dump).replace_extension(".mtx").string();
@@ -18,4 +18,4 @@ int matrix_market(const std::string& dump, std::string file, const Comm& comm, s
   return 0;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,7 +8,7 @@
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::size_t index_of(const std::string& probe, const History& history) {
@@ -48,4 +48,4 @@ void plot_history(const std::string& folder, std::vector<std::string> probes, co
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -10,7 +10,7 @@
 #include "core/problem/validate.hpp"
 #include "core/problem/warnings.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, std::vector<std::string>& notes) {
@@ -84,4 +84,4 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   return prepared;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

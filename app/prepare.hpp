@@ -8,7 +8,7 @@
 #include "core/mesh/quality.hpp"
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A problem that is ready to march, and what is known of its mesh.
 struct Prepared {
@@ -24,4 +24,4 @@ struct Prepared {
 /// in the last of them is found before the first is solved. Throws InputError on every rank. Collective.
 Prepared prepare(const Scene& scene, const Comm& comm);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

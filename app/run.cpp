@@ -21,7 +21,7 @@
 #include "core/io/text_file.hpp"
 #include "precond/make_preconditioner.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // The direct solver factorises the system as it is: augmentation would only fill it.
@@ -220,4 +220,4 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -15,7 +15,7 @@
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -140,4 +140,4 @@ int run_study(const Study& study, const std::string& out_dir, const Comm& comm) 
   return StudyRunner(study, out_dir, comm).march();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

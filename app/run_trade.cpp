@@ -15,7 +15,7 @@
 #include "core/io/json_file.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -157,4 +157,4 @@ int run_trade(const std::string& scene, const std::vector<std::string>& override
   return TradeRunner(std::move(trade), out_dir, options, comm).march();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -1,7 +1,7 @@
 #pragma once
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 constexpr const char* version = "0.2.0";  ///< the VERSION of the project in CMakeLists.txt
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -13,7 +13,7 @@
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/validate.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 MeshHierarchy meshes_to_write(const Scene& scene) {
@@ -107,4 +107,4 @@ int export_scene(const Scene& scene, const std::string& scene_path, const std::s
   return 0;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
                             {"restart", settings.linear.restart},
                             {"max_iterations", settings.linear.max_iterations},
                             {"degree", settings.linear.degree},
-                            {"smoothed_part", settings.linear.smoothed_part},
+                            {"smoothing_range", settings.linear.smoothing_range},
                             {"aggregates", settings.linear.aggregates},
                             {"operator", word_of(settings.linear.op)}})
     report["parameters"][key] = value;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 namespace {
 
@@ -75,4 +75,4 @@ ContactStanding standing(const Interactions::Contact& contact, Snapshot& s) {
   return all;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

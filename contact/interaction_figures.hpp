@@ -2,7 +2,7 @@
 #include "contact/interactions.hpp"
 #include "core/problem/probes/probe_figures.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The slave nodes that this rank owns, gaps up to Contact::farthest, forces of both ways; found once per
 /// snapshot. Collective.
@@ -25,4 +25,4 @@ struct ContactStanding {
 /// Collective.
 ContactStanding standing(const Interactions::Contact& contact, Snapshot& snapshot);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -5,7 +5,7 @@
 #include "contact/interaction_figures.hpp"
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 using Contact = Interactions::Contact;
@@ -103,4 +103,4 @@ ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interacti
   return kinds;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

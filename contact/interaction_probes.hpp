@@ -2,7 +2,7 @@
 #include "contact/interactions.hpp"
 #include "core/problem/probes/probes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The kinds of probes of contacts, rigid bodies and sutures, for a ProbeSet:
 ///
@@ -13,4 +13,4 @@ namespace bulbus {
 ///     suture_mises              around the points of a suture
 ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interactions);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

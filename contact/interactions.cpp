@@ -15,7 +15,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double stiffness_ratio =
@@ -296,4 +296,4 @@ void Interactions::serialize(Archive& archive) {
   for (auto& [name, motion] : motions_) motion.serialize(archive);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -10,7 +10,7 @@
 #include "contact/suture/suture_term.hpp"
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// What a model says of rigid bodies, contacts and sutures, attached to its problem. Itself the first of
 /// their terms, without forces: in each step it moves the bodies and hands the sutures their force.
@@ -69,4 +69,4 @@ class Interactions final : public Term {
   std::map<std::string, std::vector<int>> bites_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

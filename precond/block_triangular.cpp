@@ -5,7 +5,7 @@
 #include "precond/operators/displacement.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 BlockTriangular::BlockTriangular(const CoupledSystem& system,
                                  std::shared_ptr<const DisplacementPreconditioner> displacement,
@@ -99,4 +99,4 @@ std::size_t BlockTriangular::bytes() const {
   return total;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

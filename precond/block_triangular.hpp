@@ -7,7 +7,7 @@
 #include "precond/operators/displacement_preconditioner.hpp"
 #include "precond/schur/pressure_schur.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Â⁻¹ g of every liquid with an unknown pressure, on primal vectors.
 using LiquidColumns = std::vector<std::vector<double>>;
@@ -53,4 +53,4 @@ class BlockTriangular final : public CoupledPreconditioner {
   mutable std::vector<double> work_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -2,7 +2,7 @@
 
 #include "precond/preconditioner_cache.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 std::unique_ptr<PreconditionerFactory> make_preconditioner_factory(const LinearSettings& settings,
                                                                    Profiler& profiler) {
@@ -14,4 +14,4 @@ std::unique_ptr<LinearSolver> make_solver(const LinearSettings& settings, Profil
   return make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/solve/linear_solver.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The preconditioners of the coupled system that the settings name (see PreconditionerCache).
 std::unique_ptr<PreconditionerFactory> make_preconditioner_factory(const LinearSettings& settings,
@@ -10,4 +10,4 @@ std::unique_ptr<PreconditionerFactory> make_preconditioner_factory(const LinearS
 /// The solver that `method` names, with the preconditioner that the settings name.
 std::unique_ptr<LinearSolver> make_solver(const LinearSettings& settings, Profiler& profiler);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

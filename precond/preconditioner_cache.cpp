@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 constexpr double without_bounds = std::numeric_limits<double>::infinity();
@@ -45,4 +45,4 @@ std::unique_ptr<CoupledPreconditioner> PreconditionerCache::make(const CoupledSy
                                            columns_);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -7,7 +7,7 @@
 #include "precond/operators/displacement.hpp"
 #include "precond/reuse_policy.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Makes the preconditioner of the coupled system that the settings name, of one linearisation after the
 /// other, and owns all that outlives a linearisation, together with the preconditioners that use it.
@@ -34,4 +34,4 @@ class PreconditionerCache final : public PreconditionerFactory {
   std::shared_ptr<LiquidColumns> columns_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // A Chebyshev polynomial amplifies what lies above its interval, and that has a reserve of a tenth: from a
@@ -28,4 +28,4 @@ Reuse reusable(const ReuseLimits& limits, const SolveHistory& history, const Tan
   return {.coarse_factors = true, .corrections = limits.corrections_own_lines};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

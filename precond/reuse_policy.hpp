@@ -1,6 +1,6 @@
 #pragma once
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// What settings and mesh allow.
 struct ReuseLimits {
@@ -42,4 +42,4 @@ struct Reuse {
 /// less it allows: asked before anything is measured it says what is worth measuring.
 Reuse reusable(const ReuseLimits& limits, const SolveHistory& history, const TangentChange& change);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr std::size_t widest = 20;
@@ -44,4 +44,4 @@ std::vector<Run> runs_of(std::span<const int> sorted) {
   return runs;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

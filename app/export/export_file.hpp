@@ -8,7 +8,7 @@
 
 #include "core/io/disk_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A text file that is written in pieces of a megabyte. Throws std::runtime_error. Not collective.
 class ExportFile {
@@ -41,4 +41,4 @@ struct Run {
 };
 std::vector<Run> runs_of(std::span<const int> sorted);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include "app/export/exported_model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// How a model is told.
 struct ExportOptions {
@@ -28,4 +28,4 @@ std::vector<std::string> write_inp(const std::string& path, const ExportContent&
 /// The same as a FEBio file of version 4.0.
 std::vector<std::string> write_feb(const std::string& path, const ExportContent& content);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

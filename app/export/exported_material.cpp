@@ -4,7 +4,7 @@
 
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 int ExportedMaterial::order() const {
   int largest = 0;
@@ -26,4 +26,4 @@ ExportedMaterial exported_material(const RegionSpec& spec) {
   return material;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

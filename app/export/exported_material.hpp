@@ -4,7 +4,7 @@
 
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// W = Σ c_rs (Ī1 − 3)^r (Ī2 − 3)^s, MPa.
 struct ExportedMaterial {
@@ -17,4 +17,4 @@ struct ExportedMaterial {
 /// Of a deformable region.
 ExportedMaterial exported_material(const RegionSpec& spec);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -11,7 +11,7 @@
 #include "core/problem/formula.hpp"
 #include "core/problem/rigid_body.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 class ModelExport {
@@ -188,4 +188,4 @@ class ModelExport {
 
 ExportedModel exported_model(const Model& model, const Mesh& mesh) { return ModelExport(model, mesh).take(); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

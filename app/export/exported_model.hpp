@@ -8,7 +8,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What is prescribed at the end of a step, what earlier steps left included; lengths in mm, forces in N,
 /// pressures in MPa.
@@ -43,4 +43,4 @@ struct ExportedModel {
 /// InputError.
 ExportedModel exported_model(const Model& model, const Mesh& mesh);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

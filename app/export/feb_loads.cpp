@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using Value = std::function<std::optional<double>(const ExportedStep&)>;
@@ -154,4 +154,4 @@ std::string in_comment(const std::string& text) {
   return plain;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 #include "app/export/export_file.hpp"
 #include "app/export/exported_model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Leaves out the steps from the first one on whose conditions have no simple form in FEBio.
 void cut_steps_for_feb(ExportedModel& model);
@@ -17,4 +17,4 @@ void write_feb_loads(ExportFile& out, const ExportedModel& model);
 std::string in_xml(const std::string& text);
 std::string in_comment(const std::string& text);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/faces.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 template <class Map>
@@ -65,4 +65,4 @@ void write_inp_mesh(ExportFile& out, const Mesh& mesh, const std::map<std::strin
     if (!quads.empty()) write_surface(out, table, names.surfaces.of(name), quads);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

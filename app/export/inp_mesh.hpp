@@ -3,7 +3,7 @@
 #include "app/export/inp_names.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Names of a mesh in an input file.
 struct InpMeshNames {
@@ -17,4 +17,4 @@ struct InpMeshNames {
 void write_inp_mesh(ExportFile& out, const Mesh& mesh, const std::map<std::string, std::vector<int>>& sets,
                     const InpMeshNames& names, const std::string& element);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

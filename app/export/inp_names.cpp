@@ -4,7 +4,7 @@
 #include <cctype>
 #include <set>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::string plain(const std::string& name) {
@@ -33,4 +33,4 @@ InpNames::InpNames(const std::string& kind, const std::vector<std::string>& name
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Names that Abaqus and CalculiX read: they begin with a letter, have at most 80 letters, digits and any of
 /// `_-.`, and differ by more than the case of their letters.
@@ -17,4 +17,4 @@ class InpNames {
   std::map<std::string, std::string> given_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

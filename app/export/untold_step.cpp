@@ -5,7 +5,7 @@
 
 #include "core/mesh/faces.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::string untold_displacement(const DisplaceSpec& spec, int step) {
@@ -61,4 +61,4 @@ std::string untold(const Model& model, const Mesh& mesh, int step) {
   return pressed_twice(model, mesh, step);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

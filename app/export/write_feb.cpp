@@ -5,7 +5,7 @@
 #include "app/export/exported_material.hpp"
 #include "app/export/feb_loads.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 bool is_yeoh(const ExportedMaterial& m) {
@@ -111,4 +111,4 @@ std::vector<std::string> write_feb(const std::string& path, const ExportContent&
   return FebModel(content).write(path);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

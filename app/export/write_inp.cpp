@@ -7,7 +7,7 @@
 #include "app/export/inp_mesh.hpp"
 #include "core/problem/loads.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr int highest_order = 3;  // of CalculiX
@@ -131,4 +131,4 @@ std::vector<std::string> write_inp(const std::string& path, const ExportContent&
   return InpModel(content).write(path);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -1,9 +1,9 @@
 #pragma once
 #include <numbers>
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// In rad.
 inline constexpr double degree = std::numbers::pi / 180;
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -6,7 +6,7 @@
 #include "app/eye/eye_parts.hpp"
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 namespace {
 
 /// Columns of nodes under the sheet, by the levels of the EyeMap; `back` is the outer surface of the retina
@@ -127,4 +127,4 @@ Mesh generate(const EyeSettings& s) {
   return mesh;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

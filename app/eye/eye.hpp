@@ -6,7 +6,7 @@
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// Zonules of the half eye: an equatorial row with a bar at both ends on the plane x = 0 (there with share
 /// ½), an anterior and a posterior row between. Their ends are places of the analytic eye, so they do not
@@ -73,4 +73,4 @@ struct EyeSettings {
 /// Bars "zonules". Throws InputError if the settings do not fit together.
 Mesh generate(const EyeSettings& settings);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

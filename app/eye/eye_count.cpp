@@ -2,7 +2,7 @@
 
 #include "app/eye/eye_map.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 MeshCount count(const EyeSettings& s) {
   s.shape.check();
@@ -17,4 +17,4 @@ MeshCount count(const EyeSettings& s) {
   return all;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

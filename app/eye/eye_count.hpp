@@ -2,10 +2,10 @@
 #include "app/eye/eye.hpp"
 #include "core/mesh/mesh_count.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// What generate() will make, without making it: hexahedra exactly, nodes within 2 %. Throws InputError as
 /// generate() does.
 MeshCount count(const EyeSettings& settings);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

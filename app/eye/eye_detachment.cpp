@@ -9,7 +9,7 @@
 #include "app/eye/eye_parts.hpp"
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 namespace {
 
 double middle_azimuth(const EyeSheet& sheet, int quad) {
@@ -104,4 +104,4 @@ DetachedSheet detached_sheet(const EyeSheet& sheet, const EyeSettings& s) {
   return result;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -3,7 +3,7 @@
 
 #include "core/base/parameters.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// A hole in the detached retina on the plane x = 0, at 12 o'clock; sizes are those of the whole eye, along
 /// the retina's bed. It is made of whole cells: those with their centre within, one at least.
@@ -35,4 +35,4 @@ struct Detachment {
   double lift(double t, double azimuth) const;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -1,6 +1,6 @@
 #include "app/eye/eye_parts.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 void add_lens(Mesh& mesh, const EyeMap& map) {
   const Disc disc = o_grid(map.lens_disc, true);
@@ -20,4 +20,4 @@ void add_lens(Mesh& mesh, const EyeMap& map) {
     }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

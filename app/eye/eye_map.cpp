@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 EyeMap::EyeMap(const EyeSettings& s)
     : scale(scaled(1, s.n)),
@@ -54,4 +54,4 @@ Point EyeMap::operator()(const Parameters& p) const {
   return under(column, depth(column.t, level) + lift);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

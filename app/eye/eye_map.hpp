@@ -2,7 +2,7 @@
 #include "app/eye/eye_sheet.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// The analytic half eye as the image of a lattice. A node's parameters are (i, j, s, level, part) in the
 /// coats and the nerve: the column under the sheet's (i, j, s) and the level in it; and (i, j, ring, layer,
@@ -33,4 +33,4 @@ class EyeMap {
   std::optional<Detachment> detachment_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

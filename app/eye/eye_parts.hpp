@@ -4,7 +4,7 @@
 #include "app/eye/eye.hpp"
 #include "app/eye/eye_map.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// Indices of region_names of the eye.
 enum EyeRegion { cornea, sclera, ciliary_body, choroid, retina, optic_nerve, lens };
@@ -29,4 +29,4 @@ void name_eye_surfaces(Mesh& mesh, const EyeShape& shape, const std::vector<bool
 /// Adds the bars "zonules" between "lens_surface" and the ciliary body's wet faces.
 void add_zonules(Mesh& mesh, const EyeSettings& settings);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

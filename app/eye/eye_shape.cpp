@@ -6,7 +6,7 @@
 #include "app/eye/degree.hpp"
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 namespace {
 
 /// Height above its rim of a spherical cap of base radius a and height h, at a distance from the axis.
@@ -99,4 +99,4 @@ void EyeShape::check() const {
     throw input_error("eye: the optic nerve is too thick", "give a smaller nerve_diameter");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -3,7 +3,7 @@
 
 #include "core/base/parameters.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// A quantity along the meridian, linear between its points and constant beyond them.
 struct MeridianProfile {
@@ -84,4 +84,4 @@ struct EyeShape {
   void check() const;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 namespace {
 
 /// Adds a disc's nodes (s of the disc's ring) and quads; returns its rim.
@@ -127,4 +127,4 @@ EyeSheet eye_sheet(const EyeSettings& settings) {
   return sheet;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

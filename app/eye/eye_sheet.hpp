@@ -5,7 +5,7 @@
 #include "app/eye/eye.hpp"
 #include "core/mesh/generate/o_grid.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// The eye's outer surface as the image of a lattice: (i, j) as in the poles' discs, s along the meridian
 /// from the posterior disc's core (0) over its rings, the rings of the globe and those of the anterior disc
@@ -68,4 +68,4 @@ EyeSheet eye_sheet(const EyeSettings& settings);
 /// A count that is `base` at n = 14, in proportion to n, and 1 at least.
 int scaled(int base, int n);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -2,7 +2,7 @@
 
 #include "app/eye/eye_parts.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 namespace {
 
 template <class Predicate>
@@ -47,4 +47,4 @@ void name_eye_surfaces(Mesh& mesh, const EyeShape& shape, const std::vector<bool
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

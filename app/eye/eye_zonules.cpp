@@ -6,7 +6,7 @@
 #include "app/eye/eye_parts.hpp"
 #include "core/mesh/generate/embed.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 namespace {
 
 /// A point of a meridian turned to the azimuth `turn`·180° from +y; exactly on x = 0 at 0 and 1.
@@ -87,4 +87,4 @@ void add_zonules(Mesh& mesh, const EyeSettings& s) {
     }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 std::optional<double> tissue_stiffness(const std::string& materials, const std::string& tissue) {
   static const std::map<std::string, double> paper{
@@ -32,4 +32,4 @@ void require_tissues(const std::vector<std::string>& regions, const Model& model
                         "Add `" + name + ": {c10: ...}` under `regions`, or say `materials: paper`.");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

@@ -5,7 +5,7 @@
 
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline eye {
 
 /// c10 of a tissue of the eye, MPa, or nothing if no tissue has that name. `materials` is one of the choices
 /// of Scene::materials.
@@ -18,4 +18,4 @@ void add_tissues(const std::string& materials, const std::vector<std::string>& r
 /// model with a region that the mesh does not have is left to validate().
 void require_tissues(const std::vector<std::string>& regions, const Model& model);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline eye

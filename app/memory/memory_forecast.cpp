@@ -6,7 +6,7 @@
 #include "app/scene/size_limits.hpp"
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 double resident(const Comm& comm) {
@@ -69,4 +69,4 @@ void refuse_what_cannot_fit(const MemoryForecast& forecast, const LinearSettings
   if (l.method != Method::direct) refuse_more_than_there_is(forecast.parts, l);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,7 +2,7 @@
 #include "app/memory/memory_parts.hpp"
 #include "app/prepare.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a run will hold at its peak, bytes over all ranks.
 struct MemoryForecast {
@@ -25,4 +25,4 @@ std::vector<std::string> lines_of(const MemoryForecast& forecast, const LinearSe
 /// direct fallback is not taken where it does not fit.
 void refuse_what_cannot_fit(const MemoryForecast& forecast, const LinearSettings& settings);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

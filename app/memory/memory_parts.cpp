@@ -9,7 +9,7 @@
 #include "core/solve/direct_memory.hpp"
 #include "core/solve/fgmres.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Numbers of bytes that are not a count of what is stored are fitted to runs: benchmarks/notebook/memory.md.
@@ -182,4 +182,4 @@ double bytes_of_fallback(const RunSize& size, const Scene& scene) {
   return sum_of(parts);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include "app/scene/scene.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A part of the memory that a run will need at its peak, bytes over all ranks.
 struct MemoryPart {
@@ -34,4 +34,4 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
 /// `solver.linear.fallback` or `method` says that it never does.
 double bytes_of_fallback(const RunSize& size, const Scene& scene);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,7 +8,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double poor = .1;  // a quarter of the least value in the eye that is drawn
@@ -56,4 +56,4 @@ std::vector<std::string> poor_cell_lines(const LocalMesh& mesh) {
   return lines;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

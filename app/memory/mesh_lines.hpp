@@ -4,7 +4,7 @@
 
 #include "core/mesh/distributed/local_mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A table of all surfaces, their faces and areas; empty if there are none. Collective.
 std::vector<std::string> surface_lines(const LocalMesh& mesh);
@@ -15,4 +15,4 @@ std::vector<std::string> set_lines(const LocalMesh& mesh);
 /// Cells of a scaled Jacobian below 0.1, worst first; empty if there are none. Collective.
 std::vector<std::string> poor_cell_lines(const LocalMesh& mesh);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

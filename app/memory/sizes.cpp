@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 Sizes sizes_of(const Problem& problem) {
   const LocalMesh& mesh = problem.mesh();
@@ -50,4 +50,4 @@ std::vector<std::string> liquid_lines(const Problem& problem) {
   return lines;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "core/mesh/quality.hpp"
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// How large a problem is, over all ranks, and its unknowns by kind at the present step.
 struct Sizes {
@@ -29,4 +29,4 @@ std::vector<std::string> lines_of(const std::vector<RegionQuality>& quality);
 /// Volumes of the liquids before the first step, of the whole. Collective.
 std::vector<std::string> liquid_lines(const Problem& problem);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

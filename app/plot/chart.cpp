@@ -8,7 +8,7 @@
 
 #include "app/plot/svg.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using namespace svg;
@@ -142,4 +142,4 @@ std::string svg_of(const Chart& chart) {
       width, height, body);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Small multiples as an SVG file: panels in rows, each with its own axes, one legend for all.
 struct Chart {
@@ -36,4 +36,4 @@ std::string svg_of(const Chart& chart);
 /// Round values, a handful, that span [low, high], with as many digits as they need.
 std::vector<Chart::Tick> round_ticks(double low, double high);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 
 #include "app/plot/chart.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // 1, 2 or 5 times a power of ten, for about five steps.
@@ -38,4 +38,4 @@ std::vector<Chart::Tick> round_ticks(double low, double high) {
   return ticks;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace bulbus::svg {
+namespace bulbus::inline app::svg {
 namespace {
 
 // Distinct for colour-blind eyes too (Okabe and Ito).
@@ -62,4 +62,4 @@ std::string stroke_of(std::size_t series) {
                      *dash(series) ? dash(series) : "none");
 }
 
-}  // namespace bulbus::svg
+}  // namespace bulbus::inline app::svg

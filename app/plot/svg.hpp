@@ -3,7 +3,7 @@
 
 /// Elements of an SVG file. Places in pixels, y downwards; a series has its colour, and its dashes when
 /// colours are used up.
-namespace bulbus::svg {
+namespace bulbus::inline app::svg {
 
 /// `anchor`: start, middle or end.
 std::string text(double x, double y, const std::string& words, const char* anchor, const char* style = "");
@@ -15,4 +15,4 @@ std::string arrow(double x, double y, int way, std::size_t series);
 /// The attributes of a curve.
 std::string stroke_of(std::size_t series);
 
-}  // namespace bulbus::svg
+}  // namespace bulbus::inline app::svg

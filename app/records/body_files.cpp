@@ -2,7 +2,7 @@
 
 #include "app/records/record_names.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 void BodyFiles::save(int number) const {
   if (interactions_->bodies().empty()) return;
@@ -29,4 +29,4 @@ void BodyFiles::list(int number, double time) {
   if (!interactions_->bodies().empty()) index_.add(bodies_file(number), time);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -3,7 +3,7 @@
 #include "contact/interactions.hpp"
 #include "core/io/vtp.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// The rigid bodies where they are, beside the result files: bodies_0001.vtp and so on with bodies.pvd. The
 /// triangles carry the number of their body, of which a label `body_NAME` says the name, and of its part. Not
@@ -24,4 +24,4 @@ class BodyFiles {
   Collection index_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,7 +8,7 @@
 #include "core/base/memory.hpp"
 #include "core/io/checkpoint.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using NamedStates = std::vector<std::pair<const char*, State*>>;
@@ -21,7 +21,7 @@ void serialize(Archive& archive, const NamedStates& states) {
 }
 
 // `previous` exists between two increments of a step alone.
-NamedStates states_of(MarchPlace& place, State& start, State& now) {
+NamedStates states_of(MarchProgress& place, State& start, State& now) {
   NamedStates states{{"start", &start}, {"now", &now}};
   if (place.last > 0) states.emplace_back("previous", &place.previous);
   return states;
@@ -58,12 +58,12 @@ Resumed Checkpoint::resume(Problem& problem, Archived& records) {
 
 void Checkpoints::step_begins(const State& start) { start_ = start; }
 
-void Checkpoints::rests(const MarchPlace& place, State& state, bool last) {
+void Checkpoints::rests(const MarchProgress& place, State& state, bool last) {
   const int number = place.report.increments;
   if (every_ > 0 && number > 0 && (last || number % every_ == 0)) interrupted(place, state);
 }
 
-void Checkpoints::interrupted(const MarchPlace& place, State& state) {
+void Checkpoints::interrupted(const MarchProgress& place, State& state) {
   if (written_ == place.report.increments) return;
   write(place, state);
   written_ = place.report.increments;
@@ -76,7 +76,7 @@ void Checkpoints::resumed(const Resumed& from) {
 
 std::size_t Checkpoints::bytes() const { return bytes_of(start_.x) + bytes_of(start_.lambda); }
 
-void Checkpoints::write(MarchPlace place, State& state) {
+void Checkpoints::write(MarchProgress place, State& state) {
   ProblemMark mark = mark_of(scene_, inputs_, problem_, place.step);
   folder_.claim({checkpoint_file});
   write_checkpoint(checkpoint_in(folder_.path()), problem_.mesh(), [&](Archive& archive) {
@@ -88,4 +88,4 @@ void Checkpoints::write(MarchPlace place, State& state) {
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

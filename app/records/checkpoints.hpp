@@ -7,19 +7,19 @@
 #include "core/problem/problem.hpp"
 #include "core/solve/march.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a run keeps besides state and problem.
 class Archived {
  public:
   virtual ~Archived() = default;
   /// At this place of the march. Collective.
-  virtual void serialize(Archive& archive, const MarchPlace& place) = 0;
+  virtual void serialize(Archive& archive, const MarchProgress& place) = 0;
 };
 
 /// Where a run goes on.
 struct Resumed {
-  MarchPlace place;
+  MarchProgress place;
   State start, state;  ///< of the step, and now
 };
 
@@ -31,13 +31,13 @@ class Checkpoint {
  public:
   /// Throws InputError if it is damaged, or of another problem. Collective.
   Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
-  const MarchPlace& place() const { return place_; }
+  const MarchProgress& place() const { return place_; }
   /// Brings problem and records, both new, to where they were. Collective.
   Resumed resume(Problem& problem, Archived& records);
 
  private:
   std::unique_ptr<Archive> kept_;
-  MarchPlace place_;
+  MarchProgress place_;
 };
 
 /// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
@@ -54,14 +54,14 @@ class Checkpoints {
   /// Keeps where a step begins.
   void step_begins(const State& start);
   /// Writes if it is this increment's turn, or the last chance. Collective. Throws std::runtime_error.
-  void rests(const MarchPlace& place, State& state, bool last);
+  void rests(const MarchProgress& place, State& state, bool last);
   /// Writes unless this state is written. Collective. Throws std::runtime_error.
-  void interrupted(const MarchPlace& place, State& state);
+  void interrupted(const MarchProgress& place, State& state);
   void resumed(const Resumed& from);
   std::size_t bytes() const;
 
  private:
-  void write(MarchPlace place, State& state);
+  void write(MarchProgress place, State& state);
 
   const Scene& scene_;
   std::vector<InputFile> inputs_;
@@ -72,4 +72,4 @@ class Checkpoints {
   State start_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

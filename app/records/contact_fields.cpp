@@ -6,7 +6,7 @@
 
 #include "contact/interaction_figures.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Gap, pressure and status, NaN until a contact says something of the node.
@@ -56,4 +56,4 @@ std::vector<Field> contact_fields(const Interactions& interactions, Snapshot& s)
   return fields;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -3,7 +3,7 @@
 #include "core/io/vtkhdf.hpp"
 #include "core/problem/probes/probe_snapshot.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// The fields `gap` (mm, negative inside the master), `contact_pressure` (MPa, positive) and `contact_status`
 /// (0 open, 1 closed) at the local nodes: NaN at nodes that no contact keeps out of anything, and for a gap
@@ -12,4 +12,4 @@ namespace bulbus {
 /// without contacts. Collective.
 std::vector<Field> contact_fields(const Interactions& interactions, Snapshot& snapshot);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -108,4 +108,4 @@ json bodies_summary(const Problem& problem, const Interactions& interactions,
   return all;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

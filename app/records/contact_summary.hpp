@@ -3,7 +3,7 @@
 
 #include "contact/interaction_figures.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What summary.json says of every contact. `standings` are in the order of the contacts.
 nlohmann::json contacts_summary(const Interactions& interactions,
@@ -29,4 +29,4 @@ std::vector<std::string> missed_tolerances(const Interactions& interactions,
 std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
                                        const State& state);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

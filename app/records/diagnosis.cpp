@@ -6,7 +6,7 @@
 
 #include "core/base/units.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double steep =
@@ -84,8 +84,8 @@ std::string diagnosis(const FailureFacts& f) {
   if (f.outcome == Outcome::linear_solver_failed)
     return "the linear systems could not be solved: try `solver: {linear: {method: direct}}`, more "
            "`increments`, or a larger `linear.max_iterations`.";
-  return "Newton's iteration does not settle: take more `increments`, a smaller `stepping.smallest`, or "
+  return "Newton's iteration does not settle: take more `increments`, a smaller `stepping.minimum`, or "
          "divide the step; look at the last converged state for what is about to happen.";
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -3,7 +3,7 @@
 
 #include "core/solve/newton.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What is known of a run that did not converge, in its last converged state.
 struct FailureFacts {
@@ -29,4 +29,4 @@ struct FailureFacts {
 /// One line: the most likely cause, and what to try. Never empty.
 std::string diagnosis(const FailureFacts& facts);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -7,7 +7,7 @@
 #include "core/solve/assemble.hpp"
 #include "core/solve/near_null_space.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 class DumpingSolver final : public LinearSolver {
@@ -75,4 +75,4 @@ std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> 
   return std::make_unique<DumpingSolver>(std::move(solver), name, folder, std::move(increment));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,7 +2,7 @@
 #include "app/records/folder.hpp"
 #include "core/solve/linear_solver.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A solver that writes every system it is given, augmented as it is iterated on, to system_0001.h5 and so on
 /// in the folder `name` within that of the results, and leaves the solution to `solver`. `increment` is asked
@@ -12,4 +12,4 @@ std::unique_ptr<LinearSolver> make_dumping_solver(std::unique_ptr<LinearSolver> 
                                                   const std::string& name, ResultsFolder& folder,
                                                   std::function<int()> increment, const Comm& comm);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -7,7 +7,7 @@
 #include "app/scene/input_files.hpp"
 #include "app/version.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -20,8 +20,8 @@ std::string text_of(const std::string& path) {
 // None if there is no such file, or nothing but a ruin.
 std::vector<std::string> regions_in(const std::string& resolved) {
   try {
-    const Entry root = parse_yaml(resolved, "resolved.yaml");
-    const Entry* regions = root.find("regions");
+    const YamlNode root = parse_yaml(resolved, "resolved.yaml");
+    const YamlNode* regions = root.find("regions");
     return regions ? regions->keys : std::vector<std::string>();
   } catch (const InputError&) {
     return {};
@@ -48,4 +48,4 @@ bool is_finished(const Scene& scene, const std::string& folder) {
          summary.value("input_files", json::object()) == hashes_of(input_files(scene));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -3,7 +3,7 @@
 
 #include "app/scene/scene.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// summary.json of a run's folder; null or discarded if there is none, or nothing but a ruin.
 nlohmann::json summary_in(const std::string& folder);
@@ -11,4 +11,4 @@ nlohmann::json summary_in(const std::string& folder);
 /// Whether a run in the folder has solved this very scene to its end, converged or not, with this version.
 bool is_finished(const Scene& scene, const std::string& folder);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

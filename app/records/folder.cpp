@@ -11,7 +11,7 @@
 #include "core/io/table.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ void ResultsFolder::claim(const std::vector<std::string>& names) {
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

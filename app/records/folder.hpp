@@ -9,7 +9,7 @@
 #include "core/io/folder_lock.hpp"
 #include "core/io/manifest.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Makes a folder and those around it. Collective. Throws InputError on every rank if it cannot.
 void make_folder(const std::string& folder, const Comm& comm);
@@ -54,4 +54,4 @@ class ResultsFolder {
   std::optional<Manifest> manifest_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

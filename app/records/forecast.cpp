@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 double Forecast::after(const Increment& increment, std::span<const StepSpec> steps, double seconds) {
   constexpr double weight = 0.3;  // of the newest: increments differ, and steps differ more
@@ -12,4 +12,4 @@ double Forecast::after(const Increment& increment, std::span<const StepSpec> ste
   return left * price_;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

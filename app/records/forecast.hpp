@@ -3,7 +3,7 @@
 
 #include "core/solve/march.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// How long the rest of a march may take: the increments to come, those of the step under way as large as the
 /// next one, at the price of the last few.
@@ -19,4 +19,4 @@ class Forecast {
   double price_ = 0;  // of an increment, s
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -12,7 +12,7 @@
 #include "core/base/parse_number.hpp"
 #include "core/base/printable.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Columns before and after the probes.
@@ -95,4 +95,4 @@ History read_history(const std::string& folder) {
   return history;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

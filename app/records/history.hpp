@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What history.csv of a run's folder says of its probes.
 struct History {
@@ -23,4 +23,4 @@ struct History {
 /// Throws InputError with file and line if the folder has no history.csv, or it is none of a run.
 History read_history(const std::string& folder);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "app/records/record_names.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Of a line as ranks send it: both ends, force, group.
@@ -81,4 +81,4 @@ void LineFiles::list(int number, double time) {
   if (any()) index_.add(lines_file(number), time);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,7 +2,7 @@
 #include "contact/interactions.hpp"
 #include "core/io/vtp.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// The bars (zonules) and the strings of sutures that pull, where they are, beside the result files:
 /// lines_0001.vtp and so on with lines.pvd. The lines carry `force` (N, tension positive; a bar's of the part
@@ -30,4 +30,4 @@ class LineFiles {
   Collection index_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

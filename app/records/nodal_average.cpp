@@ -1,6 +1,6 @@
 #include "app/records/nodal_average.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Per node: volume × value of its cells, then the volumes.
@@ -31,4 +31,4 @@ std::vector<double> nodal_average(const Problem& problem, std::span<const double
   return average;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

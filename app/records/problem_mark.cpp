@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Uniform in [0, 1), the same for the same number everywhere.
@@ -70,9 +70,9 @@ void refuse_changed_files(const ProblemMark& kept, const std::vector<InputFile>&
 
 // The first key of one that the other has otherwise; empty if they agree.
 std::string differing_key(const std::string& kept, const std::string& here) {
-  const Entry a = parse_yaml(kept, "checkpoint"), b = parse_yaml(here, "scene");
-  const auto differs = [](const Entry& a, const Entry* b, const std::string& key) {
-    Entry only_a = Entry::empty(Entry::Kind::map), only_b = only_a;
+  const YamlNode a = parse_yaml(kept, "checkpoint"), b = parse_yaml(here, "scene");
+  const auto differs = [](const YamlNode& a, const YamlNode* b, const std::string& key) {
+    YamlNode only_a = YamlNode::empty(YamlNode::Kind::map), only_b = only_a;
     only_a.insert(key, {}, a);
     if (b) only_b.insert(key, {}, *b);
     return !b || to_yaml(only_a) != to_yaml(only_b);
@@ -120,4 +120,4 @@ void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std:
         remedy);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

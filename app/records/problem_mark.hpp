@@ -3,7 +3,7 @@
 #include "app/scene/scene.hpp"
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What tells one problem from another: the mesh in a few numbers and the scene up to the step that is under
 /// way, but for title, solver, output, how the mesh is made and how the steps are divided, and what the files
@@ -25,4 +25,4 @@ ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, co
 void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::vector<InputFile>& inputs,
                     const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

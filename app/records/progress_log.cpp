@@ -6,7 +6,7 @@
 
 #include "app/memory/sizes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double worth_telling = 10;  // seconds to go
@@ -29,7 +29,7 @@ ProgressLog::ProgressLog(const Log& log, const Problem& problem, const SteppingS
       forecast_(stepping),
       silence_(silence) {}
 
-void ProgressLog::resumes(const MarchPlace& place) {
+void ProgressLog::resumes(const MarchProgress& place) {
   log_.info("");
   log_.info(fmt::format("goes on after increment {}: {:.4g} of step {} of {} is done",
                         place.report.increments, place.done, place.step + 1, model_.steps.size()));
@@ -49,15 +49,15 @@ void ProgressLog::increment_begins(int, double from, double to) {
 }
 
 void ProgressLog::newton_iteration(const NewtonIteration& i) {
-  std::string line = fmt::format("    {:>3}  {:.2e}  {:.2e}  {:.2e}", i.number, i.balance.force,
-                                 i.balance.volume, i.balance.liquid);
+  std::string line = fmt::format("    {:>3}  {:.2e}  {:.2e}  {:.2e}", i.number, i.error.force, i.error.volume,
+                                 i.error.liquid);
   if (i.step > 0 || i.linear.ok)
     line += fmt::format("  {:.1e}  {:>6}  {:.1e}  {:<6.3g}  {}", i.tolerance, i.linear.iterations,
                         i.linear.reduction, i.step, duration(elapsed()));
   if (i.linear.negative_pivots >= 0) line += fmt::format("  {} negative pivots", i.linear.negative_pivots);
   if (i.linear.by_fallback)
     line += "  by MUMPS" + (i.linear.reason.empty() ? "" : " (" + i.linear.reason + ")");
-  if (!i.balance.region.empty()) line += "  (" + i.balance.region + ")";
+  if (!i.error.region.empty()) line += "  (" + i.error.region + ")";
   log_.info(line);
   told_ = Clock::now();
 }
@@ -121,4 +121,4 @@ void ProgressLog::probes(const ProbeSet& probes, const ProbeValues& values) {
       log_.info(fmt::format("    {:<28} {:>14.6g} {}", probes.name(i), *values[i], probes.unit(i)));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "core/problem/probes/probe_record.hpp"
 #include "core/solve/march.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Tells the march in lines that stand by themselves, on a screen as in a file: steps, increments, one line
 /// per Newton iteration, cuts with their reason, and how long the rest may take.
@@ -15,7 +15,7 @@ class ProgressLog final : public MarchObserver {
   ProgressLog(const Log& log, const Problem& problem, const SteppingSettings& stepping, double silence = 10);
 
   void step_begins(int step, const StepSpec& spec, const State& state) override;
-  void resumes(const MarchPlace& place);
+  void resumes(const MarchProgress& place);
   void increment_begins(int step, double from, double to) override;
   void newton_iteration(const NewtonIteration& i) override;
   void increment_cut(const NewtonReport& report, double from, double to) override;
@@ -46,4 +46,4 @@ std::string snap_sentence(const Increment& leap);
 /// "12 s", "4 min 10 s", "2 h 05 min".
 std::string duration(double seconds);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -9,7 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/solve/march.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 std::string result_file(int increment) { return fmt::format("result_{:04d}.hdf", increment); }
 std::string bodies_file(int increment) { return fmt::format("bodies_{:04d}.vtp", increment); }
@@ -56,4 +56,4 @@ void refuse_outside(const Scene& scene) {
                       "Give it another: 'systems'.");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include "app/scene/scene.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Files of a run's folder.
 inline constexpr const char *summary_file = "summary.json", *history_file = "history.csv",
@@ -35,4 +35,4 @@ RecordNames record_names(const Scene& scene);
 /// place of a record.
 void refuse_outside(const Scene& scene);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -6,7 +6,7 @@
 #include "contact/interaction_probes.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::vector<std::string> history_columns(const ProbeSet& probes) {
@@ -130,17 +130,17 @@ void Recorder::increment_done(const Increment& increment, const State& state) {
   results_.increment_done(increment.number, increment.time, snapshot);
 }
 
-void Recorder::rests(const MarchPlace& place, State& state, bool last) {
+void Recorder::rests(const MarchProgress& place, State& state, bool last) {
   const auto scope = profiler_.clock.measure("checkpoints");
   checkpoints_.rests(place, state, last);
 }
 
-void Recorder::interrupted(const MarchPlace& place, State& state) {
+void Recorder::interrupted(const MarchProgress& place, State& state) {
   const auto scope = profiler_.clock.measure("checkpoints");
   checkpoints_.interrupted(place, state);
 }
 
-void Recorder::serialize(Archive& archive, const MarchPlace& place) {
+void Recorder::serialize(Archive& archive, const MarchProgress& place) {
   archive.scalars("counts", increments_, cuts_, negative_pivots_);
   if (!archive.reading() || archive.knows("linear solver"))
     archive.scalars("linear solver", direct_solves_, unstable_increments_);
@@ -195,4 +195,4 @@ void Recorder::finish(const State& state) {
   results_.finish(snapshot);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,7 +8,7 @@
 #include "app/records/witness.hpp"
 #include "core/io/table.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a step took, failed attempts included.
 struct StepRecord {
@@ -31,11 +31,11 @@ class Recorder final : public MarchObserver, public Archived {
   void increment_cut(const NewtonReport& report, double from, double to) override;
   void increment_done(const Increment& increment, const State& state) override;
   void solve_lasts(const SolveProgress& progress) { progress_.solve_lasts(progress); }
-  void rests(const MarchPlace& place, State& state, bool last) override;
-  void interrupted(const MarchPlace& place, State& state) override;
+  void rests(const MarchProgress& place, State& state, bool last) override;
+  void interrupted(const MarchProgress& place, State& state) override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
-  void serialize(Archive& archive, const MarchPlace& place) override;
+  void serialize(Archive& archive, const MarchProgress& place) override;
   /// Goes on as the records of a run that was left. Collective.
   Resumed resume(Checkpoint& checkpoint);
 
@@ -91,4 +91,4 @@ class Recorder final : public MarchObserver, public Archived {
   double since_ = Clock::now();
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

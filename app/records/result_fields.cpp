@@ -7,7 +7,7 @@
 #include "app/records/nodal_average.hpp"
 #include "app/records/strain_fields.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 const std::array<std::string, 3> contact_kinds{"gap", "contact_pressure", "contact_status"};
@@ -98,4 +98,4 @@ Piece piece_of(Snapshot& s, const Interactions& interactions, const std::vector<
   return piece;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

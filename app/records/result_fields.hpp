@@ -6,7 +6,7 @@
 #include "core/io/vtkhdf.hpp"
 #include "core/problem/probes/probe_snapshot.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Of the local nodes, mm.
 std::vector<Point> reference_points(const LocalMesh& mesh);
@@ -17,4 +17,4 @@ std::vector<Point> reference_points(const LocalMesh& mesh);
 Piece piece_of(Snapshot& snapshot, const Interactions& interactions, const std::vector<std::string>& wanted,
                const std::vector<Point>& points);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

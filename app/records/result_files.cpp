@@ -3,7 +3,7 @@
 #include "app/records/result_fields.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 ResultFiles::ResultFiles(const OutputSettings& settings, const Problem& problem,
                          std::shared_ptr<const Interactions> interactions, ResultsFolder& folder)
@@ -70,4 +70,4 @@ void ResultFiles::serialize(Archive& archive, const Comm& comm) {
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,7 +8,7 @@
 #include "core/io/series.hpp"
 #include "core/problem/probes/probe_snapshot.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// result_0001.hdf and so on with their series, the rigid bodies, bars and sutures: the state before any
 /// load as number 0, each n-th converged increment, and the last.
@@ -42,4 +42,4 @@ class ResultFiles {
   std::vector<double> saved_;  // number and time of each
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

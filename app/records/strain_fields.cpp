@@ -6,7 +6,7 @@
 
 #include "core/element/q1.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using Matrix = Eigen::Matrix3d;
@@ -68,4 +68,4 @@ Field principal_stresses(Snapshot& s) {
   return f;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

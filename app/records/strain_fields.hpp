@@ -2,7 +2,7 @@
 #include "core/io/vtkhdf.hpp"
 #include "core/problem/probes/probe_snapshot.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Fields of the local hexahedra; F = ∂x/∂X is that of their middle.
 
@@ -13,4 +13,4 @@ Field principal_stretches(const Snapshot& snapshot);
 /// `principal_stresses` (MPa): eigenvalues of the mean Cauchy stress, the largest first.
 Field principal_stresses(Snapshot& snapshot);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,7 +8,7 @@
 #include "app/version.hpp"
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -124,4 +124,4 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
   return s;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

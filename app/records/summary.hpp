@@ -4,7 +4,7 @@
 #include "app/memory/sizes.hpp"
 #include "app/records/recorder.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// The final figures of a run as summary.json holds them. Collective; the same on every rank.
 nlohmann::json summary_of(const std::string& title, const Prepared& prepared, const Recorder& recorder,
@@ -13,4 +13,4 @@ nlohmann::json summary_of(const std::string& title, const Prepared& prepared, co
 /// Compiler, build and libraries: name and version.
 std::vector<std::pair<std::string, std::string>> versions();
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

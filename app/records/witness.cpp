@@ -7,7 +7,7 @@
 #include "core/problem/region_material.hpp"
 #include "core/problem/strained_cells.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 void Witness::step_begins(int step, const State& start) {
   const StepSpec& spec = problem_.model().steps[step];
@@ -83,4 +83,4 @@ FailureFacts Witness::facts(const State& last, bool touching) const {
   return f;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include "contact/interactions.hpp"
 #include "core/solve/march.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Watches a march for what a failure may have to be explained by.
 class Witness {
@@ -36,4 +36,4 @@ class Witness {
   Outcome outcome_ = Outcome::converged;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

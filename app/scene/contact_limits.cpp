@@ -9,7 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // A triangle with its corners, neighbours and, while these are looked for, edges; a contact point with its
@@ -97,4 +97,4 @@ void refuse_too_many_points(const Mesh& base, const Scene& scene, int ranks) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

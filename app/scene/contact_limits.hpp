@@ -2,7 +2,7 @@
 #include "app/scene/scene.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Refuses drawn rigid bodies with more facets than contact can search in every iteration, or than there is
 /// memory for. Throws InputError with the body's key.
@@ -12,4 +12,4 @@ void refuse_too_many_facets(const Scene& scene, int ranks);
 /// InputError with the contact's key.
 void refuse_too_many_points(const Mesh& base, const Scene& scene, int ranks);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

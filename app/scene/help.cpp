@@ -4,16 +4,16 @@
 
 #include <span>
 
-#include "app/scene/outline.hpp"
-#include "app/scene/wording.hpp"
+#include "app/scene/schema_tree.hpp"
+#include "app/scene/text_format.hpp"
 #include "app/study/study.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
-using Kind = Topic::Kind;
+using Kind = SchemaNode::Kind;
 
-std::string plain_type(const Topic& t) {
+std::string plain_type(const SchemaNode& t) {
   switch (t.kind) {
     case Kind::truth:
       return "true or false";
@@ -36,7 +36,7 @@ std::string plain_type(const Topic& t) {
   }
 }
 
-std::string default_text(const Topic& t) {
+std::string default_text(const SchemaNode& t) {
   if (t.about.required) return ", needed";
   if (t.optional) return ", optional";
   if (t.kind == Kind::group) return "";
@@ -45,49 +45,49 @@ std::string default_text(const Topic& t) {
   return value == "\"\"" || value == "[]" || value == "{}" ? "" : ", default " + value;
 }
 
-std::string facts(const Topic& t) {
+std::string facts(const SchemaNode& t) {
   const std::string unit = unit_of(t.about.quantity), bounds = bounds_text(t.about);
   return plain_type(t) + (unit.empty() ? "" : " in " + unit) + default_text(t) +
          (bounds.empty() ? "" : ", " + bounds);
 }
 
-const Topic& innermost(const Topic& t) {
+const SchemaNode& innermost(const SchemaNode& t) {
   return t.kind == Kind::list || t.kind == Kind::map ? innermost(t.parts[0]) : t;
 }
 
 // The conditions that what is around does not have.
-std::string own_conditions(const Topic& t, const Topic& around) {
+std::string own_conditions(const SchemaNode& t, const SchemaNode& around) {
   return conditions_text(std::span(t.about.conditions).subspan(innermost(around).about.conditions.size()));
 }
 
-void write(const Topic& t, const Topic& around, Level most, int indent, std::string& out) {
+void write(const SchemaNode& t, const SchemaNode& around, Level most, int indent, std::string& out) {
   if (t.about.level > most) return;
   const std::string words = t.about.choices.empty() ? "" : " (" + alternatives(t.about.choices) + ")";
   out += fmt::format("{:<22}  {:<40}  {}{}{}\n", std::string(indent, ' ') + t.key, facts(t), t.about.help,
                      words, own_conditions(t, around));
-  for (const Topic& part : innermost(t).parts) write(part, t, most, indent + 2, out);
+  for (const SchemaNode& part : innermost(t).parts) write(part, t, most, indent + 2, out);
 }
 
 template <class T>
-Topic outline_of() {
+SchemaNode schema_tree_of() {
   T defaults;
-  return outline_of("", About{""}, parameters_of(defaults));
+  return schema_tree_of("", About{""}, parameters_of(defaults));
 }
 
-std::string help_of(const Topic& root, std::string introduction, Level most) {
-  for (const Topic& part : root.parts) write(part, root, most, 0, introduction);
+std::string help_of(const SchemaNode& root, std::string introduction, Level most) {
+  for (const SchemaNode& part : root.parts) write(part, root, most, 0, introduction);
   return introduction;
 }
 
 // Keys of a level that hold a value.
-int count(const Topic& t, Level level) {
+int count(const SchemaNode& t, Level level) {
   int sum = t.kind != Kind::group && t.about.level == level;
-  for (const Topic& part : innermost(t).parts) sum += count(part, level);
+  for (const SchemaNode& part : innermost(t).parts) sum += count(part, level);
   return sum;
 }
 
 std::string what_is_left_out(Level most) {
-  const Topic root = outline_of<Scene>();
+  const SchemaNode root = schema_tree_of<Scene>();
   const int expert = most < Level::expert ? count(root, Level::expert) : 0,
             debug = most < Level::debug ? count(root, Level::debug) : 0;
   if (debug == 0) return "";
@@ -104,7 +104,7 @@ std::string what_is_left_out(Level most) {
 
 std::string scene_help(Level most) {
   return help_of(
-             outline_of<Scene>(),
+             schema_tree_of<Scene>(),
              "A scene is a YAML file. Lengths in mm, forces in N, stresses in MPa, angles in rad; a value "
              "may carry its own\n"
              "unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and t (steps done + "
@@ -115,11 +115,11 @@ std::string scene_help(Level most) {
 
 std::string study_help() {
   return help_of(
-      outline_of<Study>(),
+      schema_tree_of<Study>(),
       "A study is a YAML file: a scene, and what to vary in it. Keys of the scene are paths such as\n"
       "steps.1.increments; entries of lists count from 0, or go by their name. Runs save no result fields\n"
       "unless `set` gives output.vtk: true.\n\n",
       Level::debug);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include "core/base/parameters.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// The keys of a scene up to a level, with type, unit, default, bounds and one line of help, indented as in
 /// the file; and how many there are of every level beyond.
@@ -16,4 +16,4 @@ std::string study_help();
 /// The JSON schema (draft 2020-12) of a scene, for editors that complete and check YAML.
 nlohmann::json scene_schema();
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

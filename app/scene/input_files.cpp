@@ -8,7 +8,7 @@
 
 #include "core/base/mixed_bits.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::uint64_t hash_of(const std::string& path) {
@@ -63,4 +63,4 @@ nlohmann::json hashes_of(const std::vector<InputFile>& files) {
   return hashes;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

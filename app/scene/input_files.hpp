@@ -7,7 +7,7 @@
 #include "app/scene/scene.hpp"
 #include "core/base/parallel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A file that a scene names, and what it holds.
 struct InputFile {
@@ -27,4 +27,4 @@ std::vector<InputFile> input_files(const Scene& scene, const Comm& comm);
 /// Hashes by their keys, as summary.json has them.
 nlohmann::json hashes_of(const std::vector<InputFile>& files);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

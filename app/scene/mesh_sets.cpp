@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/formula.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 void refuse_known(const Mesh& mesh, const std::string& name, const std::string& key) {
@@ -75,4 +75,4 @@ void add_surfaces(Mesh& mesh, const std::map<std::string, std::string>& conditio
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

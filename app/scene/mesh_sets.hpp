@@ -4,7 +4,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Adds node sets: the nodes whose places satisfy the condition. Throws InputError with the key
 /// `mesh.sets.NAME` where a condition is none, holds at no node, or the mesh has the name already.
@@ -13,4 +13,4 @@ void add_sets(Mesh& mesh, const std::map<std::string, std::string>& conditions);
 /// Adds surfaces: the outer faces all of whose nodes satisfy the condition. Throws InputError likewise.
 void add_surfaces(Mesh& mesh, const std::map<std::string, std::string>& conditions);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

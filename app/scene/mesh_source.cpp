@@ -6,7 +6,7 @@
 #include "core/base/require_one.hpp"
 #include "core/mesh/read_mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 void MeshSource::validate() const {
   if (scale != 1 && !file)
@@ -57,4 +57,4 @@ MeshHierarchy make_meshes(const MeshSource& source, std::vector<std::string>* no
   return refined(std::move(base), source.refine);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -10,7 +10,7 @@
 #include "core/mesh/mesh_count.hpp"
 #include "core/mesh/refine.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Where the mesh comes from: a file, or one of the shapes that can be generated.
 struct MeshSource {
@@ -58,4 +58,4 @@ std::optional<MeshCount> count_of(const MeshSource& source);
 /// Throws InputError.
 MeshHierarchy make_meshes(const MeshSource& source, std::vector<std::string>* notes = nullptr);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

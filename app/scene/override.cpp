@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/scene/entry.hpp"
+#include "app/scene/yaml_node.hpp"
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parse_number.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::vector<std::string> split(const std::string& path) {
@@ -19,17 +19,17 @@ std::vector<std::string> split(const std::string& path) {
   return parts;
 }
 
-std::string name_of(const Entry& item) {
+std::string name_of(const YamlNode& item) {
   for (const char* key : {"name", "set", "body"})
-    if (const Entry* name = item.find(key); name && name->is(Entry::Kind::word)) return name->text;
+    if (const YamlNode* name = item.find(key); name && name->is(YamlNode::Kind::word)) return name->text;
   return "";
 }
 
-Entry& in_list(Entry& list, const std::string& part, const Place& place) {
+YamlNode& in_list(YamlNode& list, const std::string& part, const Place& place) {
   const auto index = parse_number<std::size_t>(part);
   if (index && *index < list.items.size()) return list.items[*index];
   std::vector<std::string> names;
-  for (Entry& item : list.items) {
+  for (YamlNode& item : list.items) {
     if (name_of(item) == part) return item;
     names.push_back(name_of(item));
   }
@@ -40,25 +40,25 @@ Entry& in_list(Entry& list, const std::string& part, const Place& place) {
 }
 
 // A word or nothing on the way becomes a map: the reader then says whether a map may stand there.
-Entry& in_map(Entry& entry, const std::string& part, const Place& place) {
-  if (!entry.is(Entry::Kind::map)) entry = Entry::empty(Entry::Kind::map, place);
-  if (Entry* known = entry.find(part)) return *known;
-  return entry.insert(part, place, Entry::empty(Entry::Kind::nothing, place));
+YamlNode& in_map(YamlNode& entry, const std::string& part, const Place& place) {
+  if (!entry.is(YamlNode::Kind::map)) entry = YamlNode::empty(YamlNode::Kind::map, place);
+  if (YamlNode* known = entry.find(part)) return *known;
+  return entry.insert(part, place, YamlNode::empty(YamlNode::Kind::nothing, place));
 }
 
 }  // namespace
 
-Place place_of(const Entry& root, const std::string& path) {
-  const Entry* at = &root;
+Place place_of(const YamlNode& root, const std::string& path) {
+  const YamlNode* at = &root;
   Place place = root.place;
   for (const std::string& part : split(path)) {
     std::size_t index = at->items.size();
-    if (at->is(Entry::Kind::map))
+    if (at->is(YamlNode::Kind::map))
       index = std::find(at->keys.begin(), at->keys.end(), part) - at->keys.begin();
-    else if (at->is(Entry::Kind::list))
+    else if (at->is(YamlNode::Kind::list))
       std::from_chars(part.data(), part.data() + part.size(), index);
     if (index >= at->items.size()) break;
-    place = at->is(Entry::Kind::map) ? at->key_places[index] : at->items[index].place;
+    place = at->is(YamlNode::Kind::map) ? at->key_places[index] : at->items[index].place;
     at = &at->items[index];
     if (at->place.file != place.file)
       place = at->place;  // an override, or a study: it stands behind the key of the scene
@@ -66,18 +66,18 @@ Place place_of(const Entry& root, const std::string& path) {
   return place;
 }
 
-void set_at(Entry& root, const std::string& path, const Place& place, Entry value) {
-  Entry* at = &root;
+void set_at(YamlNode& root, const std::string& path, const Place& place, YamlNode value) {
+  YamlNode* at = &root;
   for (const std::string& part : split(path)) {
     if (part.empty())
       throw input_error(place.file, place.line, "an empty name in the path '" + path + "'",
                         "write path.to.key");
-    at = at->is(Entry::Kind::list) ? &in_list(*at, part, place) : &in_map(*at, part, place);
+    at = at->is(YamlNode::Kind::list) ? &in_list(*at, part, place) : &in_map(*at, part, place);
   }
   *at = std::move(value);
 }
 
-void apply_override(Entry& root, const std::string& assignment) {
+void apply_override(YamlNode& root, const std::string& assignment) {
   // every value that it gives keeps the place
   constexpr std::size_t shown = 200;
   const Place place{
@@ -88,7 +88,7 @@ void apply_override(Entry& root, const std::string& assignment) {
                       "such as --set steps.0.increments=4");
   const std::string value = assignment.substr(equals + 1);
   set_at(root, assignment.substr(0, equals), place,
-         value.empty() ? Entry::word("", place) : parse_word(value, place.file));
+         value.empty() ? YamlNode::word("", place) : parse_word(value, place.file));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -1,8 +1,8 @@
 #include "app/scene/scene.hpp"
 #include "app/scene/value_of.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 Value parameters_of(Scene& scene) { return value_of(scene); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,17 +2,17 @@
 
 #include "app/scene/reader.hpp"
 
-namespace bulbus::reader {
+namespace bulbus::inline app::reader {
 namespace {
 
-void read_word(const Entry& entry, const std::string& key, const Value& value) {
-  expect(entry, Entry::Kind::word, key);
+void read_word(const YamlNode& entry, const std::string& key, const Value& value) {
+  expect(entry, YamlNode::Kind::word, key);
   check_choice(entry, key, value.words());
   value.choose(entry.text);
 }
 
 // Whether the struct holds together, key by key right as it is.
-void validate(const Entry& entry, const std::string& key, const Value& group) {
+void validate(const YamlNode& entry, const std::string& key, const Value& group) {
   try {
     group.validate();
   } catch (const InputError& fault) {
@@ -28,13 +28,13 @@ std::vector<std::string> keys_of(const std::vector<Member>& members) {
   return keys;
 }
 
-void read_group(const Entry& entry, const std::string& key, const Value& group) {
-  if (!entry.is(Entry::Kind::nothing)) expect(entry, Entry::Kind::map, key);
+void read_group(const YamlNode& entry, const std::string& key, const Value& group) {
+  if (!entry.is(YamlNode::Kind::nothing)) expect(entry, YamlNode::Kind::map, key);
   const std::vector<Member> members = group.members();
   check_keys(entry, key, keys_of(members));
   for (const Member& m : members) {
-    const Entry* given = entry.find(m.key);
-    if (m.about.required && (!given || given->is(Entry::Kind::nothing)))
+    const YamlNode* given = entry.find(m.key);
+    if (m.about.required && (!given || given->is(YamlNode::Kind::nothing)))
       refuse_missing(entry, key, m.key, m.about);
     if (given) read(*given, below(key, m.key), m.about, m.value);
     if (group.preset_key() && m.key == group.preset_key()) group.take_preset();
@@ -42,18 +42,18 @@ void read_group(const Entry& entry, const std::string& key, const Value& group) 
   validate(entry, key, group);
 }
 
-void read_list(const Entry& entry, const std::string& key, const About& about, const Value& list) {
+void read_list(const YamlNode& entry, const std::string& key, const About& about, const Value& list) {
   list.clear();
-  if (entry.is(Entry::Kind::nothing)) return;
-  expect(entry, Entry::Kind::list, key);
+  if (entry.is(YamlNode::Kind::nothing)) return;
+  expect(entry, YamlNode::Kind::list, key);
   for (std::size_t i = 0; i < entry.items.size(); ++i)
     read(entry.items[i], below(key, std::to_string(i)), about, list.add());
 }
 
-void read_map(const Entry& entry, const std::string& key, const About& about, const Value& map) {
+void read_map(const YamlNode& entry, const std::string& key, const About& about, const Value& map) {
   map.clear();
-  if (entry.is(Entry::Kind::nothing)) return;
-  expect(entry, Entry::Kind::map, key);
+  if (entry.is(YamlNode::Kind::nothing)) return;
+  expect(entry, YamlNode::Kind::map, key);
   for (std::size_t i = 0; i < entry.items.size(); ++i)
     read(entry.items[i], below(key, entry.keys[i]), about, map.add(entry.keys[i]));
 }
@@ -64,9 +64,9 @@ bool is_zero(const Value& value) {
 }
 
 // A struct that is optional and named without any content is wanted, with its defaults.
-void read_optional(const Entry& entry, const std::string& key, const About& about, const Value& value) {
+void read_optional(const YamlNode& entry, const std::string& key, const About& about, const Value& value) {
   value.clear();
-  if (entry.is(Entry::Kind::nothing) && value.inner_kind() != Value::Kind::group) return;
+  if (entry.is(YamlNode::Kind::nothing) && value.inner_kind() != Value::Kind::group) return;
   const Value inner = value.add();
   read(entry, key, about, inner);
   if (about.zero_is_automatic && is_zero(inner)) value.clear();
@@ -78,7 +78,7 @@ std::string below(const std::string& key, const std::string& name) {
   return key.empty() ? name : key + "." + name;
 }
 
-void read(const Entry& entry, const std::string& key, const About& about, const Value& value) {
+void read(const YamlNode& entry, const std::string& key, const About& about, const Value& value) {
   switch (value.kind()) {
     case Value::Kind::truth:
       return read(entry, key, about, value.as<bool>());
@@ -101,10 +101,10 @@ void read(const Entry& entry, const std::string& key, const About& about, const 
     case Value::Kind::group:
       return read_group(entry, key, value);
     case Value::Kind::any:
-      value.as<Entry>() = entry;
+      value.as<YamlNode>() = entry;
   }
 }
 
-void read(const Entry& root, const Value& group) { read(root, "", About{""}, group); }
+void read(const YamlNode& root, const Value& group) { read(root, "", About{""}, group); }
 
-}  // namespace bulbus::reader
+}  // namespace bulbus::inline app::reader

@@ -8,11 +8,11 @@
 #include <cstring>
 #include <numbers>
 
-#include "app/scene/wording.hpp"
+#include "app/scene/text_format.hpp"
 #include "core/base/did_you_mean.hpp"
 #include "core/base/parse_number.hpp"
 
-namespace bulbus::reader {
+namespace bulbus::inline app::reader {
 namespace {
 
 constexpr double largest = 1e100,
@@ -20,13 +20,13 @@ constexpr double largest = 1e100,
 constexpr double most_radians =
     4 * std::numbers::pi;  // without a unit: two turns in one step are rather a slip
 
-std::string name_of(Entry::Kind kind) {
+std::string name_of(YamlNode::Kind kind) {
   switch (kind) {
-    case Entry::Kind::nothing:
+    case YamlNode::Kind::nothing:
       return "nothing";
-    case Entry::Kind::word:
+    case YamlNode::Kind::word:
       return "a single value";
-    case Entry::Kind::list:
+    case YamlNode::Kind::list:
       return "a list";
     default:
       return "a map";
@@ -34,22 +34,22 @@ std::string name_of(Entry::Kind kind) {
 }
 
 // A value as messages show it: in quotes, cut where it is long.
-std::string shown(const Entry& entry) {
+std::string shown(const YamlNode& entry) {
   return "'" + (entry.text.size() > 60 ? entry.text.substr(0, 60) + "..." : entry.text) + "'";
 }
 
-std::string example_of(Entry::Kind kind) {
+std::string example_of(YamlNode::Kind kind) {
   switch (kind) {
-    case Entry::Kind::list:
+    case YamlNode::Kind::list:
       return "write [a, b], or one line '- ...' for each entry";
-    case Entry::Kind::map:
+    case YamlNode::Kind::map:
       return "write 'key: value' lines below it, further indented";
     default:
       return "write one value behind the colon";
   }
 }
 
-void check_bounds(const Entry& entry, const std::string& key, const About& about, double value) {
+void check_bounds(const YamlNode& entry, const std::string& key, const About& about, double value) {
   const bool low = about.above ? value > about.low : value >= about.low;
   if (!low || value > about.high)
     refuse(entry, key, shown(entry) + " is out of bounds", "give " + wanted_number(about));
@@ -73,7 +73,7 @@ bool is_bare(const std::string& text) {
 
 // A number comes out in kept units, with their name where the scene names a unit: only a bare number may be a
 // slip in the unit.
-std::string read_formula(const Entry& entry, const std::string& key, const About& about) {
+std::string read_formula(const YamlNode& entry, const std::string& key, const About& about) {
   if (!looks_like_quantity(entry.text)) return entry.text;
   double value = 0;
   read(entry, key, about, value);
@@ -83,17 +83,18 @@ std::string read_formula(const Entry& entry, const std::string& key, const About
 
 }  // namespace
 
-void refuse(const Entry& entry, const std::string& key, const std::string& what, const std::string& remedy) {
+void refuse(const YamlNode& entry, const std::string& key, const std::string& what,
+            const std::string& remedy) {
   throw input_error(entry.place.file, entry.place.line, (key.empty() ? "" : key + ": ") + what, remedy);
 }
 
-void expect(const Entry& entry, Entry::Kind kind, const std::string& key) {
+void expect(const YamlNode& entry, YamlNode::Kind kind, const std::string& key) {
   if (entry.is(kind)) return;
-  const std::string found = entry.is(Entry::Kind::word) ? shown(entry) : name_of(entry.kind);
+  const std::string found = entry.is(YamlNode::Kind::word) ? shown(entry) : name_of(entry.kind);
   refuse(entry, key, name_of(kind) + " is wanted here, not " + found, example_of(kind));
 }
 
-void check_keys(const Entry& map, const std::string& key, const std::vector<std::string>& known) {
+void check_keys(const YamlNode& map, const std::string& key, const std::vector<std::string>& known) {
   for (std::size_t i = 0; i < map.keys.size(); ++i) {
     if (std::find(known.begin(), known.end(), map.keys[i]) != known.end()) continue;
     const bool number = looks_like_quantity(map.keys[i]);  // {x: 0,1}
@@ -104,19 +105,20 @@ void check_keys(const Entry& map, const std::string& key, const std::vector<std:
   }
 }
 
-void check_choice(const Entry& entry, const std::string& key, const std::vector<std::string>& choices) {
+void check_choice(const YamlNode& entry, const std::string& key, const std::vector<std::string>& choices) {
   if (std::find(choices.begin(), choices.end(), entry.text) != choices.end()) return;
   const std::string guess = did_you_mean(entry.text, choices, "");
   refuse(entry, key, shown(entry) + " is not among the choices",
          guess + (guess.empty() ? "" : " ") + "choose " + alternatives(choices));
 }
 
-void refuse_missing(const Entry& map, const std::string& key, const std::string& name, const About& about) {
+void refuse_missing(const YamlNode& map, const std::string& key, const std::string& name,
+                    const About& about) {
   refuse(map, key, "the key '" + name + "' is missing", "add '" + name + ": ...' (" + about.help + ")");
 }
 
-void read(const Entry& entry, const std::string& key, const About&, bool& value) {
-  expect(entry, Entry::Kind::word, key);
+void read(const YamlNode& entry, const std::string& key, const About&, bool& value) {
+  expect(entry, YamlNode::Kind::word, key);
   if (entry.text == "true" || entry.text == "yes" || entry.text == "on")
     value = true;
   else if (entry.text == "false" || entry.text == "no" || entry.text == "off")
@@ -125,8 +127,8 @@ void read(const Entry& entry, const std::string& key, const About&, bool& value)
     refuse(entry, key, shown(entry) + " is neither true nor false", "write true or false");
 }
 
-void read(const Entry& entry, const std::string& key, const About& about, int& value) {
-  expect(entry, Entry::Kind::word, key);
+void read(const YamlNode& entry, const std::string& key, const About& about, int& value) {
+  expect(entry, YamlNode::Kind::word, key);
   const auto given = parse_number<int>(entry.text);
   if (!given) {
     const std::string bounds = bounds_text(about);
@@ -137,8 +139,8 @@ void read(const Entry& entry, const std::string& key, const About& about, int& v
   check_bounds(entry, key, about, value);
 }
 
-void read(const Entry& entry, const std::string& key, const About& about, double& value) {
-  expect(entry, Entry::Kind::word, key);
+void read(const YamlNode& entry, const std::string& key, const About& about, double& value) {
+  expect(entry, YamlNode::Kind::word, key);
   try {
     value = parse_quantity(entry.text, about.quantity);
   } catch (const std::invalid_argument& fault) {
@@ -155,15 +157,15 @@ void read(const Entry& entry, const std::string& key, const About& about, double
            fmt::format("write the unit: '{0} deg' or '{0} rad'", entry.text));
 }
 
-void read(const Entry& entry, const std::string& key, const About& about, std::string& value) {
-  expect(entry, Entry::Kind::word, key);
+void read(const YamlNode& entry, const std::string& key, const About& about, std::string& value) {
+  expect(entry, YamlNode::Kind::word, key);
   if (about.required && entry.text.empty()) refuse(entry, key, "is empty", "give " + about.help);
   if (!about.choices.empty()) check_choice(entry, key, about.choices);
   value = about.formula ? read_formula(entry, key, about) : entry.text;
 }
 
-void read(const Entry& entry, const std::string& key, const About& about, Point& value) {
-  expect(entry, Entry::Kind::list, key);
+void read(const YamlNode& entry, const std::string& key, const About& about, Point& value) {
+  expect(entry, YamlNode::Kind::list, key);
   if (entry.items.size() != value.size())
     refuse(entry, key, std::to_string(entry.items.size()) + " numbers where three are wanted",
            "write [x, y, z]");
@@ -171,4 +173,4 @@ void read(const Entry& entry, const std::string& key, const About& about, Point&
     read(entry.items[i], below(key, std::string(1, "xyz"[i])), about, value[i]);
 }
 
-}  // namespace bulbus::reader
+}  // namespace bulbus::inline app::reader

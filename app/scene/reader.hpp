@@ -2,37 +2,37 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/entry.hpp"
 #include "app/scene/value.hpp"
+#include "app/scene/yaml_node.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/mesh.hpp"
 
-/// Reads an Entry into any struct that describes itself. Every fault is an InputError that names the place,
-/// the key, the value and the remedy. `key` is the path of the value, such as `solver.linear.gamma`.
-namespace bulbus::reader {
+/// Reads an YamlNode into any struct that describes itself. Every fault is an InputError that names the
+/// place, the key, the value and the remedy. `key` is the path of the value, such as `solver.linear.gamma`.
+namespace bulbus::inline app::reader {
 
-[[noreturn]] void refuse(const Entry& entry, const std::string& key, const std::string& what,
+[[noreturn]] void refuse(const YamlNode& entry, const std::string& key, const std::string& what,
                          const std::string& remedy);
 /// Refuses an entry of another kind.
-void expect(const Entry& entry, Entry::Kind kind, const std::string& key);
+void expect(const YamlNode& entry, YamlNode::Kind kind, const std::string& key);
 /// Refuses the first key of a map that is not known.
-void check_keys(const Entry& map, const std::string& key, const std::vector<std::string>& known);
+void check_keys(const YamlNode& map, const std::string& key, const std::vector<std::string>& known);
 /// Refuses a word that is none of `choices`.
-void check_choice(const Entry& entry, const std::string& key, const std::vector<std::string>& choices);
-[[noreturn]] void refuse_missing(const Entry& map, const std::string& key, const std::string& name,
+void check_choice(const YamlNode& entry, const std::string& key, const std::vector<std::string>& choices);
+[[noreturn]] void refuse_missing(const YamlNode& map, const std::string& key, const std::string& name,
                                  const About& about);
 /// The path of what is called `name` within `key`.
 std::string below(const std::string& key, const std::string& name);
 
-void read(const Entry& entry, const std::string& key, const About& about, bool& value);
-void read(const Entry& entry, const std::string& key, const About& about, int& value);
-void read(const Entry& entry, const std::string& key, const About& about, double& value);
-void read(const Entry& entry, const std::string& key, const About& about, std::string& value);
-void read(const Entry& entry, const std::string& key, const About& about, Point& value);
+void read(const YamlNode& entry, const std::string& key, const About& about, bool& value);
+void read(const YamlNode& entry, const std::string& key, const About& about, int& value);
+void read(const YamlNode& entry, const std::string& key, const About& about, double& value);
+void read(const YamlNode& entry, const std::string& key, const About& about, std::string& value);
+void read(const YamlNode& entry, const std::string& key, const About& about, Point& value);
 
 /// Reads what may stand at `value`. Of a struct, keys that are not given keep their defaults.
-void read(const Entry& entry, const std::string& key, const About& about, const Value& value);
+void read(const YamlNode& entry, const std::string& key, const About& about, const Value& value);
 /// The same of a whole file.
-void read(const Entry& root, const Value& group);
+void read(const YamlNode& root, const Value& group);
 
-}  // namespace bulbus::reader
+}  // namespace bulbus::inline app::reader

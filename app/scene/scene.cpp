@@ -7,15 +7,15 @@
 #include "app/scene/reader.hpp"
 #include "app/scene/unused.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
-Entry with_overrides(Entry root, const std::vector<std::string>& overrides) {
+YamlNode with_overrides(YamlNode root, const std::vector<std::string>& overrides) {
   for (const std::string& assignment : overrides) apply_override(root, assignment);
   return root;
 }
 
-Scene of_one_run(const Entry& root, const std::string& path) {
+Scene of_one_run(const YamlNode& root, const std::string& path) {
   Scene scene = scene_of(root, path);
   refuse_unused(root, scene);
   return scene;
@@ -66,14 +66,14 @@ void Scene::validate() const {
 
 void Scene::take_preset() { solver.linear.take_mesh(mesh.refine); }
 
-Scene scene_of(const Entry& root, const std::string& path) {
+Scene scene_of(const YamlNode& root, const std::string& path) {
   Scene scene;
   reader::read(root, parameters_of(scene));
   place_files(scene, path);
   return scene;
 }
 
-Entry scene_data(const std::string& path, const std::vector<std::string>& overrides) {
+YamlNode scene_data(const std::string& path, const std::vector<std::string>& overrides) {
   return with_overrides(read_yaml(path), overrides);
 }
 
@@ -86,7 +86,7 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   return of_one_run(scene_data(path, overrides), path);
 }
 
-InputError located(const InputError& fault, const Entry& root) {
+InputError located(const InputError& fault, const YamlNode& root) {
   if (fault.key.empty()) return fault;
   const Place place = place_of(root, fault.key);
   return input_error(place.file, place.line, fault.key + ": " + fault.what(), "");
@@ -97,4 +97,4 @@ InputError located(const InputError& fault, const std::string& path,
   return fault.key.empty() ? fault : located(fault, scene_data(path, overrides));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,14 +2,14 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/entry.hpp"
 #include "app/scene/mesh_source.hpp"
 #include "app/scene/value.hpp"
+#include "app/scene/yaml_node.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/model.hpp"
 #include "core/solve/settings.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a run saves for ParaView. The last converged increment is always saved.
 struct OutputSettings {
@@ -74,10 +74,10 @@ Value parameters_of(Scene& scene);
 /// A scene from its YAML as data. Relative files count from the folder of `path`, the scene's, and come out
 /// absolute. Throws InputError with file, line, key, value and remedy. Settings without effect are left to
 /// unused_settings.
-Scene scene_of(const Entry& root, const std::string& path);
+Scene scene_of(const YamlNode& root, const std::string& path);
 
 /// A scene file as data, after `path.to.key=value` overrides in their order. Throws InputError.
-Entry scene_data(const std::string& path, const std::vector<std::string>& overrides);
+YamlNode scene_data(const std::string& path, const std::vector<std::string>& overrides);
 
 /// Reads a scene file, after `path.to.key=value` overrides in their order. Throws InputError, also if a
 /// setting has no effect.
@@ -89,11 +89,11 @@ Scene parse_scene(const std::string& text, const std::string& path,
 
 /// The message of a fault that knows only its key, with the place where the scene gives that key (or the
 /// nearest map around it). A fault without a key comes back as it is.
-InputError located(const InputError& fault, const Entry& root);
+InputError located(const InputError& fault, const YamlNode& root);
 InputError located(const InputError& fault, const std::string& path,
                    const std::vector<std::string>& overrides = {});
 
 /// The scene as YAML with every default written out. Reading it back gives the same scene.
 std::string resolved_yaml(const Scene& scene);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

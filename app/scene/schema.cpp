@@ -2,19 +2,19 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scene/help.hpp"
-#include "app/scene/outline.hpp"
 #include "app/scene/scene.hpp"
-#include "app/scene/wording.hpp"
+#include "app/scene/schema_tree.hpp"
+#include "app/scene/text_format.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
-using Kind = Topic::Kind;
+using Kind = SchemaNode::Kind;
 
-json schema_of(const Topic& t);
+json schema_of(const SchemaNode& t);
 
-json number_schema(const Topic& t, const char* type) {
+json number_schema(const SchemaNode& t, const char* type) {
   json s{{"type", type}};
   if (t.about.quantity != Quantity::number) s["type"] = {type, "string"};  // "15 mmHg"
   if (std::isfinite(t.about.low)) s[t.about.above ? "exclusiveMinimum" : "minimum"] = t.about.low;
@@ -22,27 +22,27 @@ json number_schema(const Topic& t, const char* type) {
   return s;
 }
 
-json text_schema(const Topic& t) {
+json text_schema(const SchemaNode& t) {
   if (t.about.formula) return {{"type", {"number", "string"}}};
   json s{{"type", {"string", "number"}}};  // a name may look like a number
   if (!t.about.choices.empty()) s = {{"type", "string"}, {"enum", t.about.choices}};
   return s;
 }
 
-json point_schema(const Topic& t) {
+json point_schema(const SchemaNode& t) {
   return {{"type", "array"}, {"items", number_schema(t, "number")}, {"minItems", 3}, {"maxItems", 3}};
 }
 
-json group_schema(const Topic& t) {
+json group_schema(const SchemaNode& t) {
   json s{{"type", "object"}, {"additionalProperties", false}, {"properties", json::object()}};
-  for (const Topic& part : t.parts) {
+  for (const SchemaNode& part : t.parts) {
     s["properties"][part.key] = schema_of(part);
     if (part.about.required) s["required"].push_back(part.key);
   }
   return s;
 }
 
-json shape_of(const Topic& t) {
+json shape_of(const SchemaNode& t) {
   switch (t.kind) {
     case Kind::truth:
       return {{"type", "boolean"}};
@@ -65,10 +65,10 @@ json shape_of(const Topic& t) {
   }
 }
 
-json value_of(const Entry& e, Kind kind) {
+json value_of(const YamlNode& e, Kind kind) {
   json list = json::array();
-  if (e.is(Entry::Kind::list)) {
-    for (const Entry& item : e.items) list.push_back(value_of(item, kind));
+  if (e.is(YamlNode::Kind::list)) {
+    for (const YamlNode& item : e.items) list.push_back(value_of(item, kind));
     return list;
   }
   if (kind == Kind::truth) return e.text == "true";
@@ -76,13 +76,13 @@ json value_of(const Entry& e, Kind kind) {
   return kind == Kind::number ? json(std::stod(e.text)) : json(e.text);
 }
 
-json default_of(const Topic& t) {
+json default_of(const SchemaNode& t) {
   if (t.kind == Kind::map) return json::object();
   if (t.kind == Kind::point) return value_of(t.fallback, Kind::number);
   return value_of(t.fallback, t.kind == Kind::list ? t.parts[0].kind : t.kind);
 }
 
-json schema_of(const Topic& t) {
+json schema_of(const SchemaNode& t) {
   json s = shape_of(t);
   const std::string unit = unit_of(t.about.quantity);
   const std::string level = t.about.level == Level::everyday ? "" : " (" + word_of(t.about.level) + ")";
@@ -96,15 +96,15 @@ json schema_of(const Topic& t) {
 
 nlohmann::json scene_schema() {
   Scene defaults;
-  const Topic scene = outline_of("", About{""}, parameters_of(defaults));
+  const SchemaNode scene = schema_tree_of("", About{""}, parameters_of(defaults));
   json s = shape_of(scene);
   s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   s["title"] = "Bulbus scene";
   json& sources = s["properties"]["mesh"]["oneOf"];
-  const auto mesh = std::ranges::find(scene.parts, "mesh", &Topic::key);
-  for (const Topic& part : mesh->parts)
+  const auto mesh = std::ranges::find(scene.parts, "mesh", &SchemaNode::key);
+  for (const SchemaNode& part : mesh->parts)
     if (part.optional) sources.push_back(json{{"required", json::array({part.key})}});
   return s;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -10,7 +10,7 @@
 #include "core/base/memory.hpp"
 #include "core/solve/direct_memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double indices = std::numeric_limits<int>::max();
@@ -89,4 +89,4 @@ void refuse_more_than_there_is(const std::vector<MemoryPart>& parts, const Linea
                     "more machines and say in solver.linear.memory_limit what they have.");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

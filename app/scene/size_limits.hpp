@@ -5,7 +5,7 @@
 #include "core/base/parallel.hpp"
 #include "core/mesh/mesh_count.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Refuses, before it is made, a mesh whose nodes or hexahedra cannot be numbered, or that needs more memory
 /// than there is: while it is prepared, or later by the solver as far as counts tell. Throws InputError with
@@ -22,4 +22,4 @@ std::string whose_memory(const LinearSettings& settings);
 /// Throws InputError if these parts are more than `solver.linear.memory_limit` allows, or this machine.
 void refuse_more_than_there_is(const std::vector<MemoryPart>& parts, const LinearSettings& settings);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

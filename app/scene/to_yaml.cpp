@@ -2,9 +2,9 @@
 #include <array>
 #include <cctype>
 
-#include "app/scene/entry.hpp"
+#include "app/scene/yaml_node.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Words that some YAML reader takes for something else than text.
@@ -36,19 +36,20 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
-bool in_one_line(const Entry& e) {
-  if (!e.is(Entry::Kind::list)) return e.is(Entry::Kind::word) || e.items.empty();
+bool in_one_line(const YamlNode& e) {
+  if (!e.is(YamlNode::Kind::list)) return e.is(YamlNode::Kind::word) || e.items.empty();
   return std::all_of(e.items.begin(), e.items.end(), in_one_line) &&
-         std::none_of(e.items.begin(), e.items.end(), [](const Entry& i) { return i.is(Entry::Kind::map); });
+         std::none_of(e.items.begin(), e.items.end(),
+                      [](const YamlNode& i) { return i.is(YamlNode::Kind::map); });
 }
 
-std::string one_line(const Entry& e) {
+std::string one_line(const YamlNode& e) {
   switch (e.kind) {
-    case Entry::Kind::nothing:
+    case YamlNode::Kind::nothing:
       return "null";
-    case Entry::Kind::word:
+    case YamlNode::Kind::word:
       return quoted(e.text);
-    case Entry::Kind::map:
+    case YamlNode::Kind::map:
       return "{}";
     default:
       break;
@@ -58,9 +59,9 @@ std::string one_line(const Entry& e) {
   return out + "]";
 }
 
-void write(const Entry& e, int indent, bool continues, std::string& out);
+void write(const YamlNode& e, int indent, bool continues, std::string& out);
 
-void write_value(const Entry& e, int indent, std::string& out) {
+void write_value(const YamlNode& e, int indent, std::string& out) {
   if (in_one_line(e)) {
     out += " " + one_line(e) + (e.note.empty() ? "" : "  # " + e.note) + "\n";
   } else {
@@ -69,10 +70,10 @@ void write_value(const Entry& e, int indent, std::string& out) {
   }
 }
 
-void write_list(const Entry& list, int indent, std::string& out) {
-  for (const Entry& item : list.items) {
+void write_list(const YamlNode& list, int indent, std::string& out) {
+  for (const YamlNode& item : list.items) {
     out += std::string(indent, ' ') + "-";
-    if (item.is(Entry::Kind::map) && !item.items.empty()) {
+    if (item.is(YamlNode::Kind::map) && !item.items.empty()) {
       out += " ";
       write(item, indent + 2, true, out);
     } else {
@@ -82,8 +83,8 @@ void write_list(const Entry& list, int indent, std::string& out) {
 }
 
 // `continues`: the first key stands behind the dash of its list entry.
-void write(const Entry& e, int indent, bool continues, std::string& out) {
-  if (e.is(Entry::Kind::list)) return write_list(e, indent, out);
+void write(const YamlNode& e, int indent, bool continues, std::string& out) {
+  if (e.is(YamlNode::Kind::list)) return write_list(e, indent, out);
   for (std::size_t i = 0; i < e.items.size(); ++i) {
     if (i || !continues) out += std::string(indent, ' ');
     out += quoted(e.keys[i]) + ":";
@@ -93,11 +94,11 @@ void write(const Entry& e, int indent, bool continues, std::string& out) {
 
 }  // namespace
 
-std::string to_yaml(const Entry& map) {
+std::string to_yaml(const YamlNode& map) {
   if (in_one_line(map)) return one_line(map) + "\n";
   std::string out;
   write(map, 0, false, out);
   return out;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "app/scene/outline.hpp"
 #include "app/scene/reader.hpp"
+#include "app/scene/schema_tree.hpp"
 #include "app/scene/writer.hpp"
 #include "core/base/require_one.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // "solver.linear.gamma" is "solver" and "linear.gamma"; the second may be empty.
@@ -18,15 +18,15 @@ std::pair<std::string, std::string> split(const std::string& path) {
   return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
 }
 
-std::string word_at(const Entry& map, const std::string& path) {
+std::string word_at(const YamlNode& map, const std::string& path) {
   const auto [name, rest] = split(path);
-  const Entry* entry = map.find(name);
+  const YamlNode* entry = map.find(name);
   return !entry ? "" : rest.empty() ? entry->text : word_at(*entry, rest);
 }
 
-void remove(Entry& map, const std::string& path) {
+void remove(YamlNode& map, const std::string& path) {
   const auto [name, rest] = split(path);
-  Entry* entry = map.find(name);
+  YamlNode* entry = map.find(name);
   if (!entry) return;
   if (!rest.empty()) return remove(*entry, rest);
   const auto at = entry - map.items.data();
@@ -35,32 +35,32 @@ void remove(Entry& map, const std::string& path) {
   map.key_places.erase(map.key_places.begin() + at);
 }
 
-Entry written(Scene scene) { return entry_of(parameters_of(scene)); }
+YamlNode written(Scene scene) { return entry_of(parameters_of(scene)); }
 
 // What `auto` stands for is what conditions ask for.
-Entry choices_of(Scene scene) {
+YamlNode choices_of(Scene scene) {
   LinearSettings& linear = scene.solver.linear;
   linear.displacement = linear.displacement_on(scene.mesh.refine > 0);
   return written(std::move(scene));
 }
 
 // "auto, here aggregation"
-std::string chosen_at(const Entry& values, const Entry& choices, const std::string& key) {
+std::string chosen_at(const YamlNode& values, const YamlNode& choices, const std::string& key) {
   const std::string given = word_at(values, key), chosen = word_at(choices, key);
   return given == chosen ? given : given + ", here " + chosen;
 }
 
 struct Read {
-  Entry values, choices;
+  YamlNode values, choices;
 };
 
-void collect(const Topic& group, const Entry& given, const std::string& path, const Read& read,
+void collect(const SchemaNode& group, const YamlNode& given, const std::string& path, const Read& read,
              std::vector<UnusedSetting>& unused) {
-  for (const Topic& t : group.parts) {
-    const Entry* entry = given.find(t.key);
+  for (const SchemaNode& t : group.parts) {
+    const YamlNode* entry = given.find(t.key);
     if (!entry) continue;
     const std::string key = reader::below(path, t.key);
-    if (t.kind == Topic::Kind::group) {
+    if (t.kind == SchemaNode::Kind::group) {
       collect(t, *entry, key, read, unused);
       continue;
     }
@@ -74,7 +74,7 @@ void collect(const Topic& group, const Entry& given, const std::string& path, co
   }
 }
 
-Scene without(const std::vector<UnusedSetting>& unused, Entry root) {
+Scene without(const std::vector<UnusedSetting>& unused, YamlNode root) {
   for (const UnusedSetting& u : unused) remove(root, u.key);
   Scene scene;
   reader::read(root, parameters_of(scene));
@@ -89,20 +89,20 @@ InputError UnusedSetting::fault() const {
       fmt::format("Leave it out, or choose {} for {}.", alternatives(condition.words), condition.key));
 }
 
-std::vector<UnusedSetting> unused_settings(const Entry& root, const Scene& scene) {
+std::vector<UnusedSetting> unused_settings(const YamlNode& root, const Scene& scene) {
   std::vector<UnusedSetting> unused;
   Scene defaults;
-  collect(outline_of("", About{""}, parameters_of(defaults)), root, "", {written(scene), choices_of(scene)},
-          unused);
+  collect(schema_tree_of("", About{""}, parameters_of(defaults)), root, "",
+          {written(scene), choices_of(scene)}, unused);
   if (unused.empty()) return unused;
-  const Entry others = written(without(unused, root));
+  const YamlNode others = written(without(unused, root));
   for (UnusedSetting& u : unused) u.otherwise = word_at(others, u.key);
   return unused;
 }
 
-void refuse_unused(const Entry& root, const Scene& scene) {
+void refuse_unused(const YamlNode& root, const Scene& scene) {
   for (const UnusedSetting& u : unused_settings(root, scene))
     if (u.differs()) throw located(u.fault(), root);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include "app/scene/scene.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A setting that a scene gives and that another choice of the scene leaves without effect.
 struct UnusedSetting {
@@ -22,9 +22,9 @@ struct UnusedSetting {
 
 /// Every setting of a scene's data that has no effect (see About::only_with), in the order of describe().
 /// `scene` is what was read from `root`.
-std::vector<UnusedSetting> unused_settings(const Entry& root, const Scene& scene);
+std::vector<UnusedSetting> unused_settings(const YamlNode& root, const Scene& scene);
 
 /// Throws InputError with the place of the first unused setting that differs.
-void refuse_unused(const Entry& root, const Scene& scene);
+void refuse_unused(const YamlNode& root, const Scene& scene);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

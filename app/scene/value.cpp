@@ -1,6 +1,6 @@
 #include "app/scene/value.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 Value::Kind Value::kind() const { return type_->kind; }
 
@@ -32,4 +32,4 @@ const char* Value::preset_key() const { return type_->preset_key; }
 
 void Value::take_preset() const { type_->take_preset(variable_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

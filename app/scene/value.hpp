@@ -5,7 +5,7 @@
 
 #include "core/base/parameters.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 struct Member;
 struct ValueType;
@@ -19,7 +19,7 @@ class Value {
   Kind kind() const;
 
   /// The variable itself: bool of `truth`, int of `integer`, double of `number`, std::string of `text`, Point
-  /// of `point`, Entry of `any`.
+  /// of `point`, YamlNode of `any`.
   template <class T>
   T& as() const {
     return *static_cast<T*>(variable_);
@@ -74,4 +74,4 @@ struct ValueType {
   void (*take_preset)(void* variable) = nullptr;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

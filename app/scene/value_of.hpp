@@ -1,11 +1,11 @@
 #pragma once
-#include "app/scene/entry.hpp"
-#include "app/scene/kinds.hpp"
+#include "app/scene/concepts.hpp"
 #include "app/scene/value.hpp"
+#include "app/scene/yaml_node.hpp"
 
 /// Makes Values. Slow to compile, since describe() of every struct below the variable is: parameters_of()
 /// does it once for scenes and once for studies.
-namespace bulbus {
+namespace bulbus::inline app {
 
 template <class T>
 const ValueType& value_type();
@@ -39,7 +39,7 @@ Value::Kind leaf_kind() {
   if constexpr (std::same_as<T, double>) return Kind::number;
   if constexpr (std::same_as<T, std::string>) return Kind::text;
   if constexpr (std::same_as<T, Point>) return Kind::point;
-  if constexpr (std::same_as<T, Entry>) return Kind::any;
+  if constexpr (std::same_as<T, YamlNode>) return Kind::any;
 }
 
 template <Worded E>
@@ -52,17 +52,17 @@ ValueType word_type() {
 
 template <class T>
 void* added(T& holder, [[maybe_unused]] const std::string& key) {
-  if constexpr (kinds::Optional<T>) return &holder.emplace();
-  if constexpr (kinds::List<T>) return &holder.emplace_back();
-  if constexpr (kinds::Map<T>) return &holder[key];
+  if constexpr (concepts::Optional<T>) return &holder.emplace();
+  if constexpr (concepts::List<T>) return &holder.emplace_back();
+  if constexpr (concepts::Map<T>) return &holder[key];
 }
 
 template <class T>
 std::vector<std::pair<std::string, void*>> items_of(T& holder) {
   std::vector<std::pair<std::string, void*>> items;
-  if constexpr (kinds::Optional<T>) {
+  if constexpr (concepts::Optional<T>) {
     if (holder) items.emplace_back("", &*holder);
-  } else if constexpr (kinds::List<T>) {
+  } else if constexpr (concepts::List<T>) {
     for (auto& item : holder) items.emplace_back("", &item);
   } else {
     for (auto& [key, item] : holder) items.emplace_back(key, &item);
@@ -80,7 +80,7 @@ ValueType holder_type(Value::Kind kind) {
           .items = [](void* variable) { return items_of(as<T>(variable)); }};
 }
 
-template <kinds::Described T>
+template <concepts::Described T>
 ValueType group_type() {
   ValueType type{.kind = Value::Kind::group, .members = [](void* variable) {
                    std::vector<Member> members;
@@ -88,8 +88,8 @@ ValueType group_type() {
                    as<T>(variable).describe(lister);
                    return members;
                  }};
-  if constexpr (kinds::Checked<T>) type.validate = [](void* variable) { as<T>(variable).validate(); };
-  if constexpr (kinds::Preset<T>) {
+  if constexpr (concepts::Checked<T>) type.validate = [](void* variable) { as<T>(variable).validate(); };
+  if constexpr (concepts::Preset<T>) {
     type.preset_key = T::preset_key;
     type.take_preset = [](void* variable) { as<T>(variable).take_preset(); };
   }
@@ -98,13 +98,13 @@ ValueType group_type() {
 
 template <class T>
 ValueType type_of() {
-  if constexpr (kinds::Described<T>)
+  if constexpr (concepts::Described<T>)
     return group_type<T>();
-  else if constexpr (kinds::Optional<T>)
+  else if constexpr (concepts::Optional<T>)
     return holder_type<T, typename T::value_type>(Value::Kind::optional);
-  else if constexpr (kinds::List<T>)
+  else if constexpr (concepts::List<T>)
     return holder_type<T, typename T::value_type>(Value::Kind::list);
-  else if constexpr (kinds::Map<T>)
+  else if constexpr (concepts::Map<T>)
     return holder_type<T, typename T::mapped_type>(Value::Kind::map);
   else if constexpr (Worded<T>)
     return word_type<T>();
@@ -120,4 +120,4 @@ const ValueType& value_type() {
   return type;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -1,74 +1,74 @@
 #include "app/scene/writer.hpp"
 
-#include "app/scene/wording.hpp"
+#include "app/scene/text_format.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
-Entry entry_of_group(const Value& group) {
-  Entry map = Entry::empty(Entry::Kind::map);
+YamlNode entry_of_group(const Value& group) {
+  YamlNode map = YamlNode::empty(YamlNode::Kind::map);
   for (const Member& m : group.members()) {
-    Entry entry = entry_of(m.value, m.about);
-    if (!entry.is(Entry::Kind::nothing)) map.insert(m.key, {}, std::move(entry));
+    YamlNode entry = entry_of(m.value, m.about);
+    if (!entry.is(YamlNode::Kind::nothing)) map.insert(m.key, {}, std::move(entry));
   }
   return map;
 }
 
-Entry entry_of_optional(const Value& value, const About& about) {
+YamlNode entry_of_optional(const Value& value, const About& about) {
   const auto items = value.items();
   return !items.empty()            ? entry_of(items[0].second, about)
-         : about.zero_is_automatic ? Entry::word("0")
-                                   : Entry::empty(Entry::Kind::nothing);
+         : about.zero_is_automatic ? YamlNode::word("0")
+                                   : YamlNode::empty(YamlNode::Kind::nothing);
 }
 
-Entry entry_of_map(const Value& value, const About& about) {
-  Entry map = Entry::empty(Entry::Kind::map);
+YamlNode entry_of_map(const Value& value, const About& about) {
+  YamlNode map = YamlNode::empty(YamlNode::Kind::map);
   for (const auto& [key, item] : value.items()) map.insert(key, {}, entry_of(item, about));
   return map;
 }
 
-Entry entry_of_list(const Value& value, const About& about) {
-  Entry list = Entry::empty(Entry::Kind::list);
+YamlNode entry_of_list(const Value& value, const About& about) {
+  YamlNode list = YamlNode::empty(YamlNode::Kind::list);
   for (const auto& [key, item] : value.items()) list.items.push_back(entry_of(item, about));
   return list;
 }
 
-Entry entry_of_number(double value, const About& about) {
-  Entry entry = Entry::word(number_text(value));
+YamlNode entry_of_number(double value, const About& about) {
+  YamlNode entry = YamlNode::word(number_text(value));
   entry.note = unit_of(about.quantity);
   return entry;
 }
 
-Entry entry_of_point(const Point& point, const About& about) {
-  Entry list = Entry::empty(Entry::Kind::list);
+YamlNode entry_of_point(const Point& point, const About& about) {
+  YamlNode list = YamlNode::empty(YamlNode::Kind::list);
   for (const double x : point) list.items.push_back(entry_of_number(x, about));
   return list;
 }
 
 // Without its unit, which stands behind lists too.
-Entry bare_entry_of(const Value& value, const About& about) {
+YamlNode bare_entry_of(const Value& value, const About& about) {
   switch (value.kind()) {
     case Value::Kind::list:
       return entry_of_list(value, about);
     case Value::Kind::point:
       return entry_of_point(value.as<Point>(), about);
     case Value::Kind::truth:
-      return Entry::word(value.as<bool>() ? "true" : "false");
+      return YamlNode::word(value.as<bool>() ? "true" : "false");
     case Value::Kind::integer:
-      return Entry::word(std::to_string(value.as<int>()));
+      return YamlNode::word(std::to_string(value.as<int>()));
     case Value::Kind::number:
-      return Entry::word(number_text(value.as<double>()));
+      return YamlNode::word(number_text(value.as<double>()));
     case Value::Kind::word:
-      return Entry::word(value.word());
+      return YamlNode::word(value.word());
     default:
-      return Entry::word(value.as<std::string>());
+      return YamlNode::word(value.as<std::string>());
   }
 }
 
 }  // namespace
 
-Entry entry_of(const Value& value, const About& about) {
+YamlNode entry_of(const Value& value, const About& about) {
   switch (value.kind()) {
     case Value::Kind::group:
       return entry_of_group(value);
@@ -77,13 +77,13 @@ Entry entry_of(const Value& value, const About& about) {
     case Value::Kind::map:
       return entry_of_map(value, about);
     case Value::Kind::any:
-      return value.as<Entry>();
+      return value.as<YamlNode>();
     default:
       break;
   }
-  Entry entry = bare_entry_of(value, about);
+  YamlNode entry = bare_entry_of(value, about);
   entry.note = unit_of(about.quantity);
   return entry;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

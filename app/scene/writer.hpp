@@ -1,10 +1,11 @@
 #pragma once
-#include "app/scene/entry.hpp"
 #include "app/scene/value.hpp"
+#include "app/scene/yaml_node.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
-/// Any value as an Entry, defaults and all, with its unit as a note; what is optional and empty is left out.
-Entry entry_of(const Value& value, const About& about = About{""});
+/// Any value as an YamlNode, defaults and all, with its unit as a note; what is optional and empty is left
+/// out.
+YamlNode entry_of(const Value& value, const About& about = About{""});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

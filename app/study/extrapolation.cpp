@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double assumed = 2, least = .5, most = 4;
@@ -35,4 +35,4 @@ Extrapolated extrapolate(std::span<const double> h, std::span<const double> v) {
   return e;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

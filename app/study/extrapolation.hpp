@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// A figure as cells of size 0 would give it, v(h) = value + c h^order.
 struct Extrapolated {
@@ -13,4 +13,4 @@ struct Extrapolated {
 /// between ½ and 4, as values that go up and down do, the two finest are taken with the order assumed.
 Extrapolated extrapolate(std::span<const double> h, std::span<const double> v);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -10,7 +10,7 @@
 #include "app/scene/reader.hpp"
 #include "app/scene/value_of.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr int most_runs = 10000;
@@ -20,17 +20,17 @@ std::string joined(const std::string& open, const std::vector<std::string>& part
 }
 
 // In one line, as people would write it.
-std::string flow_text(const Entry& e) {
+std::string flow_text(const YamlNode& e) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < e.items.size(); ++i)
-    parts.push_back((e.is(Entry::Kind::map) ? e.keys[i] + ": " : "") + flow_text(e.items[i]));
+    parts.push_back((e.is(YamlNode::Kind::map) ? e.keys[i] + ": " : "") + flow_text(e.items[i]));
   switch (e.kind) {
-    case Entry::Kind::list:
+    case YamlNode::Kind::list:
       return joined("[", parts, "]");
-    case Entry::Kind::map:
+    case YamlNode::Kind::map:
       return joined("{", parts, "}");
     default:
-      return e.is(Entry::Kind::word) ? e.text : "null";
+      return e.is(YamlNode::Kind::word) ? e.text : "null";
   }
 }
 
@@ -40,8 +40,8 @@ struct Number {
 };
 
 // "15 mmHg"; a formula such as "2*t" is no number.
-std::optional<Number> number_of(const Entry& e) {
-  if (!e.is(Entry::Kind::word) || e.text.empty() || !std::strchr("+-.0123456789", e.text[0])) return {};
+std::optional<Number> number_of(const YamlNode& e) {
+  if (!e.is(YamlNode::Kind::word) || e.text.empty() || !std::strchr("+-.0123456789", e.text[0])) return {};
   char* end = nullptr;
   const double value = std::strtod(e.text.c_str(), &end);
   const std::string rest = end;
@@ -90,7 +90,7 @@ std::string Factor::text(int level) const {
 
 std::vector<double> Factor::numbers() const {
   std::vector<double> all;
-  for (const Entry& value : values) {
+  for (const YamlNode& value : values) {
     const auto n = number_of(value);
     if (!n || n->unit != number_of(values[0])->unit) return {};
     all.push_back(n->value);
@@ -128,7 +128,7 @@ void Study::validate() const {
 
 Value parameters_of(Study& study) { return value_of(study); }
 
-Study study_of(const Entry& source, const std::string& path, const std::vector<std::string>& overrides) {
+Study study_of(const YamlNode& source, const std::string& path, const std::vector<std::string>& overrides) {
   namespace fs = std::filesystem;
   Study study;
   study.source = source;
@@ -147,8 +147,8 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 }
 
 bool is_study(const std::string& path) {
-  const Entry root = read_yaml(path);
+  const YamlNode root = read_yaml(path);
   return root.find("vary") || root.find("scene");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

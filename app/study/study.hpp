@@ -1,13 +1,13 @@
 #pragma once
 #include "app/scene/scene.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a study varies: the value of one key of the scene, or of several at once.
 struct Factor {
   std::string name, unit, baseline;
   std::vector<std::string> keys, labels;
-  std::vector<Entry> values;
+  std::vector<YamlNode> values;
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"name in the records"}.needed());
@@ -34,7 +34,7 @@ struct Factor {
 /// A study file: a scene, and what to vary in it.
 struct Study {
   std::string title, scene, design = "product";
-  std::map<std::string, Entry> set;
+  std::map<std::string, YamlNode> set;
   std::vector<Factor> vary;
   std::vector<std::string> figures;
   double tolerance = 1e-5;
@@ -56,8 +56,8 @@ struct Study {
   void validate() const;
   long long combinations() const;
 
-  Entry source;                        ///< the file as data
-  Entry scene_source;                  ///< the scene's file as data
+  YamlNode source;                     ///< the file as data
+  YamlNode scene_source;               ///< the scene's file as data
   std::vector<std::string> overrides;  ///< path.to.key=value for every run, after `set`
 };
 
@@ -69,9 +69,10 @@ Value parameters_of(Study& study);
 Study read_study(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The same from the file as data; `path` gives the folder.
-Study study_of(const Entry& source, const std::string& path, const std::vector<std::string>& overrides = {});
+Study study_of(const YamlNode& source, const std::string& path,
+               const std::vector<std::string>& overrides = {});
 
 /// Whether a file is a study and not a scene. Throws InputError if it cannot be read.
 bool is_study(const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

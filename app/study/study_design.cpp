@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 std::vector<Levels> product(const Study& study) {
@@ -83,4 +83,4 @@ std::vector<Line> lines_along(int factor, const Study& study, const std::vector<
   return lines;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

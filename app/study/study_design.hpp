@@ -1,7 +1,7 @@
 #pragma once
 #include "app/study/study.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Which value every factor has, counted from 0.
 using Levels = std::vector<int>;
@@ -56,4 +56,4 @@ auto of_run(const Study& study, const StudyRun& run, Work work) {
 /// "12 runs, every combination: close (3), spacing (2), force (2)".
 std::string size_text(const Study& study);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // The first with several numbers, else the first with several values.
@@ -68,4 +68,4 @@ Chart chart_of(const Study& study, const StudyResults& results) {
   return chart;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

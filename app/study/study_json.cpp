@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
@@ -75,4 +75,4 @@ json json_of(const Study& study, const StudyResults& results, const std::vector<
   return s;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -8,13 +8,13 @@
 #include "app/study/study_design.hpp"
 #include "core/base/did_you_mean.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 // Result fields are off unless `set` wants them: a study is after its figures.
-Entry source_of(const Study& study, const Levels& levels) {
-  Entry root = study.scene_source;
-  set_at(root, "output.vtk", {}, Entry::word("false"));
+YamlNode source_of(const Study& study, const Levels& levels) {
+  YamlNode root = study.scene_source;
+  set_at(root, "output.vtk", {}, YamlNode::word("false"));
   for (const auto& [path, value] : study.set) set_at(root, path, value.place, value);
   for (const std::string& assignment : study.overrides) apply_override(root, assignment);
   for (std::size_t f = 0; f < study.vary.size(); ++f)
@@ -46,11 +46,11 @@ struct UnusedInAll {
 
 // Where a setting has no effect, the run has the value that it would have without.
 Scene scene_of_run(const Study& study, const Levels& levels, UnusedInAll& all) {
-  Entry root = source_of(study, levels);
+  YamlNode root = source_of(study, levels);
   const Scene scene = scene_of(root, study.scene);
   const auto unused = unused_settings(root, scene);
   all.add(unused);
-  for (const UnusedSetting& u : unused) set_at(root, u.key, {}, Entry::word(u.otherwise));
+  for (const UnusedSetting& u : unused) set_at(root, u.key, {}, YamlNode::word(u.otherwise));
   return unused.empty() ? scene : scene_of(root, study.scene);
 }
 
@@ -109,4 +109,4 @@ std::vector<std::string> figures_of(const Study& study, const std::vector<StudyR
   return figures;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

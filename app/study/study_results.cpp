@@ -4,7 +4,7 @@
 
 #include "core/io/table.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 CsvTable::Cell cell_of(const Factor& factor, int level) {
@@ -56,4 +56,4 @@ void write_study_csv(const std::string& path, const Study& study, const StudyRes
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include "app/study/study_design.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// What a run came to.
 struct StudyRow {
@@ -59,4 +59,4 @@ std::vector<std::string> column_of(const StudyResults& results, const std::strin
 /// first `fixed`.
 std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& columns, int fixed);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -4,7 +4,7 @@
 
 #include "app/study/study_results.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using Column = std::vector<std::string>;
@@ -79,4 +79,4 @@ std::vector<std::string> aligned(const std::vector<Column>& columns, int fixed) 
   return lines;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using Kind = Course::Kind;
@@ -108,4 +108,4 @@ std::vector<std::string> lines_of(const Study& study, const StudyResults& result
   return lines;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

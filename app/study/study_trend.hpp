@@ -3,7 +3,7 @@
 
 #include "app/study/study_results.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// How figures go along a line.
 struct Course {
@@ -42,4 +42,4 @@ std::string words_of(const Study& study, const StudyResults& results, const Tren
 std::vector<std::string> lines_of(const Study& study, const StudyResults& results,
                                   const std::vector<Trend>& trends);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -3,7 +3,7 @@
 
 #include "app/prepare.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// One way to solve the scene of a trade.
 struct TradeRun {
@@ -37,4 +37,4 @@ struct Trade {
 Trade plan_trade(const std::string& scene, const std::vector<std::string>& overrides,
                  const Prepared& prepared);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

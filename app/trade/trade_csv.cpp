@@ -1,7 +1,7 @@
 #include "app/trade/trade_records.hpp"
 #include "core/io/table.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using Cell = CsvTable::Cell;
@@ -67,4 +67,4 @@ void write_trade_csv(const std::string& path, const Trade& trade, const TradeRes
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

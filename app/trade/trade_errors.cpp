@@ -3,7 +3,7 @@
 
 #include "app/trade/trade_results.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double least_length = .5, least_pressure = 5 * 133.322e-6;  // mm, MPa
@@ -108,4 +108,4 @@ std::vector<ParetoCandidate> candidates_on_all(const TradeResults& results) {
   return candidates(results, [&](int run) { return whole_error(results, run); });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

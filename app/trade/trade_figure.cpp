@@ -3,7 +3,7 @@
 
 #include "app/trade/trade_records.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr double smallest = 1e-12;  // errors below it are drawn there
@@ -58,4 +58,4 @@ Chart chart_of(const Trade& trade, const TradeResults& results) {
   return chart;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

@@ -6,11 +6,11 @@
 #include <optional>
 #include <span>
 
+#include "app/scene/text_format.hpp"
 #include "app/scene/unused.hpp"
-#include "app/scene/wording.hpp"
 #include "app/trade/trade.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using Settings = std::vector<std::string>;
@@ -25,7 +25,7 @@ const std::vector<Parameter> parameters{
     {"newton",
      {"solver.newton.force", "solver.newton.volume", "solver.newton.liquid"},
      {"1e-2", "1e-3", "1e-4", "1e-5"}},
-    {"underway", {"solver.newton.underway"}, {"1e2", "1e4"}},
+    {"underway", {"solver.newton.intermediate"}, {"1e2", "1e4"}},
     {"increments", {"solver.stepping.increments"}, {".25", ".5", "2"}},
     {"eta_max", {"solver.newton.eta_max"}, {"1e-2", "3e-3", "1e-4"}},
     {"reuse", {"solver.linear.reuse"}, {"0", "2"}},
@@ -145,7 +145,7 @@ class Planner {
   // Where the method of a run has no use for a setting of the scene or of a parameter, the set gives it the
   // value that it would have without.
   Scene scene_with(Settings& set) const {
-    const Entry root = scene_data(trade_.scene, set);
+    const YamlNode root = scene_data(trade_.scene, set);
     Scene scene = scene_of(root, trade_.scene);
     for (const UnusedSetting& u : unused_settings(root, scene))
       if (u.differs()) set.push_back(u.key + "=" + u.otherwise);
@@ -209,4 +209,4 @@ Trade plan_trade(const std::string& scene, const std::vector<std::string>& overr
   return planner.trade();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

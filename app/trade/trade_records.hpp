@@ -2,7 +2,7 @@
 #include "app/plot/chart.hpp"
 #include "app/trade/trade_results.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// For people: every run with cost and largest errors, the Pareto fronts, and what is dominated by what.
 std::vector<std::string> lines_of(const Trade& trade, const TradeResults& results);
@@ -15,4 +15,4 @@ void write_trade_csv(const std::string& path, const Trade& trade, const TradeRes
 /// extrapolated solution.
 Chart chart_of(const Trade& trade, const TradeResults& results);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

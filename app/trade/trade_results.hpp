@@ -3,7 +3,7 @@
 #include "app/study/study_results.hpp"
 #include "app/trade/trade.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// The largest error among the figures of a run, relative.
 struct TradeError {
@@ -55,4 +55,4 @@ const ParetoCandidate* better_than(const ParetoCandidate& one, const std::vector
 std::vector<ParetoCandidate> candidates_on_mesh(const Trade& trade, const TradeResults& results);
 std::vector<ParetoCandidate> candidates_on_all(const TradeResults& results);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

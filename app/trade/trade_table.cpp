@@ -4,7 +4,7 @@
 
 #include "app/trade/trade_records.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 using Column = std::vector<std::string>;
@@ -99,4 +99,4 @@ std::vector<std::string> lines_of(const Trade& trade, const TradeResults& result
   return lines;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

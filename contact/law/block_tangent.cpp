@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 void BlockTangent::clear() {
   places_.clear();
@@ -34,4 +34,4 @@ void BlockTangent::visit(const ContributionVisitor& visitor) const {
     visitor({&nodes_[p.node], p.nodes}, {&values_[p.value], 9 * p.nodes * p.nodes});
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

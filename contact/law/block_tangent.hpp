@@ -4,7 +4,7 @@
 
 #include "core/problem/term.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// A tangent as a list of small dense blocks, each with its local nodes, three rows per node.
 class BlockTangent {
@@ -25,4 +25,4 @@ class BlockTangent {
   std::vector<double> values_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

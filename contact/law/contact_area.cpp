@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr int halvings = 30;
@@ -52,4 +52,4 @@ double part_in_contact(const std::array<NodeInContact, 4>& corners, const std::a
   return twice / 2;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

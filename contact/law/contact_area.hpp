@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// How a contact leaves a node of its slave surface.
 struct NodeInContact {
@@ -21,4 +21,4 @@ double part_in_contact(const NodeInContact& closed, const NodeInContact& open, d
 double part_in_contact(const std::array<NodeInContact, 4>& corners, const std::array<double, 4>& lengths,
                        double modulus);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -7,7 +7,7 @@
 #include "contact/search/distances.hpp"
 #include "contact/surfaces/meridians.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 // N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may
@@ -150,4 +150,4 @@ std::vector<ContactNode> ContactTerm::nodes(const State& state, double farthest)
   return nodes;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -4,7 +4,7 @@
 #include "core/base/parallel.hpp"
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 struct Wrench {
   Vec3<double> force{0, 0, 0};   ///< N
@@ -62,4 +62,4 @@ struct ContactMemory {
       overlap;  ///< mm inside at the start, made good while the first step proceeds; empty: none
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

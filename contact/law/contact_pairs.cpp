@@ -6,7 +6,7 @@
 #include "contact/search/nearest_point.hpp"
 #include "core/base/disjoint_sets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 FaceGap face_gap(const MasterSurface& master, const Vec3<double>& x, const Pair& flat, int triangle) {
@@ -224,4 +224,4 @@ ContactTerm::Touch ContactTerm::touch(const MasterSurface& master, const Vec3<do
   return t;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

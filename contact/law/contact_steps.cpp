@@ -4,7 +4,7 @@
 
 #include "contact/law/contact_term.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr int most_updates = 20;
@@ -157,7 +157,7 @@ bool ContactTerm::set_changed(const Found& f) {
   return retried_ = comm_.any(!std::ranges::equal(now, rates_, {}, {}, &PressureRate::slot));
 }
 
-bool ContactTerm::revise(const State& state) {
+bool ContactTerm::update_multipliers(const State& state) {
   const Found& f = found(state);
   if (set_changed(f) || released(f)) return true;
   if (tolerance_ == 0) return false;
@@ -196,4 +196,4 @@ void ContactTerm::resolve(const State& start) {
   begin_increment();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

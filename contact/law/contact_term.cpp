@@ -5,7 +5,7 @@
 
 #include "contact/surfaces/meridians.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 // Tolerance of a linear solve with the default penalty: its scaled norm weighs gaps by the root of the
@@ -181,4 +181,4 @@ double ContactTerm::potential(const State& state) const {
   return sum;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -16,7 +16,7 @@
 #include "core/problem/spec/contact_spec.hpp"
 #include "core/problem/term.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The two sides as this rank holds them.
 struct ContactSides {
@@ -74,7 +74,7 @@ class ContactTerm final : public Term {
   void pass_step(int step, const State& start) override;
   double solve_tolerance() const override { return solve_tolerance_; }
   void predict(std::span<const double> dx) override;
-  bool revise(const State& state) override;
+  bool update_multipliers(const State& state) override;
   void set_progress(double s) override;
   void freeze() override;
   void commit(const State& state) override;
@@ -205,4 +205,4 @@ class ContactTerm final : public Term {
   mutable Found found_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double pressed = 0.25, free = 0.1;  // of the width of a face, its area's root
@@ -55,4 +55,4 @@ std::string MidfaceCheck::refusal(const State& state) const {
       rigid_ ? "" : " or `two_way: true`, or exchange slave and master", spec_.slave);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -2,7 +2,7 @@
 #include "contact/law/contact_term.hpp"
 #include "core/mesh/distributed/halo.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// What a contact of nodes cannot feel: a master with corners, or a body, finer than the slave's faces, which
 /// enters between the nodes. The middles of the faces are followed as points of a contact without forces. A
@@ -45,4 +45,4 @@ class MidfaceCheck final : public Term {
   ContactTerm middles_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

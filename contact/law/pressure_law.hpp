@@ -1,6 +1,6 @@
 #pragma once
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Contact pressure as a function of the trial pressure τ = p − α_A G, MPa, with its derivative and integral.
 struct ContactPressure {
@@ -23,4 +23,4 @@ inline bool still_active(double tau, double predicted) {
   return predicted > 0 && tau > -most_tension * predicted;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 double size_of(std::span<const Point2> points) {
@@ -76,4 +76,4 @@ std::optional<Tangent> outer_tangent(std::span<const Point2> hull, const Point2&
   return best;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -6,7 +6,7 @@
 #include "contact/rigid/plane_section.hpp"
 #include "contact/rigid/rigid_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Convex hull, counter-clockwise and without collinear corners, of the body's section with the half of the
 /// plane on the side of `away`; empty if the plane misses it. A string that is pulled tight lies on the hull,
@@ -24,4 +24,4 @@ struct Tangent {
 /// it, or the hull is empty.
 std::optional<Tangent> outer_tangent(std::span<const Point2> hull, const Point2& S);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 std::vector<CutSegment> cut(std::span<const double> points, std::span<const double> height,
@@ -45,4 +45,4 @@ std::vector<CutSegment> cut(std::span<const double> points, std::span<const std:
   return segments.empty() ? cut(points, height, triangles, plane, true) : segments;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

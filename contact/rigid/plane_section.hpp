@@ -6,7 +6,7 @@
 #include "contact/rigid/profile.hpp"
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// A plane with a frame in it: (u, v) = ((x − origin)·along, (x − origin)·away).
 struct CuttingPlane {
@@ -34,4 +34,4 @@ struct CutSegment {
 std::vector<CutSegment> cut(std::span<const double> points, std::span<const std::array<int, 3>> triangles,
                             const CuttingPlane& plane);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

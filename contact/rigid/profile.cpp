@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr std::size_t most_corners = 20000;  // each edge is compared with each
@@ -223,4 +223,4 @@ TireShape made_smaller(TireShape t, double inset) {
   return t;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -5,7 +5,7 @@
 
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// [axial, radial] in a meridian plane, mm.
 using Point2 = std::array<double, 2>;
@@ -39,4 +39,4 @@ Profile profile_of(const TireShape& shape, const std::string& key);
 BandShape made_smaller(BandShape shape, double inset);
 TireShape made_smaller(TireShape shape, double inset);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/rigid_body.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double clearance = 1e-6;  // mm between a part brought to touch and the first node
@@ -154,4 +154,4 @@ void RigidMotion::place() {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

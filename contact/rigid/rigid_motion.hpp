@@ -9,7 +9,7 @@
 #include "core/problem/spec/rigid_spec.hpp"
 #include "core/problem/state.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Moves the parts of a rigid surface through the steps. Every part has its pose about its own centre c:
 /// x = c + shift + rotation (X − c). Works the same on every rank without communication.
@@ -56,4 +56,4 @@ class RigidMotion {
 double way_to_touch(const RigidSurface& surface, const RigidSurface::Part& part,
                     const Vec3<double>& direction, std::span<const double> points);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/closed_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 Vec3<double> mean_of(const std::vector<double>& points) {
@@ -156,4 +156,4 @@ RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& sp
   return body;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

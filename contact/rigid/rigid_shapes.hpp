@@ -5,7 +5,7 @@
 #include "contact/rigid/rigid_surface.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The surface of a rigid body as drawn: normals out, closed but for planes, arcs without caps and open
 /// surfaces of Gmsh files. `key` is the path of the spec in the scene ("rigid_bodies.tire"). Throws
@@ -16,4 +16,4 @@ namespace bulbus {
 RigidSurface make_rigid_surface(const std::string& name, const RigidBodySpec& spec, const std::string& key,
                                 std::span<const std::string> symmetry = {});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -6,7 +6,7 @@
 #include "contact/surfaces/smoothed_facets.hpp"
 #include "core/problem/state.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The surface of a rigid body that the scene moves: band, tire, plane, ... Several parts may move each its
 /// own way (the arcs of a band close radially).
@@ -28,4 +28,4 @@ struct RigidSurface {
   std::vector<std::string> warnings;  ///< sentences about the file that it was read from
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

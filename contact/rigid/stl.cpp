@@ -16,7 +16,7 @@
 #include "core/base/whole_file.hpp"
 #include "core/mesh/gmsh/gmsh_scanner.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr std::size_t header = 80,
@@ -197,4 +197,4 @@ StlSurface read_stl(const std::string& path) {
   return surface;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

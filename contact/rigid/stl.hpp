@@ -4,7 +4,7 @@
 
 #include "contact/rigid/surface_triangulation.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The surface that an STL file describes.
 struct StlSurface : SurfaceTriangulation {
@@ -22,4 +22,4 @@ StlSurface read_stl(const std::string& path);
 /// edges of one facet or of more than two, bodies that are inside out. Throws InputError with the place.
 void require_body(const StlSurface& surface, const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -9,7 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double least_height = 1e-7;  // of a facet's longest edge: single precision
@@ -195,4 +195,4 @@ class Body {
 
 void require_body(const StlSurface& surface, const std::string& path) { Body(surface, path).require(); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

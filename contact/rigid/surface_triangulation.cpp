@@ -12,7 +12,7 @@
 #include "core/base/did_you_mean.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 Vec3<double> direction(const Point& v, const std::string& key) {
@@ -164,4 +164,4 @@ SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFram
   return surface;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

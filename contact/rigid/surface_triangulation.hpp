@@ -8,7 +8,7 @@
 #include "contact/surfaces/meridians.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Points and triangles of a surface; (x2 − x1) × (x3 − x1) points out of the body.
 struct SurfaceTriangulation {
@@ -46,4 +46,4 @@ struct Station {
 /// If the last azimuth is a whole turn beyond the first, the surface ends where it begins.
 SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFrame& frame, bool caps);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

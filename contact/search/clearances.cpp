@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 double greatest_motion(std::span<const double> now, std::span<const double> before) {
   double most = 0;
@@ -22,4 +22,4 @@ void Clearances::move(std::span<const double> points, std::span<const double> su
   surface_.assign(surface.begin(), surface.end());
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Largest distance between two places of one point, 3 numbers each.
 double greatest_motion(std::span<const double> now, std::span<const double> before);
@@ -23,4 +23,4 @@ class Clearances {
   std::vector<double> points_, surface_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -6,7 +6,7 @@
 #include "contact/search/nearest_point.hpp"
 #include "contact/search/position_codes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::vector<double> distances(std::span<const double> points, const MasterSurfac
   return distance;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

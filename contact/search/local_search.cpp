@@ -5,7 +5,7 @@
 
 #include "contact/search/nearest_point.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double on_edge = 1e-9;  // weights: what is round-off of an edge
@@ -176,4 +176,4 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
   return {on_line.triangle, projection.distance};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

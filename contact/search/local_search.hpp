@@ -5,7 +5,7 @@
 #include "contact/surfaces/pair.hpp"
 #include "contact/surfaces/smoothed_facets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Corners of a triangle of a surface whose corners are at `places`, 3 numbers each.
 Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle);
@@ -76,4 +76,4 @@ struct Selection {
 Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<double>& N, int start,
                  std::span<const int> candidates, const SearchLimits& limits);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -1,6 +1,6 @@
 #include "contact/search/nearest_point.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 std::array<double, 3> nearest_weights(const Vec3<double>& x, const Triangle& v) {
@@ -32,4 +32,4 @@ NearestPoint nearest_point(const Vec3<double>& x, const Triangle& corners) {
   return {w, norm(r)};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

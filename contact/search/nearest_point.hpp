@@ -1,7 +1,7 @@
 #pragma once
 #include "contact/surfaces/pair.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Nearest point of a triangle, by its barycentric weights: a corner has one that is not 0, an edge two.
 struct NearestPoint {
@@ -11,4 +11,4 @@ struct NearestPoint {
 /// Ericson, Real-Time Collision Detection (2005), 5.1.5.
 NearestPoint nearest_point(const Vec3<double>& x, const Triangle& corners);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

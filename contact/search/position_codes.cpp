@@ -6,7 +6,7 @@
 
 #include "core/base/sort_unique.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 using Code = std::uint64_t;
@@ -159,4 +159,4 @@ double GlobalSearch::motion(std::span<const double> points, std::span<const doub
   return most;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Triangles near each of some points, ascending. Points that follow one another share a list, `group` of
 /// them; triangles of list i: `triangles[start[i]] ... triangles[start[i + 1] - 1]`.
@@ -47,4 +47,4 @@ class GlobalSearch {
   int searches_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -4,7 +4,7 @@
 
 #include "contact/search/nearest_point.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double beside = 0.05;  // weights: what a crossing may miss a triangle by
@@ -69,4 +69,4 @@ int nearest_from(const MasterSurface& master, const Vec3<double>& x, int start) 
   return t;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

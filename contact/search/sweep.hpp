@@ -3,7 +3,7 @@
 
 #include "contact/search/local_search.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// A way from one place to another, mm.
 struct Way {
@@ -29,4 +29,4 @@ double farthest_crossing(const MasterSurface& now, double motion, const Way& way
 /// nearest point of that part of the surface.
 int nearest_from(const MasterSurface& master, const Vec3<double>& x, int start);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 Facets make_facets(std::vector<std::array<int, 3>> triangles, std::span<const double> points) {
   Facets f{std::move(triangles), {}};
@@ -40,4 +40,4 @@ Facets split(std::span<const Quad> quads, std::span<const double> points) {
   return make_facets(std::move(triangles), points);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// A triangulated surface. Corners are indices of places kept elsewhere (the nodes of a mesh, the points of a
 /// rigid body); (x2 − x1) × (x3 − x1) points out of the body.
@@ -21,4 +21,4 @@ Facets make_facets(std::vector<std::array<int, 3>> triangles, std::span<const do
 /// Two triangles from every quad, 0-1-2 and 0-2-3: triangles 2i and 2i + 1 are of quad i.
 Facets split(std::span<const Quad> quads, std::span<const double> points = {});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -7,7 +7,7 @@
 #include "core/base/tensor.hpp"
 #include "core/mesh/distributed/mesh_part.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 Quad key_of(Quad q) {
@@ -105,4 +105,4 @@ Layer layer_under(const Mesh& base, std::span<const Quad> faces, int refinements
   return layer;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -5,7 +5,7 @@
 #include "core/base/parallel.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The tissue right under the faces of a surface.
 struct Layer {
@@ -18,4 +18,4 @@ struct Layer {
 /// each on one rank. Collective.
 Layer layer_under(const Mesh& base, std::span<const Quad> faces, int refinements, const Comm& comm);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -5,7 +5,7 @@
 #include "contact/surfaces/normal_projection.hpp"
 #include "core/base/sort_unique.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 Master::Master(Facets faces) : faces_(std::move(faces)), piece_(faces_.triangles.size()) {
   for (const auto& t : faces_.triangles) nodes_.insert(nodes_.end(), t.begin(), t.end());
@@ -46,4 +46,4 @@ MasterSurface Master::at(const State& state) const {
   return faces;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -6,7 +6,7 @@
 #include "contact/surfaces/master_normals.hpp"
 #include "contact/surfaces/sharp_edges.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The side that nodes are kept out of: faces of the mesh (one piece), or the parts of a rigid body, each a
 /// master of its own.
@@ -55,4 +55,4 @@ class Master {
   mutable std::vector<CornerNormals> normals_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 Vec3<double> diagonal(std::span<const double> x, int from, int to) { return minus(at(x, to), at(x, from)); }
@@ -75,4 +75,4 @@ std::vector<NormalShare> MasterNormals::turning(int node, std::span<const double
   return shares;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

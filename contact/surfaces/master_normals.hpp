@@ -1,7 +1,7 @@
 #pragma once
 #include "contact/surfaces/smoothed_facets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// What the displacement of a node adds to a unit normal: δN = turn · δx (1/mm).
 struct NormalShare {
@@ -31,4 +31,4 @@ class MasterNormals {
   std::vector<std::array<bool, 3>> mirrored_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -7,7 +7,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// v / |v|; NaN for the zero vector.
 inline Vec3<double> unit(const Vec3<double>& v) { return (1 / norm(v)) * v; }
@@ -44,4 +44,4 @@ struct MeridianFrame {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 Vec3<double> times(const Vec3<double>& v, const Mat3<double>& M) {
@@ -84,4 +84,4 @@ void add_tangent(const NormalProjection& at, const CornerNormals& normals,
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -4,7 +4,7 @@
 
 #include "contact/surfaces/smoothed_facets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Part of a triangle's height, in weights, by which contact reaches past a rim of a deformable master.
 inline constexpr double fading_rim = 0.25;
@@ -41,4 +41,4 @@ void add_tangent(const NormalProjection& at, const CornerNormals& normals,
                  std::span<const ContactColumn> columns, const ContactStiffness& stiffness,
                  std::span<double> K);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

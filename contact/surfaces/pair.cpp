@@ -1,6 +1,6 @@
 #include "contact/surfaces/pair.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 Pair project(const Vec3<double>& x, const Triangle& corners) {
   const Vec3<double> e1 = minus(corners[1], corners[0]), e2 = minus(corners[2], corners[0]),
@@ -15,4 +15,4 @@ Pair project(const Vec3<double>& x, const Triangle& corners) {
   return {dot(r, n), n, {1 - L2 - L3, L2, L3}};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -3,7 +3,7 @@
 
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 using Triangle = std::array<Vec3<double>, 3>;
 
@@ -26,4 +26,4 @@ struct FaceGap {
   Mat3<double> bend{};  ///< ∇∇gap, 1/mm
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -8,7 +8,7 @@
 
 #include "contact/surfaces/meridians.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double alike = 1e-6;  // relative differences that decide nothing
@@ -106,4 +106,4 @@ FaceGap rounded_gap(std::span<const FaceGap> faces, double radius) {
   return nearest(faces, radius);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -3,7 +3,7 @@
 
 #include "contact/surfaces/pair.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Distance to the body that the faces bound together, its edges and corners rounded with `radius` ϱ, mm:
 /// that to the body which is smaller by ϱ on all sides, less ϱ,
@@ -13,4 +13,4 @@ namespace bulbus {
 /// least one face; faces whose normals are alike count once.
 FaceGap rounded_gap(std::span<const FaceGap> faces, double radius);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -6,7 +6,7 @@
 #include "contact/surfaces/meridians.hpp"
 #include "contact/surfaces/smoothed_facets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 struct Plane {
@@ -44,4 +44,4 @@ SharpEdges::SharpEdges(const Facets& facets, std::span<const double> places, Kin
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -4,7 +4,7 @@
 
 #include "contact/surfaces/facets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// For every triangle of a surface those that it meets in a corner where the surface is sharp (normals that
 /// differ by more than 30 degrees), and convex or concave.
@@ -25,4 +25,4 @@ class SharpEdges {
   std::vector<int> start_, others_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

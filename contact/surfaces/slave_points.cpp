@@ -5,7 +5,7 @@
 
 #include "contact/surfaces/smoothed_facets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 // Corners of the reference square, counter-clockwise.
@@ -118,4 +118,4 @@ std::array<Vec3<double>, 4> SlavePoints::shares(int i, std::span<const double> x
   return g;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

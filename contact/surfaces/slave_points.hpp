@@ -1,7 +1,7 @@
 #pragma once
 #include "contact/surfaces/slave_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The places of a slave surface that a contact keeps out of its master, carried by nodes: x = Σ w_i x_i.
 /// Either the owned nodes themselves, or m × m points spread evenly over each face (the midpoints of its m ×
@@ -52,4 +52,4 @@ class SlavePoints {
   std::vector<Point> points_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -6,7 +6,7 @@
 #include "core/base/sort_unique.hpp"
 #include "core/element/q1.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 std::vector<std::array<bool, 3>> mirrored(std::span<const double> X, std::span<const int> nodes,
                                           std::span<const std::string> symmetry) {
   double size = 0;
@@ -74,4 +74,4 @@ SlaveSurface::Shape SlaveSurface::shape(std::span<const double> x) const {
   return s;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

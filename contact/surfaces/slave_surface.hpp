@@ -6,7 +6,7 @@
 #include "core/base/tensor.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Which components of a normal vanish at each of `nodes`: on the planes ("x", "y", "z") of `symmetry`, where
 /// that coordinate is 0.
@@ -44,4 +44,4 @@ class SlaveSurface {
   std::vector<std::array<bool, 3>> mirrored_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

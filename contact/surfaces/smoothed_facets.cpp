@@ -5,7 +5,7 @@
 
 #include "contact/surfaces/meridians.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr int most_steps = 12;
@@ -101,4 +101,4 @@ FaceGap smoothed_gap(const Vec3<double>& x, const Pair& flat, const Triangle& v,
   return curved;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -7,7 +7,7 @@
 #include "contact/surfaces/facets.hpp"
 #include "contact/surfaces/pair.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Cosine of 30 degrees: normals that differ by less are of one curved surface, others meet in an edge.
 inline constexpr double smooth_edge = 0.86602540378443865;
@@ -44,4 +44,4 @@ FaceGap smoothed_gap(const Vec3<double>& x, const Pair& flat, const Triangle& co
 /// No gap is farther from that to the flat triangles than this, mm.
 double rise(const Facets& facets, std::span<const double> places, std::span<const CornerNormals> normals);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -15,7 +15,7 @@
 #include "core/mesh/generate/embed.hpp"
 #include "core/problem/closed_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 using Edge = std::array<int, 2>;
@@ -194,4 +194,4 @@ std::vector<SuturePoint> suture_points(const Mesh& mesh, const SutureSpec& spec,
   return points;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

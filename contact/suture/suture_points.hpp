@@ -6,7 +6,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// Where a string holds the tissue: S = Σ weight · x(node).
 struct SuturePoint {
@@ -31,4 +31,4 @@ std::array<Point, 2> points_on_meridian(const Mesh& mesh, const SutureSpec& spec
 /// point to `place`; those of that point alone where the circle is too small for the quadrature.
 SuturePoint bite(const Mesh& mesh, const std::vector<Quad>& faces, const Point& place, double area);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

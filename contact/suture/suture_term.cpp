@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 constexpr double step_of_difference = 1e-5;  // in lengths of the string
@@ -209,4 +209,4 @@ void SutureTerm::visit(const ContributionVisitor& visitor) const {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -10,7 +10,7 @@
 #include "core/mesh/distributed/local_mesh.hpp"
 #include "core/problem/term.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The strings of one suture (formulation, section 6): each of its points S = Σ w x is pulled with the force
 /// F d, d = (T − S)/|T − S|, along the outer tangent to the outline of a rigid body in the plane through S.
@@ -89,4 +89,4 @@ class SutureTerm final : public Term {
   double start_ = 0, end_ = 0, now_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

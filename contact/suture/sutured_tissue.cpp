@@ -4,7 +4,7 @@
 
 #include "core/base/sort_unique.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 namespace {
 
 // Indices in the Mesh of some local nodes, of all ranks, ascending; with their places.
@@ -60,4 +60,4 @@ SuturedTissue sutured_tissue(const LocalMesh& mesh, const SutureSpec& spec) {
   return t;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -4,7 +4,7 @@
 #include "core/mesh/distributed/local_mesh.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline contact {
 
 /// The nodes that a suture may hold, of all ranks.
 struct SuturedTissue {
@@ -15,4 +15,4 @@ struct SuturedTissue {
 /// The suture's surface, shared by all ranks, and its sets, gathered. The same on every rank. Collective.
 SuturedTissue sutured_tissue(const LocalMesh& mesh, const SutureSpec& spec);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline contact

@@ -1,6 +1,6 @@
 #include "core/element/bars.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 namespace {
 
 // The (up to eight) nodes of a bar with the factor of each in d = x2 − x1.
@@ -105,4 +105,4 @@ std::vector<double> Bars::forces(std::span<const double> x) const {
   return f;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

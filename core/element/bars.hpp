@@ -6,7 +6,7 @@
 #include "core/element/contribution.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// Straight bars, total Lagrangian, linear in Green strain, between points embedded in faces (or nodes):
 ///     d = x2 − x1,  e = (d·d − L²)/(2L²),  S = E e,  force on end 2 = A S d / L
@@ -39,4 +39,4 @@ class Bars {
 /// Place of an embedded point.
 Vec3<double> place(const EmbeddedPoint& p, std::span<const double> x);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

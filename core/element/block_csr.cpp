@@ -5,7 +5,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 BlockCsr::BlockCsr(int nodes, const std::function<void(const ContributionVisitor&)>& visit)
     : start_(nodes + 1) {
@@ -66,4 +66,4 @@ void BlockCsr::apply(std::span<const double> x, std::span<double> y) const {
 
 std::size_t BlockCsr::bytes() const { return bytes_of(start_) + bytes_of(columns_) + bytes_of(values_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

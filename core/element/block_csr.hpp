@@ -5,7 +5,7 @@
 
 #include "core/element/contribution.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// Matrix of 3×3 blocks between the local nodes of one rank, gathered from small dense contributions: the
 /// assembled counterpart of the tangent that is applied on the fly.
@@ -28,4 +28,4 @@ class BlockCsr {
   std::vector<double> values_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

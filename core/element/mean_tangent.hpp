@@ -2,7 +2,7 @@
 #include "core/base/pack.hpp"
 #include "core/element/q1.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// A hexahedron's tangent with the mean over its Gauss points of what couples reference gradients,
 ///
@@ -60,4 +60,4 @@ Modes<T> action(const MeanTangent<T>& C, const Modes<T>& u) {
   return f;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

@@ -8,7 +8,7 @@
 #include "core/base/pack.hpp"
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// The nodes of eight elements with N nodes each; unused lanes of the last pack repeat the last element.
 template <std::size_t N>
@@ -110,4 +110,4 @@ inline void store_some(const Pack& value, std::span<double> v, int first, int us
   for (int l = 0; l < used; ++l) v[first + l] = x[l];
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

@@ -3,7 +3,7 @@
 #include "core/base/memory.hpp"
 #include "core/element/q1.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 namespace {
 
 using Corners = std::array<Vec3<Pack>, 4>;
@@ -121,4 +121,4 @@ void PressureSurface::visit(std::span<const double> x, double factor,
 
 std::size_t PressureSurface::bytes() const { return bytes_of(packs_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

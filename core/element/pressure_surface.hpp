@@ -6,7 +6,7 @@
 #include "core/element/packing.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// Faces under a fluid's pressure: a×b = ∂x/∂ξ × ∂x/∂η points out of the fluid, into the solid. 2×2 Gauss
 /// points.
@@ -34,4 +34,4 @@ class PressureSurface {
   int count_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

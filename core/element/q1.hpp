@@ -3,7 +3,7 @@
 
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// Trilinear hexahedron with 2×2×2 Gauss points (weights 1), sum-factorised. Nodes and points are numbered i
 /// + 2j + 4k. The derivative in one direction does not vary along it, so each has only four distinct values.
@@ -214,4 +214,4 @@ inline std::array<Vec3<double>, 8> reference_shape_gradient(int i, int j, int k)
   return g;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

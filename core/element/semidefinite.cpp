@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline element {
 namespace {
 
 constexpr int n = 9;
@@ -102,4 +102,4 @@ void limit_to_semidefinite(MeanTangent<Pack>& C, const PressureTangent& P) {
     if (found[l]) lift(A, l, C);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

@@ -2,7 +2,7 @@
 #include "core/base/pack.hpp"
 #include "core/element/mean_tangent.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// What a pressure adds to a mean tangent: nothing along, and skew matrices across, by their axial vectors,
 /// λ/det (cof_e × cof_f) for every cyclic (d, e, f).
@@ -23,4 +23,4 @@ inline void add_pressure_tangent(const Mat3<Pack>& cof, const Pack& factor, Pres
 /// eigenvalue of it lies clearly below zero. The others' numbers do not change.
 void limit_to_semidefinite(MeanTangent<Pack>& C, const PressureTangent& P);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

@@ -2,7 +2,7 @@
 #include "core/element/packing.hpp"
 #include "core/element/q1.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// The nodes of two packs of hexahedra.
 struct PackPair {
@@ -69,4 +69,4 @@ inline void scatter_add(const PackPair& p, const NodalVectors<SinglePack>& in, s
   for (int a = 0; a < 8; ++a) scatter_add_nodes(p, a, in[a], v.data());
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

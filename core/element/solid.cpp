@@ -7,7 +7,7 @@
 #include "core/base/memory.hpp"
 #include "core/element/solid_kernel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 namespace {
 
 std::array<int, 8> lexicographic(const Hex& hex) {
@@ -205,4 +205,4 @@ std::size_t Solid::bytes() const {
 
 std::size_t Solid::cache_bytes() const { return bytes_of(cache_) + bytes_of(single_.tangents); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

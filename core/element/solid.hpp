@@ -10,7 +10,7 @@
 #include "core/material/material.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// A run of hexahedra of one material.
 struct SolidRegion {
@@ -132,4 +132,4 @@ class Solid {
   StrainSource source_ = StrainSource::recompute;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

@@ -3,7 +3,7 @@
 #include "core/element/mean_tangent.hpp"
 #include "core/element/semidefinite.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 
 /// What happens inside one pack of Q1/P0 elements. All integrals are over the reference element with unit
 /// Gauss weights: dV0 = det ∂X/∂ξ, J dV0 = det ∂x/∂ξ.
@@ -146,4 +146,4 @@ MeanTangent<Pack> mean_tangent(const Material& material, const ReferenceGradient
   return C;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

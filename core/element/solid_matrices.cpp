@@ -4,7 +4,7 @@
 #include "core/element/solid.hpp"
 #include "core/element/solid_kernel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 namespace {
 
 using ShapeGradients = std::array<Vec3<Pack>, 8>;
@@ -206,4 +206,4 @@ double Solid::energy(std::span<const double> x) const {
   return sum;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

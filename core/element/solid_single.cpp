@@ -3,7 +3,7 @@
 #include "core/element/solid.hpp"
 #include "core/element/solid_kernel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline element {
 namespace {
 
 // use(coefficient, in single precision) for all of a mean tangent
@@ -102,4 +102,4 @@ void Solid::volume_change_single(std::span<const NodeSingle> dx, std::span<doubl
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline element

@@ -2,11 +2,11 @@
 
 #include "core/mesh/distributed/local_mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 Archive::Archive(const LocalMesh& mesh) {
   for (int n = 0; n < mesh.nodes(); ++n) nodes_.add(mesh.input_node[n], n < mesh.owned);
   for (int h : mesh.input_hex) hexes_.add(h, true);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

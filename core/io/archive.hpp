@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 struct LocalMesh;
 
@@ -80,4 +80,4 @@ class Archive {
   std::string prefix_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -5,7 +5,7 @@
 #include "core/io/archive.hpp"
 #include "core/mesh/distributed/local_mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// Writes what `serialize` gives to its Archive as an HDF5 file that any number of ranks can read. The file
 /// is complete on the disk before it takes its name: whatever ends the program, the old file is there or the
@@ -17,4 +17,4 @@ void write_checkpoint(const std::string& path, const LocalMesh& mesh,
 /// InputError on every rank.
 std::unique_ptr<Archive> open_checkpoint(const std::string& path, const LocalMesh& mesh);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

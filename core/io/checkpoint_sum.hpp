@@ -6,7 +6,7 @@
 
 #include "core/base/mixed_bits.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// Check sum over the datasets of a checkpoint: a sum over their numbers, so that ranks add up theirs in any
 /// order.
@@ -32,4 +32,4 @@ class CheckpointSum {
   std::uint64_t sum_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

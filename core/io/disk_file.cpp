@@ -10,7 +10,7 @@
 
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 DiskFile::DiskFile(std::string path, Start start)
     : path_(std::move(path)),
@@ -46,4 +46,4 @@ void DiskFile::reserve(long long bytes) {
 
 void DiskFile::fail(int error) const { throw std::runtime_error(not_written(path_, error)); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

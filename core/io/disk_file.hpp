@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// A file for writing of which every byte is accounted for. All members throw std::runtime_error with file
 /// and reason. Not collective.
@@ -26,4 +26,4 @@ class DiskFile {
   int file_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -9,7 +9,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 FolderLock::FolderLock(const std::string& folder)
     : folder_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -25,4 +25,4 @@ FolderLock::FolderLock(const std::string& folder)
 
 FolderLock::~FolderLock() { close(folder_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// Holds a folder against every other process and lock until it is destroyed. The system lets go of it
 /// however the process ends. Not collective: for one rank.
@@ -21,4 +21,4 @@ class FolderLock {
   bool held_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

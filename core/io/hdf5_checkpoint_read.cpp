@@ -7,7 +7,7 @@
 #include "core/io/checkpoint_sum.hpp"
 #include "core/io/hdf5_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 using hdf5::Handle;
@@ -188,4 +188,4 @@ std::unique_ptr<Archive> open_checkpoint(const std::string& path, const LocalMes
   return reader;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -5,7 +5,7 @@
 #include "core/io/checkpoint_sum.hpp"
 #include "core/io/hdf5_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 using hdf5::Handle;
@@ -112,4 +112,4 @@ void write_checkpoint(const std::string& path, const LocalMesh& mesh,
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -10,7 +10,7 @@
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus::hdf5 {
+namespace bulbus::inline io::hdf5 {
 
 Handle::Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
   if (id < 0) throw std::runtime_error(what);
@@ -126,6 +126,6 @@ void write_whole(const std::string& path, const Comm& comm, double bytes,
   }
 }
 
-}  // namespace bulbus::hdf5
+}  // namespace bulbus::inline io::hdf5
 
 bool bulbus::files_left_open() { return hdf5::any_left_open; }

@@ -9,7 +9,7 @@
 
 /// A thin layer over parallel HDF5; included by the writers of this folder only. Everything is collective and
 /// throws std::runtime_error.
-namespace bulbus::hdf5 {
+namespace bulbus::inline io::hdf5 {
 
 /// An identifier that closes itself.
 class Handle {
@@ -76,4 +76,4 @@ void write_rows(hid_t group, const std::string& name, std::span<const T> values,
   write_rows(group, name, type_of<T>(), values.data(), rows, columns, comm);
 }
 
-}  // namespace bulbus::hdf5
+}  // namespace bulbus::inline io::hdf5

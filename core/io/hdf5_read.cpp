@@ -2,7 +2,7 @@
 
 #include "core/io/hdf5_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 std::vector<double> read_dataset(const std::string& path, const std::string& dataset) {
   using hdf5::Handle;
@@ -16,4 +16,4 @@ std::vector<double> read_dataset(const std::string& path, const std::string& dat
   return values;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

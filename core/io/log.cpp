@@ -10,7 +10,7 @@
 
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 std::vector<spdlog::sink_ptr> open_sinks(const std::string& path, Log::Screen screen, FileStart start) {
@@ -53,4 +53,4 @@ void Log::require_written() const {
   if (*fault_ != 0) throw std::runtime_error(not_written(path_, *fault_));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

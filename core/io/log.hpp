@@ -10,7 +10,7 @@ namespace spdlog {
 class logger;
 }
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// The running report: the same lines on the screen and in run.log, from rank 0; the other ranks are silent.
 class Log {
@@ -36,4 +36,4 @@ class Log {
   std::string path_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ void Manifest::write() const {
   write_whole(folder_ + "/manifest.txt", text);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

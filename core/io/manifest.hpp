@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// manifest.txt of a folder: the names of the files that runs wrote there, and may write again or take away.
 /// A name is listed before its file is there. Not collective: for one rank. Disk faults are
@@ -28,4 +28,4 @@ class Manifest {
   std::set<std::string> names_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

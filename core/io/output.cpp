@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 std::string reason_of(int error) {
@@ -42,4 +42,4 @@ std::string not_written(std::string path, int error) {
   return path + ": cannot be written: " + reason_of(error);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// A record that cannot be written: its file and the reason. Thrown on every rank at once.
 class OutputError : public std::runtime_error {
@@ -25,4 +25,4 @@ std::string not_written(std::string path, int error);
 /// exit(): they would crash.
 bool files_left_open();
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

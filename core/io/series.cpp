@@ -4,7 +4,7 @@
 
 #include "core/io/json_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 void Series::add(const std::string& file, double time) {
   states_.push_back({file, time});
@@ -13,4 +13,4 @@ void Series::add(const std::string& file, double time) {
   write_json(path_, {{"file-series-version", "1.0"}, {"files", files}});
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

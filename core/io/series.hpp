@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// The index of saved states that ParaView opens: `result.hdf.series`. Not collective: for one rank.
 class Series {
@@ -20,4 +20,4 @@ class Series {
   std::vector<State> states_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 // RFC 4180: a cell with a comma, a quote or a line's end is quoted, its quotes doubled.
@@ -57,4 +57,4 @@ void cut_half_line(const std::string& path) {
   if (!text.empty() && text.back() != '\n') write_whole(path, text.substr(0, text.rfind('\n') + 1));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -7,7 +7,7 @@
 #include "core/io/disk_file.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// A table that grows row by row: header first, every row whole on the disk or not at all, twelve significant
 /// digits. Not collective.
@@ -37,4 +37,4 @@ void cut_table(const std::string& path, int last);
 /// std::runtime_error. Not collective.
 void cut_half_line(const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

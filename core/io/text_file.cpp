@@ -11,7 +11,7 @@
 #include "core/io/disk_file.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 // Of a file or a folder.
@@ -57,4 +57,4 @@ void write_whole(const std::string& path, const std::string& text) {
               [&](const std::string& temporary) { DiskFile(temporary, DiskFile::Start::empty).write(text); });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// Does a file that is written bit by bit begin anew, or go on behind what it holds?
 enum class FileStart { anew, continued };
@@ -18,4 +18,4 @@ void write_whole(const std::string& path, const std::function<void(const std::st
 /// outlives a power cut only with what it names. Throws std::runtime_error.
 void settle(const std::string& temporary, const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

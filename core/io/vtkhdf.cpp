@@ -6,7 +6,7 @@
 
 #include "core/io/hdf5_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 using hdf5::Handle;
@@ -159,4 +159,4 @@ void write_vtkhdf(const std::string& path, const Piece& piece, const Comm& comm)
                     [&](hid_t file) { write_content(file, piece, comm); });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

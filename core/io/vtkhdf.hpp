@@ -6,7 +6,7 @@
 #include "core/base/parallel.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// Values on the points or the cells of a piece, components innermost: value c of item i is values[i *
 /// components + c]. Six components are xx, yy, zz, xy, yz, xz.
@@ -44,4 +44,4 @@ struct Piece {
 /// length or the ranks' fields differ; and if the file cannot be written.
 void write_vtkhdf(const std::string& path, const Piece& piece, const Comm& comm);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -8,7 +8,7 @@
 #include "core/base/base64.hpp"
 #include "core/io/text_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 namespace {
 
 // The number of bytes as UInt64, then the bytes: one base64 text.
@@ -77,4 +77,4 @@ void Collection::add(const std::string& file, double time) {
   write_whole(path_, file_of("Collection", entries_));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -6,7 +6,7 @@
 
 #include "core/io/vtkhdf.hpp"
 
-namespace bulbus {
+namespace bulbus::inline io {
 
 /// Triangles or lines (not both) with fields of them: 3 numbers per point.
 struct Polygons {
@@ -32,4 +32,4 @@ class Collection {
   std::string path_, entries_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline io

@@ -1,6 +1,6 @@
 #include "core/material/material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline material {
 
 Material make_material(const std::vector<Polynomial::Term>& terms) {
   double c10 = 0, c01 = 0;
@@ -23,4 +23,4 @@ double initial_shear_modulus(const Material& material) {
   return std::visit([&](const auto& m) { return m.shear_modulus(identity); }, material);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline material

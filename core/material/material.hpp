@@ -4,7 +4,7 @@
 
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline material {
 
 /// Isochoric hyperelasticity as pointwise mathematics in the current frame, on doubles or packs alike.
 ///
@@ -212,4 +212,4 @@ Material make_material(const std::vector<Polynomial::Term>& terms);
 /// 2 (W1 + W2) in the undeformed state: the small-strain shear modulus.
 double initial_shear_modulus(const Material& material);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline material

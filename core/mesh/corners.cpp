@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 Corners::Corners(std::span<const Hex> hexes, int nodes) : start_(nodes + 1) {
   for (const Hex& h : hexes)
@@ -14,4 +14,4 @@ Corners::Corners(std::span<const Hex> hexes, int nodes) : start_(nodes + 1) {
     for (int c = 0; c < 8; ++c) corners_[next[hexes[h][c]]++] = Corner(h, c);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

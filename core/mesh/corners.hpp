@@ -4,7 +4,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Corners of the unit cube in the order of a Hex.
 inline constexpr int unit_cube[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
@@ -34,4 +34,4 @@ class Corners {
   std::vector<Corner> corners_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -4,7 +4,7 @@
 
 #include "core/mesh/sorted.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 int lowest(const Quad& q) { return std::min(std::min(q[0], q[1]), std::min(q[2], q[3])); }
@@ -66,4 +66,4 @@ int FaceTable::count(const Quad& nodes) const {
                                         [&](int f) { return sorted(face_nodes(*hexes_, f)) == key; }));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -3,7 +3,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Nodes of face `face` = 6·hexahedron + local face, normal out of that hexahedron.
 Quad face_nodes(const std::vector<Hex>& hexes, int face);
@@ -26,4 +26,4 @@ class FaceTable {
   std::vector<int> entries_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 constexpr std::array<std::array<int, 3>, 8> signs{
@@ -100,4 +100,4 @@ Projection project(const Point& target, const std::array<Point, 4>& x) {
   return p;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

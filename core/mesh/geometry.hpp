@@ -4,7 +4,7 @@
 #include "core/base/tensor.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 inline Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -36,4 +36,4 @@ struct Projection {
 };
 Projection project(const Point& target, const std::array<Point, 4>& quad);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

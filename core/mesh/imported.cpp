@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 std::string other_cells_text(const OtherCells& others, long long hexahedra) {
   long long count = 0;
@@ -49,4 +49,4 @@ std::vector<bool> turn_inverted(Mesh& mesh) {
   return turned;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

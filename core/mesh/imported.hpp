@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// A mesh from a file, and lines that tell what of the file was left out.
 struct ReadMesh {
@@ -31,4 +31,4 @@ std::vector<int> drop_unused_points(Mesh& mesh);
 /// others keep their number). Returns which ones.
 std::vector<bool> turn_inverted(Mesh& mesh);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -7,7 +7,7 @@
 #include "core/base/sort_unique.hpp"
 #include "core/mesh/faces.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 std::vector<int> sorted_unique(std::vector<int> nodes) {
@@ -79,4 +79,4 @@ std::vector<int> nodes_of(const Mesh& mesh, const std::string& name) {
                     did_you_mean(name, names, "it has: " + known_names(names)));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

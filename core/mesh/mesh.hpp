@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 using Point = std::array<double, 3>;  ///< mm
 /// Four nodes of a face; the normal (∂x/∂ξ × ∂x/∂η over 0-1-2-3) points OUT of the hexahedron it belongs to.
@@ -64,4 +64,4 @@ std::vector<int> nodes_of_region(const Mesh& mesh, int region);
 /// Index in region_names, or -1.
 int region_index(const Mesh& mesh, const std::string& name);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 // Octants of which a part of a sphere is made.
@@ -51,4 +51,4 @@ MeshCount refined(const MeshCount& base, int times) {
   return {parts * base.hexes, parts * base.nodes};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -3,7 +3,7 @@
 #include "core/mesh/generate/o_grid.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// How large a mesh is, or will be; in double precision, as what a scene asks for may be beyond any integer.
 struct MeshCount {
@@ -27,4 +27,4 @@ MeshCount layered(const MeshCount& section, double layers);
 /// After every hexahedron has been split in eight so many times.
 MeshCount refined(const MeshCount& base, int times);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -7,7 +7,7 @@
 #include "core/base/tensor.hpp"
 #include "core/mesh/corners.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 struct Weights {
@@ -128,4 +128,4 @@ std::size_t Prolongation::bytes() const {
   return bytes_of(same_) + bytes_of(lone_start_) + bytes_of(lone_parents_);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

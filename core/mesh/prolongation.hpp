@@ -6,7 +6,7 @@
 #include "core/mesh/distributed/local_mesh.hpp"
 #include "core/mesh/refine.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// A linear map from nodal vectors (3 numbers per local node) of one rank's part of a mesh to those of its
 /// part of the refined one.
@@ -66,4 +66,4 @@ class Prolongation {
   int first_lone_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

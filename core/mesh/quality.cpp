@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 /// The neighbours of each corner along ξ, η, ζ, ordered so that a cube gives +1.
@@ -159,4 +159,4 @@ void refuse_inverted(const LocalMesh& mesh) {
   if (const PoorCells inverted = poor_cells(mesh, 0); inverted.count > 0) refuse(inverted, mesh.region_names);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

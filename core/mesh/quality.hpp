@@ -4,7 +4,7 @@
 
 #include "core/mesh/distributed/local_mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Least over the eight corners of det(e1, e2, e3) / (|e1| |e2| |e3|), e the three edges at the corner: 1 for
 /// a cuboid, 0 or less for a cell that is no hexahedron any more.
@@ -48,4 +48,4 @@ void refuse_inverted(const Mesh& mesh);
 /// The same, on every rank. Collective.
 void refuse_inverted(const LocalMesh& mesh);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -7,7 +7,7 @@
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "core/mesh/vtk/vtk.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 std::string extension_of(const std::string& path) {
@@ -29,4 +29,4 @@ ReadMesh read_mesh(const std::string& path, const std::string& regions) {
   return {read_gmsh(path), {}};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

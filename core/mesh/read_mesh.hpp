@@ -3,7 +3,7 @@
 
 #include "core/mesh/imported.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Whether a file is read as a VTK grid, whose cell array tells the regions: .vtu or .vtk.
 bool is_vtk(const std::string& path);
@@ -12,4 +12,4 @@ bool is_vtk(const std::string& path);
 /// name ends in, Gmsh. Throws InputError.
 ReadMesh read_mesh(const std::string& path, const std::string& regions = "region");
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

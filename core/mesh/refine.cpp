@@ -8,7 +8,7 @@
 #include "core/mesh/hex_edges.hpp"
 #include "core/mesh/sorted.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 using Edge = std::array<int, 2>;
@@ -200,4 +200,4 @@ RefinedMesh refine(const Mesh& mesh) {
   return r;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -4,7 +4,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// A mesh with every hexahedron split in eight. The nodes of the coarser mesh come first, under their
 /// numbers; a new node is the mean of two, four or eight of them, its parents: the ends of an edge, the
@@ -34,4 +34,4 @@ struct MeshHierarchy {
 
 inline MeshHierarchy refined(Mesh base, int times) { return {std::move(base), times}; }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

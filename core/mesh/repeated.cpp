@@ -4,7 +4,7 @@
 
 #include "core/mesh/sorted.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 std::vector<std::pair<int, int>> repeated(const std::vector<Hex>& hexes) {
   int nodes = 0;
@@ -23,4 +23,4 @@ std::vector<std::pair<int, int>> repeated(const std::vector<Hex>& hexes) {
   return found;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

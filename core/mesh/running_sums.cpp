@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 RunningSums::RunningSums(std::span<const int> keys, std::span<const int> counts, long long all,
                          const Comm& comm)
@@ -35,4 +35,4 @@ std::vector<long long> RunningSums::before(std::span<const int> keys) const {
   return sums;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -4,7 +4,7 @@
 
 #include "core/base/parallel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Counts of the keys 0, 1, ... all − 1, given in pieces by all ranks, summed up in the order of the keys.
 /// Each rank keeps a run of the keys.
@@ -24,4 +24,4 @@ class RunningSums {
   std::vector<long long> before_;  // per key that this rank keeps
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

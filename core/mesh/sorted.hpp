@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// The nodes of an edge, a face or a hexahedron in ascending order: the same for all that have the same
 /// nodes.
@@ -11,4 +11,4 @@ Nodes sorted(Nodes nodes) {
   return nodes;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

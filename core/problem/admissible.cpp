@@ -7,7 +7,7 @@
 
 #include "core/problem/closed_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr double least_volume = 1e-6;  // of a liquid, relative to what it was enclosed with
@@ -46,4 +46,4 @@ std::string why_inadmissible(const Problem& problem, const State& state) {
   return why.empty() ? crossed_plane(problem, state) : why;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -8,7 +8,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 int axis_of(const std::string& name) { return name[0] - 'x'; }
 
@@ -48,4 +48,4 @@ void require_closed(const Mesh& mesh, const std::vector<Quad>& faces, std::span<
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

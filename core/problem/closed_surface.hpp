@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Refuses a surface that neither closes by itself nor by the symmetry planes through the origin ("x", "y",
 /// "z"): every edge belongs to an even number of faces, or lies in such a plane. Throws InputError with the
@@ -19,4 +19,4 @@ int axis_of(const std::string& name);
 /// A length by which the mesh's own round-off can be told from a distance: 1e-9 of its size.
 double mesh_tolerance(const Mesh& mesh);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

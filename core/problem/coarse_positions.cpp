@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr double least = 0.3;
@@ -54,4 +54,4 @@ void relax_inverted(const Problem& coarse, std::span<double> x) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

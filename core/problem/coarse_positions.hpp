@@ -3,7 +3,7 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Positions of a coarser mesh's nodes that were taken over from the finer one may invert coarser hexahedra,
 /// though none of the finer is: a suture that draws out a single node does so. Around hexahedra of which J
@@ -11,4 +11,4 @@ namespace bulbus {
 /// over the hexahedra at the node, again and again until none is left. Collective.
 void relax_inverted(const Problem& coarse, std::span<double> x);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -12,7 +12,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/hex_edges.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 using Pair = std::pair<int, int>;  // two nodes, the lower first
@@ -125,4 +125,4 @@ std::vector<std::string> coincident_nodes(const Mesh& mesh, const Model& model) 
   return warnings;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

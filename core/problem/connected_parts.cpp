@@ -6,7 +6,7 @@
 
 #include "core/base/disjoint_sets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // Number of this rank's part of every node, from 0; −1 outside of the regions.
@@ -72,4 +72,4 @@ ConnectedParts connected_parts(const LocalMesh& mesh, const std::vector<SolidReg
   return parts;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

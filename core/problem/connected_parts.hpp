@@ -5,7 +5,7 @@
 #include "core/element/solid.hpp"
 #include "core/mesh/distributed/local_mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Connected parts of the hexahedra of these regions, over all ranks: hexahedra that share a node belong to
 /// one.
@@ -18,4 +18,4 @@ struct ConnectedParts {
 /// Collective.
 ConnectedParts connected_parts(const LocalMesh& mesh, const std::vector<SolidRegion>& regions);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

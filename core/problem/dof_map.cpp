@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 DofMap::DofMap(const LocalMesh& mesh, std::vector<RigidBody> bodies)
     : mesh_(mesh), bodies_(std::move(bodies)), body_of_(mesh.nodes(), -1), slot_(mesh.nodes(), -1) {
@@ -242,4 +242,4 @@ long long DofMap::free_unknowns() const {
   return mesh_.comm.sum(3LL * mesh_.owned - constrained) + rigid;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

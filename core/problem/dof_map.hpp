@@ -11,7 +11,7 @@
 #include "core/problem/rigid_body.hpp"
 #include "core/problem/state.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// One constrained direction of a node: n·u = value(s), with s the part of the step done.
 struct Constraint {
@@ -103,4 +103,4 @@ class DofMap {
   std::vector<Node> nodes_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

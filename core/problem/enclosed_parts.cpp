@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/connected_parts.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr double rounding = 1e-9;         // of Σ ∂V_e/∂x on free directions, relative to all of it
@@ -132,4 +132,4 @@ void EnclosedParts::settle(std::span<double> lambda) const {
     if (part_[h] >= 0) lambda[h] += mean_[part_[h]] - now[part_[h]];
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

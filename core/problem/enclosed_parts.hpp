@@ -5,7 +5,7 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Connected parts of the deformable hexahedra whose volume the constraints of a step fix: no free motion
 /// changes it, Σ_e ∂V_e/∂x vanishes on all free directions. Their pressures are then determined up to one
@@ -38,4 +38,4 @@ class EnclosedParts {
   std::vector<double> compliance_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/base/units.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr const char* decimal_point = "Numbers have a decimal point: write 0.1, not 0,1.";
@@ -117,4 +117,4 @@ void Formula::require_timeless() const {
                         "Give a condition in X, Y and Z, such as \"X < 0.1\".");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -4,7 +4,7 @@
 
 #include "core/base/tensor.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// A number, with or without the unit it is kept in, or an expression in the reference place X, Y, Z (mm),
 /// the part s of the step done and the time t. Comparisons (<, <=, >, >=, ==, !=, &&, ||) are 1 where they
@@ -41,4 +41,4 @@ class Formula {
   double value_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

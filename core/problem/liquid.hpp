@@ -6,7 +6,7 @@
 #include "core/element/pressure_surface.hpp"
 #include "core/io/archive.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Enclosed liquid with the law P = P_i + K (V_i − V)/V_i, or with a given pressure. Volumes are the model's
 /// (half of the eye's with one symmetry plane).
@@ -63,4 +63,4 @@ inline void Liquid::freeze() {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

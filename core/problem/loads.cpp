@@ -4,7 +4,7 @@
 
 #include "core/element/q1.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 void add_reference_force(std::span<const double> force, std::span<double> reference_force) {
   for (std::size_t n = 0; n < reference_force.size(); ++n)
@@ -69,4 +69,4 @@ std::vector<double> dead_pressure_pattern(std::span<const double> X, std::span<c
   return pattern;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -6,7 +6,7 @@
 #include "core/element/pressure_surface.hpp"
 #include "core/problem/term.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// A load that follows the step: value(s) is its size, s the part of the step done.
 class Load : public Term {
@@ -89,4 +89,4 @@ void add_reference_force(std::span<const double> force, std::span<double> refere
 std::vector<double> dead_pressure_pattern(std::span<const double> X, std::span<const Quad> faces,
                                           const Point& direction);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -7,7 +7,7 @@
 
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr double least_stretch = 0.4, largest_stretch = 3;
@@ -96,4 +96,4 @@ std::vector<std::string> unstable_regions(const Model& model) {
   return sentences;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

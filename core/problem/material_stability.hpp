@@ -6,7 +6,7 @@
 #include "core/material/material.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Drucker's criterion for an incompressible isotropic law: does dτ : dε > 0 hold for all isochoric strain
 /// increments, τ the Kirchhoff stress and ε the logarithmic strain? It is the positive definite Hessian of W
@@ -25,4 +25,4 @@ std::vector<StabilityLimit> stability_limits(const Material& material);
 /// A sentence for every region whose law loses stability between the stretches 0.4 and 3.
 std::vector<std::string> unstable_regions(const Model& model);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

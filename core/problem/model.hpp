@@ -9,7 +9,7 @@
 #include "core/problem/spec/contact_spec.hpp"
 #include "core/problem/spec/rigid_spec.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// What a scene says of the physics, as plain data: Problem is built from a Mesh and a Model. Defaults, units
 /// and bounds stand here and nowhere else.
@@ -257,4 +257,4 @@ struct Model {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -11,7 +11,7 @@
 #include "core/problem/formula.hpp"
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr double most_moduli = 10, most_diagonals = 5;
@@ -128,4 +128,4 @@ void require_plausible_sizes(const Mesh& mesh, const Model& model) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

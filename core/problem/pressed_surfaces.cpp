@@ -9,7 +9,7 @@
 #include "core/base/tensor.hpp"
 #include "core/problem/surface_sides.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // Whether the sign of the load depends on the side that a face is seen from.
@@ -136,4 +136,4 @@ std::vector<std::string> overlapping_pressures(const Mesh& mesh, const Model& mo
   return warnings;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -9,7 +9,7 @@
 #include "core/problem/enclosed_parts.hpp"
 #include "core/problem/validate.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // Of a model that has been found valid.
@@ -135,9 +135,9 @@ void Problem::predict(std::span<const double> dx) const {
   for (const auto& term : terms()) term->predict(dx);
 }
 
-bool Problem::revise(const State& state) {
+bool Problem::update_multipliers(const State& state) {
   bool again = false;
-  for (const auto& term : terms()) again |= term->revise(state);
+  for (const auto& term : terms()) again |= term->update_multipliers(state);
   return again;
 }
 
@@ -185,8 +185,8 @@ Residual::Resultant Problem::resultant(std::size_t k, const State& state, const 
   return {{sum[0], sum[1], sum[2]}, {sum[3], sum[4], sum[5]}, sum[6], sum[7], sum[8] / sum[9]};
 }
 
-Balance Problem::balance(const Residual& r) const {
-  Balance b;
+EquilibriumError Problem::equilibrium_error(const Residual& r) const {
+  EquilibriumError b;
   std::vector<double> free(r.force);
   dofs_->project(free);
   // ‖A‖² and squared reference force norm of every region's free nodes; the floor keeps an unloaded region
@@ -226,4 +226,4 @@ void Problem::linearize(const State& state, double gamma, StrainSource source) {
   for (const auto& term : terms()) term->linearize(state);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -9,7 +9,7 @@
 #include "core/problem/loads.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// The residual of the coupled system (formulation, section 3.1), before holds are projected out.
 struct Residual {
@@ -27,7 +27,7 @@ struct Residual {
 };
 
 /// How far a state is from equilibrium, relative and free of units.
-struct Balance {
+struct EquilibriumError {
   double force =
       0;  ///< largest ‖A‖ / ‖internal forces‖ of a region, force or moment of a rigid body, and which
   std::string region;
@@ -101,14 +101,14 @@ class Problem {
   /// Tells the terms by how much a Newton step moves the local nodes. Collective.
   void predict(std::span<const double> dx) const;
   /// Asks every term whether Newton, which has converged, has to go on. Collective.
-  bool revise(const State& state);
+  bool update_multipliers(const State& state);
   /// Why a state that Newton has converged to must not be accepted; empty: it may. Collective.
   std::string refusal(const State& state) const;
   double progress() const { return s_; }
 
   /// Collective.
   Residual residual(const State& state) const;
-  Balance balance(const Residual& r) const;
+  EquilibriumError equilibrium_error(const Residual& r) const;
   /// Fixes the state of the tangent of every term; `state` must stay where it is.
   void linearize(const State& state, double gamma, StrainSource source);
 
@@ -149,4 +149,4 @@ class Problem {
   double s_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

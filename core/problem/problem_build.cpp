@@ -7,7 +7,7 @@
 #include "core/problem/problem.hpp"
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // Mean place of some nodes, on the symmetry planes where there are any: the same on every rank.
@@ -172,4 +172,4 @@ void Problem::hold_fixed() {
   dofs_->build();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -1,7 +1,7 @@
 // What a Problem takes into a checkpoint, and how it comes back to where it was.
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 void Problem::serialize(Archive& archive) {
   dofs_->serialize(archive);
@@ -46,4 +46,4 @@ void Problem::resume(int step, const State& start, double s, State& now, Archive
   serialize(kept);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

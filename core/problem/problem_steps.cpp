@@ -10,7 +10,7 @@
 #include "core/problem/formula.hpp"
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 Vec3<double> unit(Vec3<double> v) {
@@ -253,4 +253,4 @@ void Problem::release(const StepSpec& spec, int step) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -1,6 +1,6 @@
 #include "core/problem/region_material.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 std::vector<Polynomial::Term> terms_of(const RegionSpec& spec) {
   std::vector<Polynomial::Term> terms;
@@ -17,4 +17,4 @@ std::vector<Polynomial::Term> terms_of(const RegionSpec& spec) {
 
 Material material_of(const RegionSpec& spec) { return make_material(terms_of(spec)); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

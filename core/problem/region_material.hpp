@@ -2,7 +2,7 @@
 #include "core/material/material.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// All terms c_rs of a deformable region's energy; a pair of powers may come twice.
 std::vector<Polynomial::Term> terms_of(const RegionSpec& spec);
@@ -11,4 +11,4 @@ std::vector<Polynomial::Term> terms_of(const RegionSpec& spec);
 /// Material.
 Material material_of(const RegionSpec& spec);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -1,6 +1,6 @@
 #include "core/problem/rigid_body.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 Mat3<double> rotation(const Vec3<double>& w) {
   const double angle = norm(w);
@@ -85,4 +85,4 @@ Mat3<double> RigidBody::geometric(const Pose& pose, std::span<const double> x, s
   return G;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

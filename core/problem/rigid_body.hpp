@@ -6,7 +6,7 @@
 #include "core/base/parallel.hpp"
 #include "core/problem/state.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// A region that moves as one: six unknowns (shift, then spin about the current centre) in place of its
 /// nodes.
@@ -48,4 +48,4 @@ Mat3<double> rotation(const Vec3<double>& spin);
 /// Its inverse, for rotations by less than half a turn.
 Vec3<double> spin(const Mat3<double>& rotation);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -1,6 +1,6 @@
 #include "core/problem/state.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 void serialize(Archive& archive, const std::string& name, std::vector<Pose>& poses) {
   std::vector<double> values;
@@ -23,4 +23,4 @@ void State::serialize(Archive& archive) {
   bulbus::serialize(archive, "bodies", bodies);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -5,7 +5,7 @@
 #include "core/base/tensor.hpp"
 #include "core/io/archive.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Placement of a rigid body: x = center + shift + rotation (X − center).
 struct Pose {
@@ -25,4 +25,4 @@ struct State {
 /// Rotation by rows and shift, 12 numbers each.
 void serialize(Archive& archive, const std::string& name, std::vector<Pose>& poses);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -7,7 +7,7 @@
 
 #include "core/problem/material_stability.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 // Σ x_n ⊗ ∂N_n/∂ξ in the middle of a hexahedron, times 8.
@@ -55,4 +55,4 @@ StrainedCells strained_cells(const Problem& problem, std::span<const double> x) 
   return found;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -3,7 +3,7 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Hexahedra whose deformation bodes ill, the same on every rank.
 struct StrainedCells {
@@ -17,4 +17,4 @@ struct StrainedCells {
 /// Of the places x of the local nodes. Collective.
 StrainedCells strained_cells(const Problem& problem, std::span<const double> x);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -11,7 +11,7 @@
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/validate.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -179,4 +179,4 @@ void require_supported(const Mesh& mesh, const Model& model) {
                     "Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars.");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

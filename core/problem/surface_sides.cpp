@@ -5,7 +5,7 @@
 
 #include "core/mesh/faces.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 std::size_t SurfaceSides::Hash::operator()(const Quad& q) const {
   std::size_t h = 0;
@@ -41,4 +41,4 @@ int common_faces(const Mesh& mesh, const std::string& a, const std::string& b) {
   return static_cast<int>(common.size());
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

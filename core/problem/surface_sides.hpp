@@ -7,7 +7,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/sorted.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// The regions on either side of the faces of some surfaces.
 class SurfaceSides {
@@ -26,4 +26,4 @@ class SurfaceSides {
 /// Faces that two surfaces have in common.
 int common_faces(const Mesh& mesh, const std::string& a, const std::string& b);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

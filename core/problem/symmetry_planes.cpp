@@ -12,7 +12,7 @@
 #include "core/mesh/hex_edges.hpp"
 #include "core/problem/closed_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 constexpr double of_diagonal = 1e-5;  // default tolerance: coordinates written with five digits
@@ -127,4 +127,4 @@ void require_at_planes(const Mesh& mesh, const Model& model) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

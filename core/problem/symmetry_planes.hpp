@@ -2,7 +2,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Moves nodes that lie beside a plane of symmetry by no more than `symmetry_tolerance` onto it, so that they
 /// are constrained there and stay there in refinements. By default that is 1e-5 of the mesh's diagonal, and
@@ -14,4 +14,4 @@ void move_onto_planes(Mesh& mesh, const Model& model);
 /// InputError with distance and place.
 void require_at_planes(const Mesh& mesh, const Model& model);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

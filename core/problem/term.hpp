@@ -5,7 +5,7 @@
 #include "core/element/contribution.hpp"
 #include "core/problem/state.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// One addend of the equilibrium that acts on nodal displacements alone. Nodal vectors have 3 numbers per
 /// local node and are added to; forces are internal minus external (zero in sum at equilibrium).
@@ -37,7 +37,7 @@ class Term {
   virtual void predict(std::span<const double> /*dx*/) {}
   /// Newton has converged for what the term holds fixed meanwhile (multipliers, active set): true if that has
   /// to change first, so that Newton goes on. Collective.
-  virtual bool revise(const State&) { return false; }
+  virtual bool update_multipliers(const State&) { return false; }
   /// Newton has converged: why the state must not be accepted all the same; empty: it may. Collective.
   virtual std::string refusal(const State&) const { return {}; }
   /// Loads follow the part s of the step done; freeze() keeps the end of the step for the next ones.
@@ -52,4 +52,4 @@ class Term {
   virtual void serialize(Archive&) {}
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

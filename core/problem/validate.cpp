@@ -15,7 +15,7 @@
 #include "core/problem/region_material.hpp"
 #include "core/problem/symmetry_planes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 template <class Map>
@@ -240,4 +240,4 @@ void validate(const Mesh& mesh, const Model& model) {
   require_supported(mesh, model);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -6,7 +6,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Refuses a model that does not fit its mesh: regions without material and materials without region, moduli
 /// that are not positive, unknown or empty sets, surfaces, bars and liquids, liquids that leak, motions left
@@ -21,4 +21,4 @@ std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model);
 /// prescribed directions, symmetry planes and bars count. Throws InputError naming part and motion.
 void require_supported(const Mesh& mesh, const Model& model);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -11,7 +11,7 @@
 #include "core/problem/pressed_surfaces.hpp"
 #include "core/problem/probes/cancelled_figures.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 using Warnings = std::vector<std::string>;
@@ -44,4 +44,4 @@ std::vector<std::string> warnings_of(const Mesh& mesh, const Model& model) {
   return warnings;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -7,7 +7,7 @@
 #include "core/problem/enclosed_parts.hpp"
 #include "core/solve/reduced.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 // Global number of every kind of unknown.
@@ -286,4 +286,4 @@ std::vector<UnknownKind> unknown_kinds(const Layout& layout) {
   return kinds;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -2,7 +2,7 @@
 #include "core/solve/coupled_operator.hpp"
 #include "core/solve/dump.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Which entries of a matrix are wanted; the upper triangle says all of a symmetric one.
 enum class Triangles { both, upper };
@@ -28,4 +28,4 @@ long long global_size(const CoupledSystem& system);
 /// Kind of each of this rank's unknowns.
 std::vector<UnknownKind> unknown_kinds(const Layout& layout);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -5,7 +5,7 @@
 #include "core/base/words.hpp"
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// What solves a linear system: GMRES, or MUMPS.
 enum class Method { iterative, direct };
@@ -50,4 +50,4 @@ constexpr std::array<std::string_view, 3> words(Accuracy) { return {"fast", "bal
 
 constexpr std::array<std::string_view, 2> words(Precision) { return {"double", "single"}; }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

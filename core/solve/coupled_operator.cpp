@@ -5,7 +5,7 @@
 
 #include "core/base/inner_product.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 std::vector<double> shared_pressures(const CoupledSystem& system, std::span<const double> x) {
   std::vector<double> P(system.liquid_columns().size());
@@ -87,4 +87,4 @@ double scaled_norm(const CoupledSystem& system, std::span<const double> v) {
   return std::sqrt(system.problem().comm().sum(sum));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

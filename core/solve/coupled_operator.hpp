@@ -1,7 +1,7 @@
 #pragma once
 #include "core/solve/coupled_system.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// ω of every liquid: how much of its row is added to the rows of the displacements. Chosen by who knows
 /// gᵀ A⁻¹ g; empty: none.
@@ -53,4 +53,4 @@ std::vector<double> shared_pressures(const CoupledSystem& system, std::span<cons
 /// ‖s v‖ over all ranks with the system's scaling s: the one norm of tolerances, free of units. Collective.
 double scaled_norm(const CoupledSystem& system, std::span<const double> v);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -7,7 +7,7 @@
 #include "core/base/memory.hpp"
 #include "core/solve/reduced.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings,
                              std::vector<std::shared_ptr<const Term>> further)
     : problem_(problem), settings_(settings), further_(std::move(further)) {
@@ -262,4 +262,4 @@ std::size_t CoupledSystem::bytes() const {
   return total + (assembled_ ? assembled_->bytes() : 0);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -8,7 +8,7 @@
 #include "core/solve/linear_operator.hpp"
 #include "core/solve/settings.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Two nodal vectors that keep nothing from one application to the next: 3 numbers per local node.
 struct NodalWorkspace {
@@ -117,4 +117,4 @@ class CoupledSystem {
   mutable NodalWorkspace workspace_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

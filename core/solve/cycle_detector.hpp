@@ -4,13 +4,13 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Newton's method goes to and fro between two states where a contact pair that is released comes in again,
 /// and is in tension again once it is active: what it holds is not stable without it.
 class CycleDetector {
  public:
-  bool found(const Balance& b) {
+  bool found(const EquilibriumError& b) {
     forces_.push_back(b.force);
     const std::size_t n = forces_.size();
     if (n < seen + 2) return false;
@@ -27,4 +27,4 @@ class CycleDetector {
   std::vector<double> forces_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -8,7 +8,7 @@
 #include "core/solve/assemble.hpp"
 #include "core/solve/direct_memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 constexpr int refinements = 3;
@@ -118,4 +118,4 @@ int DirectFallback::negative_pivots(const CoupledSystem& system) {
   return factor.ok ? factor.negative_pivots : -1;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -3,7 +3,7 @@
 
 #include "core/solve/linear_solver.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// MUMPS on single systems that the iterative solver gave up on. Factors are released as soon as they have
 /// done their work. All members are collective.
@@ -33,4 +33,4 @@ class DirectFallback {
   std::optional<bool> fits_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Bytes over all ranks that MUMPS takes for the coupled system beside the factors: triplets, their copy in
 /// the order of the fronts, analysis and the front under way. Measured on blocks, cylinders, shells and eyes
@@ -22,4 +22,4 @@ inline double direct_factor_bytes(double unknowns, double hexahedra, double node
   return (68 + 98 * sphericity(hexahedra, nodes)) * std::pow(unknowns, 4.0 / 3) * (ranks > 1 ? 1.2 : 1);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

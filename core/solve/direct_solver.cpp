@@ -6,7 +6,7 @@
 #include "core/solve/linear_solver.hpp"
 #include "core/solve/mumps.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 // Bytes of an entry of the matrix until MUMPS has analysed it, measured on 2e8 of them: the triplet, MUMPS's
@@ -73,4 +73,4 @@ std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings,
   return std::make_unique<DirectSolver>(settings, profiler);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -13,7 +13,7 @@
 #include "core/io/hdf5_file.hpp"
 #include "core/io/output.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 /// An HDF5 identifier with its closing function.
@@ -270,4 +270,4 @@ std::vector<std::string> write_matrix_market(const std::string& path, const Syst
   return written;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -7,7 +7,7 @@
 #include "core/base/parallel.hpp"
 #include "core/solve/triplets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// What an unknown of a linear system is.
 enum class UnknownKind : unsigned char {
@@ -48,4 +48,4 @@ SystemDump read_system(const std::string& path);
 /// file cannot be written.
 std::vector<std::string> write_matrix_market(const std::string& path, const SystemDump& whole);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -11,7 +11,7 @@
 #include "core/base/interrupt.hpp"
 #include "core/solve/krylov_vectors.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 using Vectors = Belos::MultiVec<double>;
@@ -187,4 +187,4 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
               failure.empty() ? "loss of accuracy: the true residual is above the tolerance" : failure);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

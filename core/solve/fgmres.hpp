@@ -8,7 +8,7 @@
 #include "core/base/parallel.hpp"
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// A preconditioner in single precision is linear up to rounding only, and a basis in single precision rounds
 /// besides. Below this tolerance what plain GMRES says of its residual is not true any more: such solves take
@@ -47,4 +47,4 @@ KrylovReport fgmres(const LinearOperator& A, const Preconditioner* M, std::span<
                     std::span<double> x, const KrylovOptions& options, const Comm& comm,
                     const KrylovObserver& observer = {});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -4,7 +4,7 @@
 
 #include "core/solve/fgmres.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Relative tolerance of Newton's linear solves: choice 2 of Eisenstat and Walker (Choosing the forcing terms
 /// in an inexact Newton method, SIAM J. Sci. Comput. 17, 1996) with its safeguard. Never tighter than a tenth
@@ -35,4 +35,4 @@ class ForcingTerm {
   bool tried_ = false;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

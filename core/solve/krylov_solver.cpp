@@ -6,7 +6,7 @@
 #include "core/solve/direct_fallback.hpp"
 #include "core/solve/linear_solver.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 // s A s. `work`: a vector to work with, which it may share with its preconditioner.
@@ -275,4 +275,4 @@ std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings,
   return std::make_unique<KrylovSolver>(settings, std::move(factory), profiler);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -7,7 +7,7 @@
 
 #include "core/base/inner_product.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 constexpr std::size_t block = 2048;  // rows that are combined at a time: they stay in the nearest cache
@@ -203,4 +203,4 @@ void KrylovVectors::write(int column, std::span<const double> values) {
   columns_[column]->with([&](auto* own) { std::ranges::copy(values, own); });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -7,7 +7,7 @@
 #include "core/base/parallel.hpp"
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// What all vectors of one solve share.
 struct KrylovSpace {
@@ -65,4 +65,4 @@ class KrylovVectors final : public Belos::MultiVec<double> {
   std::vector<std::shared_ptr<Column>> columns_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

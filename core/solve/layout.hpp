@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// One rank's part of an unknown vector: [3 per owned node | 6 per rigid body, on rank 0 | 1 per hexahedron |
 /// 1 per liquid, on rank 0].
@@ -23,4 +23,4 @@ struct Layout {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

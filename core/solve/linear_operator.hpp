@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Of numbers that an approximation keeps.
 enum class Precision { full, single };
@@ -30,4 +30,4 @@ class Preconditioner : public LinearOperator {
   virtual std::size_t bytes() const { return 0; }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -5,16 +5,16 @@
 #include "core/base/parameters.hpp"
 #include "core/solve/choices.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// The Chebyshev smoother of a preconditioner of the displacement block.
 struct SmootherSettings {
   int degree;
-  double smoothed_part;
+  double smoothing_range;
   template <class V>
   void describe(V&& v) {
     v("degree", degree, About{"degree of the Chebyshev smoother"}.between(1, 20));
-    v("smoothed_part", smoothed_part,
+    v("smoothing_range", smoothing_range,
       About{"the Chebyshev smoother damps eigenvalues above this part of the largest"}.between(1e-3, 0.9));
   }
 };
@@ -78,7 +78,7 @@ struct LinearSettings {
   TangentStorage op = TangentStorage::recompute;
   Precision smoothing = Precision::single;
   Fallback fallback = Fallback::direct;
-  double gamma = 5, smoothed_part = 0.05, reuse = 0, coarse_change = 0.1;
+  double gamma = 5, smoothing_range = 0.05, reuse = 0, coarse_change = 0.1;
   int restart = 40, max_iterations = 400, degree = 6, aggregates = 150;
   AggregationSettings aggregation;
   MultigridSettings multigrid;
@@ -184,7 +184,7 @@ void LinearSettings::describe_preconditioners(V& v) {
                     D::multigrid));
   v("degree", degree,
     of_displacement(About{"degree of the hybrid's Chebyshev smoother"}.between(1, 20), D::hybrid));
-  v("smoothed_part", smoothed_part,
+  v("smoothing_range", smoothing_range,
     of_displacement(
         About{"the hybrid's Chebyshev smoother damps eigenvalues above this part of the largest"}.between(
             1e-3, 0.9),
@@ -206,4 +206,4 @@ void LinearSettings::describe_records(V& v) {
     of_gmres(About{"write eigenvalue estimates of every preconditioned system to krylov.csv"}.debug()));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

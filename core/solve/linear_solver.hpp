@@ -11,7 +11,7 @@
 #include "core/solve/fgmres.hpp"
 #include "core/solve/mumps.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// What became of one linear solve.
 struct LinearReport {
@@ -119,4 +119,4 @@ std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings,
 /// the settings' memory limit is refused by its estimate.
 std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Profiler& profiler);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

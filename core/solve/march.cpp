@@ -12,7 +12,7 @@
 #include "core/base/interrupt.hpp"
 #include "core/solve/state_increment.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 // The part of a step that comes next: whole increments as long as nothing fails.
@@ -27,7 +27,7 @@ class Increments {
   }
   bool cut() {
     size_ /= 2;
-    return size_ >= settings_.smallest;
+    return size_ >= settings_.minimum;
   }
   /// Longer ones from where short ones cycle: whole, two whole ones, all the rest. False after the last.
   bool leap(double from) {
@@ -40,7 +40,7 @@ class Increments {
   bool leaping() const { return leaps_ > 0; }
   void landed() { leaps_ = 0, size_ = std::min(size_, largest_); }
   void succeeded(int iterations) {
-    if (iterations <= settings_.easy) size_ = std::min(largest_, size_ * settings_.growth);
+    if (iterations <= settings_.target_iterations) size_ = std::min(largest_, size_ * settings_.growth);
   }
 
  private:
@@ -64,7 +64,7 @@ NewtonSettings tolerances_at(double progress, bool careful, NewtonSettings setti
   if (careful) settings.eta_max = std::min(settings.eta_max, careful_eta);
   if (progress < 1)
     for (double* tolerance : {&settings.force, &settings.volume, &settings.liquid})
-      *tolerance *= settings.underway;
+      *tolerance *= settings.intermediate;
   return settings;
 }
 
@@ -90,14 +90,14 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings) {
   return static_cast<int>(std::ceil(step.increments * settings.increments - 1e-9));
 }
 
-void MarchPlace::next_step() {
+void MarchProgress::next_step() {
   begun = careful = false;
   done = last = 0;
   size = 1;
   previous = {};
 }
 
-void MarchPlace::serialize(Archive& archive) {
+void MarchProgress::serialize(Archive& archive) {
   if (!archive.reading() || archive.knows("careful")) archive.scalars("careful", careful);
   if (!archive.reading() || archive.knows("last")) archive.scalars("last", last);
   archive.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations,
@@ -106,7 +106,7 @@ void MarchPlace::serialize(Archive& archive) {
 
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
                   const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
-                  MarchPlace place) {
+                  MarchProgress place) {
   MarchReport& report = place.report;
   double& done = place.done;
   const auto& steps = problem.model().steps;
@@ -195,4 +195,4 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
   return report;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -1,7 +1,7 @@
 #pragma once
 #include "core/solve/newton.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// One converged increment.
 struct Increment {
@@ -26,7 +26,7 @@ struct MarchReport {
 
 /// Where a march stands between two increments: by this, the state and the problem's memory it can go on
 /// later.
-struct MarchPlace {
+struct MarchProgress {
   int step = 0;
   bool begun = false;
   double done = 0;       ///< part of the step
@@ -54,9 +54,9 @@ class MarchObserver {
   virtual void increment_done(const Increment&, const State&) {}
   /// All of that is over: here the march may be left and taken up again. `last`: it ends here, finished or
   /// not.
-  virtual void rests(const MarchPlace&, State&, bool /*last*/) {}
+  virtual void rests(const MarchProgress&, State&, bool /*last*/) {}
   /// In place of that, where a signal ends the march: the last good state is to be kept.
-  virtual void interrupted(const MarchPlace&, State&) {}
+  virtual void interrupted(const MarchProgress&, State&) {}
 };
 
 /// Increments of a step that has not begun, if nothing fails.
@@ -71,6 +71,6 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings);
 /// and state have been brought. Collective.
 MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
                   const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
-                  MarchPlace place = {});
+                  MarchProgress place = {});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -14,7 +14,7 @@
 #include "core/base/error.hpp"
 #include "core/solve/mumps_messages.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 template <class Number>
@@ -287,4 +287,4 @@ FactorReport Mumps::factorise(Triplets matrix, long long n, bool symmetric, cons
 
 bool Mumps::solve(std::span<const double> b, std::span<double> x) { return m_->solve(b, x); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -8,7 +8,7 @@
 #include "core/solve/linear_operator.hpp"
 #include "core/solve/triplets.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 enum class MumpsOrdering { amd = 0, scotch = 3, pord = 4, metis = 5, qamd = 6, automatic = 7 };
 
@@ -72,4 +72,4 @@ class Mumps {
   std::unique_ptr<Instance> m_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -1,6 +1,6 @@
 #include "core/solve/mumps_messages.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 std::string mumps_ordering(int infog7) {
   switch (infog7) {
@@ -43,4 +43,4 @@ std::string explain_mumps(int code, int detail) {
   return "MUMPS error " + std::to_string(code) + " (" + std::to_string(detail) + ")";
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

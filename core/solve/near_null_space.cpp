@@ -1,6 +1,6 @@
 #include "core/solve/near_null_space.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 constexpr int rigid_motions = 6;
@@ -81,4 +81,4 @@ std::vector<double> near_null_space(const CoupledSystem& system) {
   return space;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

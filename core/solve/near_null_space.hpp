@@ -3,7 +3,7 @@
 
 #include "core/solve/coupled_system.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Where each of this rank's unknowns is in the linearised state, 3 numbers each, mm: a node, the middle of a
 /// hexahedron, the centre of a rigid body; zeros for liquids. Collective.
@@ -14,4 +14,4 @@ std::vector<double> unknown_coordinates(const CoupledSystem& system);
 /// Constrained directions, held unknowns of bodies and pressures are zero. Collective.
 std::vector<double> near_null_space(const CoupledSystem& system);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -14,7 +14,7 @@
 #include "core/solve/forcing_term.hpp"
 #include "core/solve/state_increment.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
@@ -23,12 +23,12 @@ constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's
 constexpr double least_length = 1.0 / 8;
 constexpr int most_shortened = 8;
 
-bool finite(const Balance& b) {
+bool finite(const EquilibriumError& b) {
   return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid);
 }
 
 // By how much the worst of the three criteria is missed (≤ 1: all hold).
-double excess(const Balance& b, const NewtonSettings& s) {
+double excess(const EquilibriumError& b, const NewtonSettings& s) {
   return std::max({b.force / s.force, b.volume / s.volume, b.liquid / s.liquid});
 }
 
@@ -60,7 +60,7 @@ class Iteration {
   // Residual and prescribed increments of the present state.
   void measure(NewtonIteration& now) {
     compute_residual();
-    now.balance = problem_.balance(*residual_);
+    now.balance = problem_.equilibrium_error(*residual_);
     now.prescribed = compute_prescribed();
   }
   bool prescribed_done(const NewtonIteration& now) const { return now.prescribed <= negligible_; }
@@ -209,10 +209,10 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
     iteration.measure(now);
-    report.balance = now.balance;
-    if (!finite(now.balance)) return fail(Outcome::not_finite);
-    if (excess(now.balance, criteria) <= 1 && iteration.prescribed_done(now)) {
-      if (!problem.revise(state)) {
+    report.balance = now.error;
+    if (!finite(now.error)) return fail(Outcome::not_finite);
+    if (excess(now.error, criteria) <= 1 && iteration.prescribed_done(now)) {
+      if (!problem.update_multipliers(state)) {
         observe(now);
         if (std::string why = refusal(problem, state); !why.empty())
           return fail(Outcome::inadmissible, std::move(why));
@@ -222,14 +222,14 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
       last = number + settings.max_iterations;
       criteria = tightened(criteria);
       iteration.measure(now);
-      report.balance = now.balance;
+      report.balance = now.error;
     }
     if (number == last) return fail(Outcome::too_many_iterations);
-    if (cycle.found(now.balance)) return fail(Outcome::cycling);
+    if (cycle.found(now.error)) return fail(Outcome::cycling);
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     iteration.linearise();
     try {
-      now.linear = iteration.solve(now, std::max(excess(now.balance, criteria), 1.0));
+      now.linear = iteration.solve(now, std::max(excess(now.error, criteria), 1.0));
     } catch (const Interruption&) {
       return fail(Outcome::interrupted);
     }
@@ -251,4 +251,4 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

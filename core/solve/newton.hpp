@@ -4,7 +4,7 @@
 
 #include "core/solve/linear_solver.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 enum class Outcome {
   converged,
@@ -28,7 +28,7 @@ std::string describe(Outcome outcome);
 /// One Newton iteration as it is reported: the balance before it and the linear solve it made.
 struct NewtonIteration {
   int number = 0;
-  Balance balance;
+  EquilibriumError error;
   double prescribed = 0;  ///< largest prescribed increment still to be made, mm
   double tolerance = 0;   ///< of the linear solve
   LinearReport linear;
@@ -38,7 +38,7 @@ struct NewtonIteration {
 struct NewtonReport {
   Outcome outcome = Outcome::converged;
   std::string reason;
-  Balance balance;  ///< of the state that was reached
+  EquilibriumError error;  ///< of the state that was reached
   std::vector<NewtonIteration> iterations;
   int krylov_iterations = 0;        ///< those of linear solves that failed too
   int negative_pivots = -1;         ///< of the last linearisation; -1 where nobody counted them
@@ -55,4 +55,4 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
                     double progress, const NewtonSettings& settings, Profiler& profiler,
                     const NewtonObserver& observer = {});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -72,7 +72,7 @@ void for_each_condensed_matrix(const CoupledSystem& system, Matrices matrices,
     case Matrices::mean:
       problem.solid().visit_mean(reduce);
       break;
-    case Matrices::softened:
+    case Matrices::reduced_augmentation:
       problem.solid().visit_mean(reduce, .1);
       break;
     default:
@@ -93,4 +93,4 @@ void reduce_vector(const Problem& problem, const State& state, std::span<const i
   values.assign(reduced.data(), reduced.data() + reduced.size());
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

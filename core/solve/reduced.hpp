@@ -4,7 +4,7 @@
 
 #include "core/solve/coupled_system.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Tᵀ K T of one small contribution: its reduced dofs and the dense matrix between them, by rows. A reduced
 /// dof is 3·node + c of a local node, or 3·nodes + 6·body + i of a rigid body.
@@ -12,7 +12,7 @@ using ReducedVisitor = std::function<void(std::span<const int> dofs, std::span<c
 
 /// Of hexahedra: the tangent; with γ b W bᵀ; augmented means, as smoothers apply them (Solid::visit_mean);
 /// these with a tenth of γ.
-enum class Matrices { plain, augmented, mean, softened };
+enum class Matrices { plain, augmented, mean, reduced_augmentation };
 
 /// Everything of the linearised displacement block that this rank's elements, terms and liquids contribute,
 /// in reduced dofs: constrained directions projected out, nodes of bodies mapped to their six. Identity parts
@@ -23,4 +23,4 @@ void for_each_condensed_matrix(const CoupledSystem& system, Matrices matrices, c
 void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes,
                    std::span<const double> v, std::vector<int>& dofs, std::vector<double>& values);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

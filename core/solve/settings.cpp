@@ -2,7 +2,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 // Multigrid bears more augmentation than aggregation does, and pressures then need fewer iterations; K of
 // softened lines bears more weight. What the default of each setting rests on is in benchmarks/notebook:
@@ -38,7 +38,7 @@ void SolverSettings::take_preset() {
   linear.reuse = 2;
   if (accuracy == Accuracy::balanced) {
     newton.force = newton.volume = 1e-5, newton.liquid = 1e-6;
-    newton.underway = 200;  // from 1000 on, runs end with another point in contact now and then
+    newton.intermediate = 200;  // from 1000 on, runs end with another point in contact now and then
   } else {  // a node more or less in contact is per cents of the area: the end must be as strict as that of
             // tight
     newton.force = newton.liquid = 1e-6, newton.volume = 1e-5;
@@ -47,4 +47,4 @@ void SolverSettings::take_preset() {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

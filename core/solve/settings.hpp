@@ -4,11 +4,11 @@
 #include "core/base/parameters.hpp"
 #include "core/solve/linear_settings.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Newton's iteration and where it stops, all relative and free of units.
 struct NewtonSettings {
-  double force = 1e-6, volume = 1e-6, liquid = 1e-7, underway = 1, eta_max = 1e-3;
+  double force = 1e-6, volume = 1e-6, liquid = 1e-7, intermediate = 1, eta_max = 1e-3;
   int max_iterations = 25;
   template <class V>
   void describe(V&& v) {
@@ -17,7 +17,7 @@ struct NewtonSettings {
     v("volume", volume, About{"largest |V_e/V0_e - 1| of an element"}.between(1e-14, 1e-1));
     v("liquid", liquid,
       About{"largest violation of a liquid's law, relative to its volume"}.between(1e-15, 1e-1));
-    v("underway", underway,
+    v("intermediate", intermediate,
       About{"times that increments before the end of their step may miss these three"}
           .between(1, 1e6)
           .expert());
@@ -68,4 +68,4 @@ struct SolverSettings {
   static std::string accuracy_help();
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline solve {
 namespace {
 
 constexpr double shortest_step = 1.0 / 64;
@@ -46,4 +46,4 @@ void extrapolate(const Problem& problem, const State& previous, double factor, S
                          state);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -4,7 +4,7 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// By what a state moves: a Newton step, or the way between two states.
 struct StateIncrement {
@@ -22,4 +22,4 @@ double move_without_inversion(const Problem& problem, const StateIncrement& incr
 /// inverts. Collective.
 void extrapolate(const Problem& problem, const State& previous, double factor, State& state);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline solve {
 
 /// Entries of a square matrix by global row and column, from 0. Every rank gives its own; duplicates are
 /// added.
@@ -10,4 +10,4 @@ struct Triplets {
   std::vector<double> value;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline solve

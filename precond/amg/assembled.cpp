@@ -4,7 +4,7 @@
 
 #include "core/solve/assemble.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // Of strong connections: each takes the least time of .25, .5, .7 and .9
@@ -90,4 +90,4 @@ void ExactBlock::apply(std::span<const double> x, std::span<double> y) const {
   mumps_->solve(x.first(nodal_), y.first(nodal_));
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

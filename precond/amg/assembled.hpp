@@ -6,7 +6,7 @@
 #include "precond/amg/boomeramg.hpp"
 #include "precond/smoothers/block_jacobi.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// BoomerAMG on the whole assembled displacement block, for comparison: unknown approach, or nodal coarsening
 /// with the rotations of the current configuration. Rigid bodies are left to block Jacobi.
@@ -48,4 +48,4 @@ class ExactBlock final : public DisplacementPreconditioner {
   std::size_t bytes_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

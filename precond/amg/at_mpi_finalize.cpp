@@ -2,7 +2,7 @@
 
 #include <mpi.h>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 int call(MPI_Comm, int, void* action, void*) {
@@ -20,4 +20,4 @@ void at_mpi_finalize(void (*action)()) {
   MPI_Comm_free_keyval(&key);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

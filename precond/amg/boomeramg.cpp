@@ -16,7 +16,7 @@
 #undef max
 #undef min
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 void start_hypre() {
@@ -254,4 +254,4 @@ int BoomerAmg::levels() const { return h_->levels; }
 double BoomerAmg::grid_complexity() const { return h_->grid; }
 double BoomerAmg::operator_complexity() const { return h_->entries; }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -6,7 +6,7 @@
 #include "core/base/parallel.hpp"
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Rows of a square matrix that is distributed by contiguous rows; columns are global numbers.
 /// Entries of rows that other ranks own may be given too; whatever is given twice is added.
@@ -69,4 +69,4 @@ class BoomerAmg final : public Preconditioner {
   std::unique_ptr<Hierarchy> h_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -6,7 +6,7 @@
 #include "precond/operators/correct.hpp"
 #include "precond/smoothers/line_jacobi.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, std::shared_ptr<RigidPlan> rigid,
                Precision smoothing)
@@ -36,4 +36,4 @@ std::size_t Hybrid::bytes() const {
          bytes_of(residual_) + bytes_of(correction_);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

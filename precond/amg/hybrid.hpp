@@ -5,7 +5,7 @@
 #include "precond/smoothers/block_jacobi.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The displacement block without its matrix: Chebyshev with block Jacobi on the tangent as it is applied on
 /// the fly, before and after one cycle of the three scalar AMGs and a correction with the rigid motions of
@@ -33,4 +33,4 @@ class Hybrid final : public DisplacementPreconditioner {
   mutable std::vector<double> residual_, correction_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

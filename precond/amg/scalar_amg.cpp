@@ -2,7 +2,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 ScalarAmg::ScalarAmg(const CoupledSystem& system, const std::array<DistributedCsr, 3>& matrices,
                      const Preconditioner& block_jacobi)
@@ -39,4 +39,4 @@ std::size_t ScalarAmg::bytes() const {
   return total;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -5,7 +5,7 @@
 #include "core/solve/coupled_system.hpp"
 #include "precond/amg/boomeramg.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// One BoomerAMG V-cycle on each of the three scalar diagonal blocks A_xx, A_yy, A_zz, which are accumulated
 /// element by element: the full matrix is never formed. Rigid bodies are left to block Jacobi.
@@ -26,4 +26,4 @@ class ScalarAmg final : public Preconditioner {
   mutable std::vector<double> in_, out_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

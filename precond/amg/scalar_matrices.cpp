@@ -4,7 +4,7 @@
 
 #include "core/solve/reduced.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // Sorted neighbours of every local node, itself included, as the contributions couple them.
@@ -70,4 +70,4 @@ std::array<DistributedCsr, 3> scalar_matrices(const CoupledSystem& system) {
   return m;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

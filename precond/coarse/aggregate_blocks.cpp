@@ -7,7 +7,7 @@
 
 #include "precond/coarse/grow_aggregates.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 using Square = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
@@ -139,4 +139,4 @@ DistributedBlocks galerkin_product(const Comm& comm, const DistributedBlocks& fi
   });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -3,7 +3,7 @@
 
 #include "precond/coarse/rigid_modes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Aggregates of about `size` of this rank's block rows along strong couplings; each of the first `bodies`
 /// rows is one of its own, under its own number. The aggregate of every row, counted from 0 on this rank.
@@ -25,4 +25,4 @@ DistributedBlocks galerkin_product(const Comm& comm, const DistributedBlocks& fi
                                    const std::vector<int>& group, const CoarserModes& modes,
                                    double missing_diagonal);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -6,7 +6,7 @@
 #include "precond/amg/scalar_matrices.hpp"
 #include "precond/coarse/grow_aggregates.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // Strongly coupled owned neighbours of every owned node: Σ_c |A_ij,cc| > strong_coupling √(tr A_ii tr A_jj).
@@ -56,4 +56,4 @@ Aggregates aggregate(const CoupledSystem& system, int nodes) {
   return a;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -3,7 +3,7 @@
 
 #include "core/solve/coupled_system.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Groups of nodes in the numbering of all ranks, which counts rigid bodies first: those are groups as they
 /// are.
@@ -20,4 +20,4 @@ struct Aggregates {
 /// linearised displacement block. Collective.
 Aggregates aggregate(const CoupledSystem& system, int nodes);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -3,7 +3,7 @@
 #include "core/base/memory.hpp"
 #include "core/solve/reduced.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 AggregationPlan::AggregationPlan(const CoupledSystem& system, const AggregationSettings& settings,
                                  Precision precision)
@@ -41,4 +41,4 @@ std::size_t Aggregation::bytes() const {
   return coarse_.bytes() + jacobi_->bytes() + smoother_->bytes() + bytes_of(correction_);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -4,7 +4,7 @@
 #include "precond/smoothers/line_jacobi.hpp"
 #include "precond/smoothers/smoother.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// What aggregation keeps from one linearisation to the next.
 struct AggregationPlan {
@@ -45,4 +45,4 @@ class Aggregation final : public DisplacementPreconditioner {
   mutable std::vector<double> correction_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -8,7 +8,7 @@
 #include "precond/coarse/aggregate_blocks.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 constexpr int blocks_of_aggregate = 6;
@@ -197,4 +197,4 @@ std::size_t BlockHierarchy::bytes() const {
   return sum;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -7,7 +7,7 @@
 #include "precond/coarse/distributed_blocks.hpp"
 #include "precond/coarse/rigid_modes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// What the levels keep from one linearisation to the next.
 struct HierarchyPlan {
@@ -71,4 +71,4 @@ class BlockHierarchy final : public Preconditioner {
   std::size_t factor_bytes_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

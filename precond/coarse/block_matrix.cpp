@@ -7,7 +7,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 constexpr int size = 6, of_block = 36, width = 8;
@@ -112,4 +112,4 @@ std::size_t BlockMatrix::bytes() const {
   return bytes_of(start_) + bytes_of(column_) + bytes_of(value_) + bytes_of(inverse_);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// A sparse matrix of 6 × 6 blocks in single precision: rows in compressed form, both triangles. On several
 /// ranks the rows of this one, columns by local numbers, its own rows first.
@@ -43,4 +43,4 @@ class BlockMatrix {
   std::vector<float> inverse_;  // of the diagonal blocks, the same
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -5,7 +5,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 void CoarseMatrix::clear() { std::ranges::fill(blocks_, Block{}); }
 
@@ -103,4 +103,4 @@ void CoarseMatrix::visit(const BlockVisitor& visitor) const {
 
 std::size_t CoarseMatrix::bytes() const { return bytes_of(blocks_) + bytes_of(places_) + at_.size() * 32; }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -8,7 +8,7 @@
 #include "precond/coarse/aggregates.hpp"
 #include "precond/coarse/distributed_blocks.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Six modes of a node: a row per direction, the last two columns zero, so that a row is one vector register.
 using NodeModes = std::array<std::array<float, 8>, 3>;
@@ -53,4 +53,4 @@ class CoarseMatrix {
   std::vector<std::array<double, 8>> half_;  // K Z of one group
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -5,7 +5,7 @@
 
 #include "core/base/sort_unique.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 using Block = BlockMatrix::Block;
@@ -96,4 +96,4 @@ DistributedBlocks assemble_blocks(const Comm& comm, int mine,
   return blocks;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

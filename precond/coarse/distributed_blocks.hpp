@@ -5,7 +5,7 @@
 #include "core/mesh/distributed/halo.hpp"
 #include "precond/coarse/block_matrix.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Block rows that the ranks share by contiguous parts: this rank's, and those of others that its matrix
 /// refers to. Local numbers count its own first.
@@ -35,4 +35,4 @@ using BlockVisitor = std::function<void(long long row, long long column, const B
 DistributedBlocks assemble_blocks(const Comm& comm, int mine,
                                   const std::function<void(const BlockVisitor&)>& each);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

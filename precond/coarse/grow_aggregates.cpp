@@ -3,7 +3,7 @@
 #include <deque>
 #include <unordered_map>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 using Graph = std::vector<std::vector<int>>;
@@ -72,4 +72,4 @@ std::vector<int> grow_aggregates(const Graph& neighbours, int size, const std::v
   return of;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Rows i and j of a matrix are strongly coupled where |A_ij| > strong_coupling √(|A_ii| |A_jj|).
 inline constexpr double strong_coupling = 0.02;
@@ -12,4 +12,4 @@ inline constexpr double strong_coupling = 0.02;
 std::vector<int> grow_aggregates(const std::vector<std::vector<int>>& neighbours, int size,
                                  const std::vector<char>& excluded);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -4,7 +4,7 @@
 #include "precond/amg/assembled.hpp"
 #include "precond/operators/correct.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 MultigridPlan::MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings)
     : base_(std::make_shared<Mumps>(
@@ -122,4 +122,4 @@ std::size_t Multigrid::bytes() const {
   return total;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -10,7 +10,7 @@
 #include "precond/smoothers/line_jacobi.hpp"
 #include "precond/smoothers/smoother.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every
 /// refined level, the base matrix's analysis, and as long as its factors are kept the smoothers' largest
@@ -79,4 +79,4 @@ class Multigrid final : public DisplacementPreconditioner {
   std::size_t coarse_bytes_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -5,7 +5,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision, int most)
     : groups(aggregate(system, nodes)),
@@ -85,4 +85,4 @@ std::size_t RigidCoarse::bytes() const {
          bytes_of(coarse_);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -5,7 +5,7 @@
 #include "precond/coarse/block_hierarchy.hpp"
 #include "precond/coarse/rigid_modes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// What the correction with rigid motions keeps from one linearisation to the next: the aggregates, the
 /// pattern of the coarse matrix and its analysis.
@@ -57,4 +57,4 @@ class RigidCoarse final : public Preconditioner {
   std::size_t factor_bytes_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

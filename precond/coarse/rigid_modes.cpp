@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 using Plain = Eigen::Matrix<double, 3, 6>;
@@ -98,4 +98,4 @@ RigidModes rigid_modes(const CoupledSystem& system, const Aggregates& groups) {
   return modes;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -4,7 +4,7 @@
 #include "precond/coarse/block_matrix.hpp"
 #include "precond/coarse/coarse_matrix.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The six modes of an aggregate: plain ones are three translations and rotations about `center`, each
 /// displacing by e × (x − center) · `inverse_radius`.
@@ -31,4 +31,4 @@ BlockMatrix::Block orthonormal_basis(const BlockMatrix::Block& gram);
 /// Collective.
 RigidModes rigid_modes(const CoupledSystem& system, const Aggregates& groups);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -3,7 +3,7 @@
 
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// x += M (b − A x). `residual` and `correction` are workspace of A's size. Collective.
 inline void correct(const LinearOperator& A, const Preconditioner& M, std::span<const double> b,
@@ -14,4 +14,4 @@ inline void correct(const LinearOperator& A, const Preconditioner& M, std::span<
   for (std::size_t i = 0; i < residual.size(); ++i) x[i] += correction[i];
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

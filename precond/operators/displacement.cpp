@@ -14,7 +14,7 @@
 #include "precond/operators/single_block.hpp"
 #include "precond/smoothers/block_jacobi.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // The three scalar AMGs alone, with the blocks that they need for bodies.
@@ -90,7 +90,7 @@ std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const Coup
                           : 0;
     if (nodes > 0 && !plans_->rigid)
       plans_->rigid = std::make_shared<RigidPlan>(system, nodes, smoothing, std::numeric_limits<int>::max());
-    return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothed_part, plans_->rigid,
+    return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothing_range, plans_->rigid,
                                     smoothing);
   }
   if (!plans_->aggregation)
@@ -98,4 +98,4 @@ std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const Coup
   return std::make_unique<Aggregation>(system, plans_->aggregation, settings_.aggregation, smoothing, keep);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

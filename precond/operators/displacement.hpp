@@ -7,7 +7,7 @@
 #include "core/solve/settings.hpp"
 #include "precond/operators/displacement_preconditioner.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The augmented displacement block K + γ B W Bᵀ as an operator on primal vectors.
 class DisplacementBlock final : public LinearOperator {
@@ -41,4 +41,4 @@ class DisplacementFactory {
   std::unique_ptr<Plans> plans_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

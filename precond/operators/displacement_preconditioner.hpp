@@ -3,7 +3,7 @@
 
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 class LineJacobi;
 
@@ -20,4 +20,4 @@ class DisplacementPreconditioner : public Preconditioner {
   virtual double refresh() { return 1; }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

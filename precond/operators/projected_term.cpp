@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 void ProjectedTerm::project(const CoupledSystem& finer, const Interpolation& P) {
   constexpr std::size_t most = 1 << 20;  // blocks before those of one pair are added up
@@ -63,4 +63,4 @@ void ProjectedTerm::visit(const ContributionVisitor& visitor) const {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

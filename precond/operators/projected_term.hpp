@@ -4,7 +4,7 @@
 
 #include "core/solve/coupled_system.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The tangent of the terms that floors above added to a problem (contact, sutures), on the next coarser
 /// mesh, as a further term of its system: Pᵀ K P with the prolongation P. Without forces: it belongs to the
@@ -30,4 +30,4 @@ class ProjectedTerm final : public Term {
   std::vector<Block> blocks_;  // sorted by nodes, each pair once
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

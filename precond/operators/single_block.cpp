@@ -5,7 +5,7 @@
 #include "core/base/memory.hpp"
 #include "core/solve/reduced.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 SingleBlock::SingleBlock(const CoupledSystem& system)
     : system_(system), dofs_(system.problem().dofs()), d_(system), z_(system) {
@@ -86,4 +86,4 @@ void SingleBlock::apply(std::span<const double> x, std::span<double> y) const {
 
 std::size_t SingleBlock::bytes() const { return d_.bytes() + z_.bytes() + bytes_of(touched_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

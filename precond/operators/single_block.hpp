@@ -4,7 +4,7 @@
 #include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// A displacement, or forces, in single precision: a NodeSingle per local node, ghosts included, and 6
 /// numbers per rigid body on rank 0.
@@ -50,4 +50,4 @@ class SingleBlock final : public LinearOperator {
   mutable NodalSingle d_, z_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <numeric>
 
-namespace bulbus {
+namespace bulbus::inline precond {
 CheckerboardMatrix::Assembly::Assembly(const Problem& problem, CheckerboardMatrix& to)
     : problem_(problem),
       to_(to),
@@ -160,4 +160,4 @@ void CheckerboardMatrix::Assembly::receive(std::span<const long long> data, std:
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -2,7 +2,7 @@
 #include "core/mesh/corners.hpp"
 #include "precond/schur/checkerboard_matrix.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Adds up Σ Fᵀ (L D Lᵀ)⁻¹ F over lines; F: the rows of B P of a line's nodes.
 class CheckerboardMatrix::Assembly {
@@ -45,4 +45,4 @@ class CheckerboardMatrix::Assembly {
   LineJacobi::Rows F_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -8,7 +8,7 @@
 #include "precond/schur/checkerboard_assembly.hpp"
 #include "precond/smoothers/block_jacobi.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 using Vector = SinglePack::Vector;
@@ -162,4 +162,4 @@ void CheckerboardProduct::apply(std::span<const double> x, std::span<double> y) 
 
 std::size_t CheckerboardProduct::bytes() const { return bytes_of(p_) + bytes_of(q_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -8,7 +8,7 @@
 #include "precond/schur/checkerboard_modes.hpp"
 #include "precond/schur/line_pressure_stiffness.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Pᵀ K P, blocks of pairs of coarser hexahedra; stored in single precision.
 class CheckerboardMatrix final : public LinearOperator {
@@ -78,4 +78,4 @@ class CheckerboardProduct final : public LinearOperator {
   mutable std::vector<double> p_, q_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -4,7 +4,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // Of a child on the lower or upper side of its parent in direction d; child c has corner c.
@@ -69,4 +69,4 @@ void CheckerboardModes::add_prolonged(std::span<const double> c, double weight, 
 
 std::size_t CheckerboardModes::bytes() const { return bytes_of(label_) + bytes_of(of_) + bytes_of(part_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

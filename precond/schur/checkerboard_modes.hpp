@@ -5,7 +5,7 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Checkerboard modes of the hexahedra that one of a coarser mesh was split into, in its own directions x, y,
 /// z: (−1)^(i+j) f(k), and the same of yz and zx. Whatever f is, Q1/P0 hardly feels them. There are 3m − 2 of
@@ -40,4 +40,4 @@ class CheckerboardModes {
   std::vector<unsigned char> part_;  // which part of the coarser hexahedron
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -4,7 +4,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 LinePressureStiffness::LinePressureStiffness(const CoupledSystem& system,
                                              std::shared_ptr<const LineJacobi> lines)
@@ -25,4 +25,4 @@ void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q
 
 std::size_t LinePressureStiffness::bytes() const { return bytes_of(nodal_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

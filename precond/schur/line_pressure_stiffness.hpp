@@ -5,7 +5,7 @@
 #include "core/solve/coupled_system.hpp"
 #include "precond/smoothers/line_jacobi.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// K = Bᵀ L⁻¹ B on element pressures, one number per hexahedron of this rank; L: the displacement block's
 /// parts on lines, with rigid bodies at rest. In single precision, in which a motion of a whole hexahedron
@@ -24,4 +24,4 @@ class LinePressureStiffness final : public LinearOperator {
   mutable std::vector<NodeSingle> nodal_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -4,7 +4,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // u·A u over u·L u: in a film neighbours move along, and add what they have in common with a line to the 4/9
@@ -65,4 +65,4 @@ std::vector<char> carried_by_lines(const CoupledSystem& system, const LineJacobi
   return carried;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

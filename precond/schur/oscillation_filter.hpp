@@ -4,7 +4,7 @@
 
 #include "precond/smoothers/line_jacobi.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// R p = p − E N⁻¹ Eᵀ p / 8, tissue by tissue: takes away the means over a hexahedron's nodes of the means
 /// over the hexahedra of its region around them. Checkerboard modes have none. Symmetric. Hexahedra that are
@@ -29,4 +29,4 @@ class OscillationFilter {
 /// pressures are as weak as its Schur complement says. Collective.
 std::vector<char> carried_by_lines(const CoupledSystem& system, const LineJacobi& lines);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

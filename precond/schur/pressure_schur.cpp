@@ -5,7 +5,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 PressureSchur::PressureSchur(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
                              const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections)
@@ -18,19 +18,19 @@ PressureSchur::PressureSchur(const CoupledSystem& system, std::shared_ptr<const 
 void PressureSchur::enable_deferred_component() {
   if (!has_deferred_component()) return;
   corrected_ = true;
-  auto& [softened, K, parts] = *corrections_;
+  auto& [reduced, K, parts] = *corrections_;
   if (!parts.empty()) return;
   const int refinements = system_.problem().mesh().refinements;
   if (refinements > 0)
-    softened = std::make_shared<const LineJacobi>(system_, lines_->lines(), Matrices::softened);
-  const auto lines = softened ? softened : lines_;
+    reduced = std::make_shared<const LineJacobi>(system_, lines_->lines(), Matrices::reduced_augmentation);
+  const auto lines = reduced ? reduced : lines_;
   if (refinements != 1) K = std::make_shared<const LinePressureStiffness>(system_, lines);
   if (refinements == 0) parts.push_back(oscillation_correction(system_, *lines, K, settings_.degree));
   if (refinements > 1) parts.push_back(fine_checkerboard_correction(system_, K, settings_.degree));
   if (refinements > 0)
     parts.push_back(
         coarse_checkerboard_correction(system_, *lines, refinements > 1 ? std::nullopt : settings_.degree));
-  if (!K) softened.reset();
+  if (!K) reduced.reset();
 }
 
 void PressureSchur::apply(std::span<const double> r, std::span<double> z) const {
@@ -42,9 +42,9 @@ void PressureSchur::apply(std::span<const double> r, std::span<double> z) const 
 std::size_t PressureSchur::bytes() const { return bytes_of(diagonal_) + corrections_->bytes(); }
 
 std::size_t SchurCorrections::bytes() const {
-  std::size_t total = (softened ? softened->bytes() : 0) + (K ? K->bytes() : 0);
+  std::size_t total = (reduced ? reduced->bytes() : 0) + (K ? K->bytes() : 0);
   for (const auto& part : parts) total += part->bytes();
   return total;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

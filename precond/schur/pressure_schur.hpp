@@ -5,11 +5,11 @@
 #include "core/solve/coupled_system.hpp"
 #include "precond/schur/schur_correction.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The corrections of PressureSchur and what they are made of; empty until they are taken up.
 struct SchurCorrections {
-  std::shared_ptr<const LineJacobi> softened;  ///< these two where a correction needs them
+  std::shared_ptr<const LineJacobi> reduced;  ///< these two where a correction needs them
   std::shared_ptr<const LinePressureStiffness> K;
   std::vector<std::unique_ptr<SchurCorrection>> parts;
   std::size_t bytes() const;
@@ -50,4 +50,4 @@ class PressureSchur final : public Preconditioner {
   bool corrected_ = false;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -9,7 +9,7 @@
 #include "precond/schur/oscillation_filter.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 // (1 + γ) μ_e/V0_e; zero of rigid hexahedra, which have no Schur complement.
@@ -158,4 +158,4 @@ std::unique_ptr<SchurCorrection> coarse_checkerboard_correction(const CoupledSys
       });
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -5,7 +5,7 @@
 
 #include "precond/schur/line_pressure_stiffness.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Part of an approximate inverse on oscillating element pressures, checkerboard modes among them: a fixed
 /// symmetric linear map.
@@ -36,4 +36,4 @@ std::unique_ptr<SchurCorrection> coarse_checkerboard_correction(const CoupledSys
                                                                 const LineJacobi& lines,
                                                                 std::optional<int> degree);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

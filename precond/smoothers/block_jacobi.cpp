@@ -4,7 +4,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 BodyBlocks::BodyBlocks(const CoupledSystem& system) {
   if (system.layout().bodies == 0) return;
@@ -48,4 +48,4 @@ void BlockJacobi::apply(std::span<const double> x, std::span<double> y) const {
 
 std::size_t BlockJacobi::bytes() const { return bytes_of(nodes_) + bodies_.bytes(); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

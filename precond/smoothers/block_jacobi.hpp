@@ -5,7 +5,7 @@
 #include "core/solve/coupled_system.hpp"
 #include "precond/operators/displacement_preconditioner.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Inverse of a symmetric block (N may be Eigen::Dynamic), or of its diagonal's magnitude where it is
 /// not positive definite.
@@ -48,4 +48,4 @@ class BlockJacobi final : public DisplacementPreconditioner {
   BodyBlocks bodies_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

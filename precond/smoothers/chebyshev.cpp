@@ -8,7 +8,7 @@
 #include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 // The coefficients of preconditioned conjugate gradients are those of Lanczos on D^(-½) A D^(-½). They stand
 // for an indefinite D too: T is then symmetric up to signs, and its eigenvalues may be complex.
@@ -93,4 +93,4 @@ void Chebyshev::apply(std::span<const double> b, std::span<double> x) const {
 
 std::size_t Chebyshev::bytes() const { return bytes_of(r_) + bytes_of(z_) + bytes_of(d_); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

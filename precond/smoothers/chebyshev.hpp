@@ -5,7 +5,7 @@
 #include "core/base/parallel.hpp"
 #include "core/solve/linear_operator.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Extreme real parts of the eigenvalues of D⁻¹A as Lanczos sees them after `steps` steps from a fixed random
 /// vector; neither A nor D needs to be definite. Collective.
@@ -75,4 +75,4 @@ class Chebyshev final : public Preconditioner {
   mutable std::vector<double> r_, z_, d_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

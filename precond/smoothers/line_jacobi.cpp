@@ -5,7 +5,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -241,4 +241,4 @@ std::size_t LineJacobi::bytes() const {
          bytes_of(lines_->start);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

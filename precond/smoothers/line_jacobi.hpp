@@ -9,7 +9,7 @@
 #include "precond/smoothers/block_jacobi.hpp"
 #include "precond/smoothers/lines.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The displacement block's parts on lines, accumulated contribution by contribution.
 class LineBlocks {
@@ -93,4 +93,4 @@ class LineJacobi final : public Preconditioner {
   mutable std::vector<NodeSingle> on_lines_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -9,7 +9,7 @@
 #include "core/mesh/corners.hpp"
 #include "core/mesh/hex_edges.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 struct Edge {
@@ -116,4 +116,4 @@ Lines find_lines(const Problem& problem) {
   return lines;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

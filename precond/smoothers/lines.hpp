@@ -3,7 +3,7 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// The owned nodes of one rank in lines along their strongest couplings; line k holds nodes[start[k]] ..
 /// nodes[start[k + 1]]. Nodes without a strong coupling are lines of their own.
@@ -17,4 +17,4 @@ struct Lines {
 /// thin layers, through the thickness.
 Lines find_lines(const Problem& problem);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -8,7 +8,7 @@
 #include "precond/operators/single_block.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 namespace {
 
 class FullSmoother final : public Smoother {
@@ -16,7 +16,7 @@ class FullSmoother final : public Smoother {
   FullSmoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
                const SmootherSettings& s, double largest)
       : A_(std::make_shared<DisplacementBlock>(system)),
-        S_(A_, std::move(lines), s.degree, s.smoothed_part, system.problem().comm(), largest),
+        S_(A_, std::move(lines), s.degree, s.smoothing_range, system.problem().comm(), largest),
         rest_(A_->size()),
         correction_(A_->size()) {}
 
@@ -54,7 +54,7 @@ class SingleSmoother final : public Smoother {
       : A_(std::make_shared<SingleBlock>(system)),
         lines_(std::move(lines)),
         degree_(s.degree),
-        spectrum_(A_, lines_, s.smoothed_part, system.problem().comm(), largest),
+        spectrum_(A_, lines_, s.smoothing_range, system.problem().comm(), largest),
         r_(system),
         x_(system) {}
 
@@ -158,4 +158,4 @@ std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, std::shared
   return std::make_unique<FullSmoother>(system, std::move(lines), settings, largest_eigenvalue);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

@@ -6,7 +6,7 @@
 #include "core/solve/settings.hpp"
 #include "precond/smoothers/line_jacobi.hpp"
 
-namespace bulbus {
+namespace bulbus::inline precond {
 
 /// Chebyshev with line Jacobi on the displacement block A, a symmetric linear map S, beside a coarser space's
 /// correction. Primal vectors.
@@ -32,4 +32,4 @@ std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, std::shared
                                         const SmootherSettings& settings, Precision precision,
                                         double largest_eigenvalue = 0);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline precond

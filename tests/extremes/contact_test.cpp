@@ -36,7 +36,7 @@ struct Outcome {
 Outcome pressed(const std::string& extreme, double times, const Scene& scene, bool iterative, double exact,
                 double tolerance) {
   ContactTrial run(scene);
-  run.settings.newton = {}, run.settings.stepping.smallest = .2;
+  run.settings.newton = {}, run.settings.stepping.minimum = .2;
   iterative ? run.iterative() : run.direct();
   expect_clean(run);
   const double force = run.force("joint")[2], off = relative(force, exact);

@@ -103,7 +103,7 @@ liquids: {inside: {surface: inner}}
 symmetry: [x, y, z]
 steps: [{name: blow, increments: 7, pressures: {inside: 5 kPa}}]
 probes: [{name: pressure, kind: pressure, liquid: inside, unit: kPa}]
-solver: {stepping: {smallest: 0.02}}
+solver: {stepping: {minimum: 0.02}}
 output: {checkpoint: 1}
 )yaml");
   expect_left("pressure beyond the limit point, on disk", "5 kPa, limit 4.1 kPa", left, "pressure");
@@ -123,7 +123,7 @@ steps: [{name: sew, increments: 10, sew: {string: 20}}]
 probes:
   - {name: force, kind: suture_force, suture: string}
   - {name: rise, kind: displacement, set: outer, component: y, statistic: max}
-solver: {stepping: {smallest: 0.01}}
+solver: {stepping: {minimum: 0.01}}
 output: {checkpoint: 1}
 )yaml");
   expect_left("suture force", "20 N, by steps of 2 N", left, "force");

@@ -21,7 +21,7 @@ inline void expect_clean(const Trial& run) {
   if (run.report.converged) return;
   EXPECT_NE(run.report.reason.find("stopped at"), std::string::npos) << run.report.reason;
   if (run.increments.empty()) return;
-  const Balance b = run.problem.balance(run.problem.residual(run.state));
+  const EquilibriumError b = run.problem.equilibrium_error(run.problem.residual(run.state));
   const NewtonSettings& asked = run.settings.newton;
   EXPECT_LE(b.force, asked.force);
   EXPECT_LE(b.volume, asked.volume);
@@ -31,7 +31,7 @@ inline void expect_clean(const Trial& run) {
 /// Runs with the default balance, and increments that may be cut down to `smallest` of their step.
 inline void as_people_do(Trial& run, double smallest) {
   run.settings.newton = {};
-  run.settings.stepping.smallest = smallest;
+  run.settings.stepping.minimum = smallest;
   run.iterative();
   expect_clean(run);
 }
@@ -66,7 +66,7 @@ struct BothSolvers {
   Trial run, oracle;
   explicit BothSolvers(const Scene& scene, NewtonSettings newton = close_balance(), double smallest = .2)
       : run(scene), oracle(scene) {
-    for (Trial* t : {&run, &oracle}) t->settings.newton = newton, t->settings.stepping.smallest = smallest;
+    for (Trial* t : {&run, &oracle}) t->settings.newton = newton, t->settings.stepping.minimum = smallest;
     run.iterative(), oracle.direct();
     expect_clean(run), expect_clean(oracle);
   }

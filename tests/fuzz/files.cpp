@@ -33,7 +33,7 @@ void write(const std::string& path, const std::string& bytes) {
 struct Seed {
   std::string name, content;
   bool binary;
-  Entry scene;
+  YamlNode scene;
   std::string file;  ///< what the scene reads it from; empty: the target's own
 };
 
@@ -69,9 +69,9 @@ class Meshes final : public ReadFile {
 
  private:
   void add(const std::string& folder) {
-    Entry scene = read_yaml(fs::exists(folder + "/s.yaml") ? folder + "/s.yaml" : folder + "/clean.yaml");
+    YamlNode scene = read_yaml(fs::exists(folder + "/s.yaml") ? folder + "/s.yaml" : folder + "/clean.yaml");
     const std::string source = folder + "/" + scene.find("mesh")->find("file")->text;
-    set_at(scene, "mesh.file", place_of(scene, "mesh"), Entry::word(file_, place_of(scene, "mesh")));
+    set_at(scene, "mesh.file", place_of(scene, "mesh"), YamlNode::word(file_, place_of(scene, "mesh")));
     seeds_.push_back({source, content_of(source), false, scene, ""});
     try {
       const Mesh mesh = read_gmsh(source);
@@ -121,7 +121,7 @@ class ForeignMeshes final : public ReadFile {
 
   void add(const std::string& name, const std::string& extension, const std::string& content, bool binary) {
     const std::string file = scratch_ + "/mesh" + extension;
-    const Entry scene =
+    const YamlNode scene =
         parse_yaml("mesh: {file: " + file +
                        ", surfaces: {low: \"Z < 0.1\"}}\nregions: {\"1\": {c10: 50 kPa}, \"2\": {c10: "
                        "50 kPa}}\nfix: [{set: low}]\nsteps: [{name: rest}]\n",
@@ -151,9 +151,9 @@ class Bodies final : public ReadFile {
     for (const auto& [folder, file] : {std::pair{"ridge", "roof.stl"},
                                        {"stl_facet_turned", "lid.stl"},
                                        {"stl_duplicate_facets", "lid.stl"}}) {
-      Entry scene = read_yaml(cases + "/" + folder + "/s.yaml");
-      for (Entry& body : scene.find("rigid_bodies")->items)
-        set_at(body, "file.path", body.place, Entry::word(file_, body.place));
+      YamlNode scene = read_yaml(cases + "/" + folder + "/s.yaml");
+      for (YamlNode& body : scene.find("rigid_bodies")->items)
+        set_at(body, "file.path", body.place, YamlNode::word(file_, body.place));
       const std::string source = cases + "/" + folder + "/" + file;
       seeds_.push_back({source, content_of(source), false, scene, ""});
       seeds_.push_back({source + " binary", binary_stl(source), true, scene, ""});
@@ -165,15 +165,15 @@ class Bodies final : public ReadFile {
 
 class Forgetful final : public Archived {
  public:
-  void serialize(Archive&, const MarchPlace&) override {}
+  void serialize(Archive&, const MarchProgress&) override {}
 };
 
 class Checkpoints final : public Target {
  public:
   explicit Checkpoints(const std::string& scratch) : file_(scratch + "/mutant.h5") {
     root_ = parse_yaml(test::full_of_memory, scratch + "/scene.yaml");
-    set_at(root_, "mesh.shell.n", {}, Entry::word("2"));
-    set_at(root_, "mesh.shell.layers", {}, Entry::word("1"));
+    set_at(root_, "mesh.shell.n", {}, YamlNode::word("2"));
+    set_at(root_, "mesh.shell.layers", {}, YamlNode::word("1"));
     const Scene scene = scene_of(root_, scratch + "/scene.yaml");
     test::run_and_leave(scene, scratch, Comm(MPI_COMM_SELF), [](int number) {
       if (number == 3) throw test::Left();
@@ -199,7 +199,7 @@ class Checkpoints final : public Target {
 
  private:
   std::string file_, content_;
-  Entry root_;
+  YamlNode root_;
 };
 
 }  // namespace

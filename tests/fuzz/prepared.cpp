@@ -30,7 +30,7 @@ void require_finite(const Prepared& prepared) {
 
 }  // namespace
 
-Prepared prepare_checked(const Entry& root, const std::string& path) {
+Prepared prepare_checked(const YamlNode& root, const std::string& path) {
   try {
     Scene scene = scene_of(root, path);
     if (auto& limit = scene.solver.linear.memory_limit; sanitized && !limit) limit = 1e-6 * bytes_of_one;

@@ -1,6 +1,6 @@
 #pragma once
 #include "app/prepare.hpp"
-#include "app/scene/entry.hpp"
+#include "app/scene/yaml_node.hpp"
 
 namespace bulbus::fuzz {
 
@@ -11,6 +11,6 @@ struct Silent : std::runtime_error {
 
 /// What `bulbus check` does with a scene, on one rank. Throws InputError with its place, or Silent where a
 /// number of the prepared problem is not finite.
-Prepared prepare_checked(const Entry& root, const std::string& path);
+Prepared prepare_checked(const YamlNode& root, const std::string& path);
 
 }  // namespace bulbus::fuzz

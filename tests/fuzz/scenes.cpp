@@ -24,13 +24,13 @@ std::vector<std::string> yaml_files(const std::string& folder) {
 }
 
 // Cells and facets that only cost time.
-void shrink(Entry& at) {
+void shrink(YamlNode& at) {
   static const std::map<std::string, int> most{{"n", 6},      {"layers", 2}, {"nx", 3},
                                                {"ny", 2},     {"nz", 3},     {"rings", 2},
                                                {"refine", 0}, {"parts", 4},  {"divisions", 2}};
   for (std::size_t i = 0; i < at.items.size(); ++i) {
-    Entry& item = at.items[i];
-    if (at.is(Entry::Kind::map) && item.is(Entry::Kind::word))
+    YamlNode& item = at.items[i];
+    if (at.is(YamlNode::Kind::map) && item.is(YamlNode::Kind::word))
       if (const auto limit = most.find(at.keys[i]); limit != most.end()) {
         int value = 0;
         std::from_chars(item.text.data(), item.text.data() + item.text.size(), value);
@@ -40,7 +40,7 @@ void shrink(Entry& at) {
   }
 }
 
-bool is_prepared(const Entry& root, const std::string& path) {
+bool is_prepared(const YamlNode& root, const std::string& path) {
   try {
     prepare_checked(root, path);
     return true;
@@ -51,7 +51,7 @@ bool is_prepared(const Entry& root, const std::string& path) {
 
 struct Seed {
   std::string path;
-  Entry root;
+  YamlNode root;
 };
 
 // Faults in the bytes or in the tree of one of its seeds, with what the pool has of all of them.
@@ -76,7 +76,7 @@ class Scenes final : public YamlTarget {
     for (const std::string& folder : {data + "/scenes", cases})
       for (const std::string& path : yaml_files(folder)) {
         if (is_study(path)) continue;
-        Entry root = read_yaml(path);
+        YamlNode root = read_yaml(path);
         shrink(root);
         pool_.add(root);
         if (is_prepared(root, path)) seeds_.push_back({path, std::move(root)});
@@ -93,7 +93,7 @@ class Studies final : public YamlTarget {
  public:
   explicit Studies(const std::string& data) {
     for (const std::string& path : yaml_files(data + "/scenes")) {
-      Entry root = read_yaml(path);
+      YamlNode root = read_yaml(path);
       pool_.add(root);
       if (is_study(path)) seeds_.push_back({path, std::move(root)});
     }

@@ -3,32 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/scene/wording.hpp"
+#include "app/scene/text_format.hpp"
 #include "tests/fuzz/bytes.hpp"
 
 namespace bulbus::fuzz {
 namespace {
 
-using Kind = Entry::Kind;
+using Kind = YamlNode::Kind;
 
-void collect(Entry& at, std::vector<Entry*>& all) {
+void collect(YamlNode& at, std::vector<YamlNode*>& all) {
   all.push_back(&at);
-  for (Entry& item : at.items) collect(item, all);
+  for (YamlNode& item : at.items) collect(item, all);
 }
 
 template <class Wanted>
-Entry* any(Entry& root, Random& random, Wanted wanted) {
-  std::vector<Entry*> all;
+YamlNode* any(YamlNode& root, Random& random, Wanted wanted) {
+  std::vector<YamlNode*> all;
   collect(root, all);
-  std::erase_if(all, [&](Entry* e) { return !wanted(*e); });
+  std::erase_if(all, [&](YamlNode* e) { return !wanted(*e); });
   return all.empty() ? nullptr : random.of(all);
 }
 
-bool is_word(const Entry& e) { return e.is(Kind::word); }
-bool is_full_map(const Entry& e) { return e.is(Kind::map) && !e.items.empty(); }
-bool is_full_list(const Entry& e) { return e.is(Kind::list) && !e.items.empty(); }
+bool is_word(const YamlNode& e) { return e.is(Kind::word); }
+bool is_full_map(const YamlNode& e) { return e.is(Kind::map) && !e.items.empty(); }
+bool is_full_list(const YamlNode& e) { return e.is(Kind::list) && !e.items.empty(); }
 
-void change_number(Entry& e, Random& random) {
+void change_number(YamlNode& e, Random& random) {
   char* rest = nullptr;
   const double value = std::strtod(e.text.c_str(), &rest);
   if (rest == e.text.c_str()) {
@@ -44,13 +44,13 @@ void change_number(Entry& e, Random& random) {
            unit;
 }
 
-void erase(Entry& map, std::size_t i) {
+void erase(YamlNode& map, std::size_t i) {
   map.keys.erase(map.keys.begin() + i);
   map.key_places.erase(map.key_places.begin() + i);
   map.items.erase(map.items.begin() + i);
 }
 
-void change_map(Entry& map, const Pool& pool, Random& random) {
+void change_map(YamlNode& map, const Pool& pool, Random& random) {
   const std::size_t i = random.below(map.items.size());
   switch (random.below(6)) {
     case 0:
@@ -78,14 +78,14 @@ void change_map(Entry& map, const Pool& pool, Random& random) {
   }
 }
 
-void change_list(Entry& list, Random& random) {
+void change_list(YamlNode& list, Random& random) {
   const std::size_t i = random.below(list.items.size());
   switch (random.below(4)) {
     case 0:
       list.items.erase(list.items.begin() + i);
       return;
     case 1:
-      list.items.insert(list.items.begin() + i, Entry(list.items[i]));
+      list.items.insert(list.items.begin() + i, YamlNode(list.items[i]));
       return;
     case 2:
       std::ranges::reverse(list.items);
@@ -95,8 +95,8 @@ void change_list(Entry& list, Random& random) {
   }
 }
 
-void wrap(Entry& e, Random& random) {
-  Entry outer = Entry::empty(random.one_in(2) ? Kind::list : Kind::map);
+void wrap(YamlNode& e, Random& random) {
+  YamlNode outer = YamlNode::empty(random.one_in(2) ? Kind::list : Kind::map);
   if (outer.is(Kind::list))
     outer.items.push_back(e);
   else
@@ -104,34 +104,34 @@ void wrap(Entry& e, Random& random) {
   e = outer;
 }
 
-void add_fault(Entry& root, const Pool& pool, Random& random) {
-  const auto all = [](const Entry&) { return true; };
+void add_fault(YamlNode& root, const Pool& pool, Random& random) {
+  const auto all = [](const YamlNode&) { return true; };
   const std::size_t what = random.below(12);
   if (what < 3) {
-    if (Entry* e = any(root, random, is_word)) e->text = random.of(awkward_words());
+    if (YamlNode* e = any(root, random, is_word)) e->text = random.of(awkward_words());
   } else if (what < 6) {
-    if (Entry* e = any(root, random, is_word)) change_number(*e, random);
+    if (YamlNode* e = any(root, random, is_word)) change_number(*e, random);
   } else if (what < 8) {
-    if (Entry* e = any(root, random, is_full_map)) change_map(*e, pool, random);
+    if (YamlNode* e = any(root, random, is_full_map)) change_map(*e, pool, random);
   } else if (what < 9) {
-    if (Entry* e = any(root, random, is_full_list)) change_list(*e, random);
+    if (YamlNode* e = any(root, random, is_full_list)) change_list(*e, random);
   } else if (what < 10) {
-    Entry *a = any(root, random, is_word), *b = any(root, random, is_word);
+    YamlNode *a = any(root, random, is_word), *b = any(root, random, is_word);
     if (a && b) std::swap(a->text, b->text);
   } else if (what < 11) {
     *any(root, random, all) = random.of(pool.branches);
   } else {
-    Entry& e = *any(root, random, all);
+    YamlNode& e = *any(root, random, all);
     if (random.one_in(2))
       wrap(e, random);
     else
-      e = Entry::empty(random.one_in(2) ? Kind::nothing : Kind::map);
+      e = YamlNode::empty(random.one_in(2) ? Kind::nothing : Kind::map);
   }
 }
 
 }  // namespace
 
-void Pool::add(const Entry& root) {
+void Pool::add(const YamlNode& root) {
   branches.push_back(root);
   for (std::size_t i = 0; i < root.items.size(); ++i) {
     if (root.is(Kind::map)) {
@@ -142,7 +142,7 @@ void Pool::add(const Entry& root) {
   }
 }
 
-Entry with_faults(Entry root, const Pool& pool, Random& random) {
+YamlNode with_faults(YamlNode root, const Pool& pool, Random& random) {
   for (int faults = random.one_in(3) ? random.between(2, 4) : 1; faults > 0; --faults)
     add_fault(root, pool, random);
   return root;

@@ -21,7 +21,7 @@ class Leaving final : public MarchObserver {
   void increment_done(const Increment& increment, const State& state) override {
     inner_.increment_done(increment, state);
   }
-  void rests(const MarchPlace& place, State& state, bool last) override {
+  void rests(const MarchProgress& place, State& state, bool last) override {
     inner_.rests(place, state, last);
     rested_(place.report.increments);
   }

@@ -86,7 +86,7 @@ TEST(LimitPoint, PressureControlEndsBelowItWithAReason) {
   scene.model.steps.push_back(s);
   Trial run(scene);
   run.settings.newton = tight(1e-8);
-  run.settings.stepping.smallest = 1e-2;
+  run.settings.stepping.minimum = 1e-2;
   run.iterative();
   EXPECT_FALSE(run.report.converged);
   EXPECT_NE(run.report.reason.find("step 'blow' stopped at 0."), std::string::npos) << run.report.reason;
@@ -94,7 +94,7 @@ TEST(LimitPoint, PressureControlEndsBelowItWithAReason) {
   EXPECT_NEAR(run.problem.progress(), run.increments.back().progress, 1e-14);
   EXPECT_GT(run.state.P[0], .9 * top.pressure);
   EXPECT_LT(run.state.P[0], 1.02 * top.pressure);
-  const Balance b = run.problem.balance(run.problem.residual(run.state));
+  const EquilibriumError b = run.problem.equilibrium_error(run.problem.residual(run.state));
   EXPECT_LT(b.force, 1e-8);
   EXPECT_LT(b.volume, 1e-8);
   measured("thin sphere under pressure alone: stopped at {:.4f} of the largest pressure; {}",

@@ -3,7 +3,7 @@
 
 #include "core/mesh/imported.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Reads the mesh of an Abaqus or CalculiX input file, and of the files that it includes.
 ///
@@ -21,4 +21,4 @@ namespace bulbus {
 /// were skipped. Throws InputError with file and line.
 ReadMesh read_abaqus(const std::string& path);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

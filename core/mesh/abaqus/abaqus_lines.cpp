@@ -11,7 +11,7 @@
 #include "core/base/printable.hpp"
 #include "core/base/whole_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 constexpr std::size_t most_files = 1000;
@@ -181,4 +181,4 @@ void AbaqusLines::fail(const AbaqusPlace& at, const std::string& what, const std
   throw input_error(files_[at.file], at.line, what, remedy);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

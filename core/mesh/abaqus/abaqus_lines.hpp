@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// A line of the input file or of one that it includes.
 struct AbaqusPlace {
@@ -71,4 +71,4 @@ class AbaqusLines {
   AbaqusPlace last_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

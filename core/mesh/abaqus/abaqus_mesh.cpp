@@ -12,7 +12,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/repeated.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 using Kind = AbaqusResolver::Kind;
@@ -250,4 +250,4 @@ ReadMesh mesh_of(AbaqusModel model) {
   return Assembler(model).mesh();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

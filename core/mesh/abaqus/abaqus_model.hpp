@@ -6,7 +6,7 @@
 #include "core/mesh/abaqus/abaqus_lines.hpp"
 #include "core/mesh/imported.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// first, first + step, ... up to last.
 struct AbaqusRange {
@@ -102,4 +102,4 @@ void add_label(AbaqusMembers& members, int label);
 /// The mesh that instances, sections and sets describe.
 ReadMesh mesh_of(AbaqusModel model);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

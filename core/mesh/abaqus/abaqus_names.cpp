@@ -4,7 +4,7 @@
 #include "core/base/printable.hpp"
 #include "core/mesh/abaqus/abaqus_model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 bool is_label(std::string_view word) {
@@ -124,4 +124,4 @@ void read_abaqus_surface(AbaqusLines& in, const AbaqusKeyword& keyword, AbaqusSc
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

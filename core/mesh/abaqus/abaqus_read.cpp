@@ -8,7 +8,7 @@
 #include "core/mesh/abaqus/abaqus.hpp"
 #include "core/mesh/abaqus/abaqus_model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 // Keywords that make, copy or move nodes and elements: a mesh without what they say would be another one.
@@ -203,4 +203,4 @@ AbaqusModel read_abaqus_model(const std::string& path) { return AbaqusReader(pat
 
 ReadMesh read_abaqus(const std::string& path) { return mesh_of(read_abaqus_model(path)); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/printable.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 constexpr int deepest = 100;  // sets of sets of sets
@@ -172,4 +172,4 @@ void AbaqusResolver::append(Kind kind, int scope, const AbaqusMembers& members, 
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

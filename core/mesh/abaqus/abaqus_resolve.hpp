@@ -5,7 +5,7 @@
 
 #include "core/mesh/abaqus/abaqus_model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Finds indices by labels, which need not be contiguous.
 class AbaqusLabels {
@@ -69,4 +69,4 @@ class AbaqusResolver {
   int depth_ = 0;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

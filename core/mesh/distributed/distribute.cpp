@@ -7,7 +7,7 @@
 
 #include "core/base/sort_unique.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 // Bars go to the owner of their first node.
@@ -237,4 +237,4 @@ LocalMesh distribute(const Mesh& mesh, const Labels& whole, const Comm& comm,
   return m;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -1,6 +1,6 @@
 #include "core/mesh/distributed/halo.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 constexpr int tag = 71;
@@ -77,4 +77,4 @@ void Halo::accumulate_ghosts(std::span<NodeSingle> v) const {
   fold_ghosts(comm_, neighbours_, numbers(v), 4);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -5,7 +5,7 @@
 #include "core/base/pack.hpp"
 #include "core/base/parallel.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Exchange between owned nodes and their ghost copies on other ranks, `width` numbers per node.
 class Halo {
@@ -33,4 +33,4 @@ class Halo {
   std::vector<Neighbour> neighbours_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -4,7 +4,7 @@
 
 #include "core/base/memory.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 int LocalMesh::local(int mesh_node) const {
   const auto at = std::ranges::lower_bound(by_input, mesh_node, {}, [&](int n) { return input_node[n]; });
@@ -35,4 +35,4 @@ std::size_t LocalMesh::bytes() const {
   return total;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -8,7 +8,7 @@
 #include "core/mesh/distributed/halo.hpp"
 #include "core/mesh/distributed/mesh_part.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// One rank's part of a mesh. Local nodes: the owned ones first, as this rank's hexahedra meet them, then
 /// ghosts. Node numbers of the whole are renumbered so that each rank owns a run; hexahedra are sorted by
@@ -59,4 +59,4 @@ LocalMesh distribute(const Mesh& part, const Labels& whole, const Comm& comm,
 LocalMesh distribute(const Mesh& mesh, std::span<const int> rank_of_hex, const Comm& comm,
                      const std::set<std::string>& shared = {});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

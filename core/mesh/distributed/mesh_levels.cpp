@@ -7,7 +7,7 @@
 #include "core/mesh/distributed/partition.hpp"
 #include "core/mesh/running_sums.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 // Edges or faces of a part follow each other as in the whole, by their lowest node; labelled nodes have all
@@ -117,4 +117,4 @@ std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, cons
   return levels;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -3,7 +3,7 @@
 
 #include "core/mesh/prolongation.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// One rank's part of a mesh of a hierarchy.
 struct MeshLevel {
@@ -16,4 +16,4 @@ struct MeshLevel {
 std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, const Comm& comm,
                                          const std::set<std::string>& shared);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

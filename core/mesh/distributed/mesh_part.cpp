@@ -5,7 +5,7 @@
 
 #include "core/mesh/faces.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 using Marks = std::vector<bool>;
@@ -117,4 +117,4 @@ MeshPart part_of(const Mesh& mesh, const Labels& whole, int rank, const std::set
   return part;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -6,7 +6,7 @@
 
 #include "core/mesh/refine.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// What the nodes and hexahedra of a part are in the whole mesh.
 struct Labels {
@@ -39,4 +39,4 @@ Extract extract(const Mesh& mesh, const std::vector<bool>& hexes, std::vector<bo
 /// a part already.
 MeshPart part_of(const Mesh& mesh, const Labels& whole, int rank, const std::set<std::string>& shared);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

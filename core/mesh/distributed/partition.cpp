@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 std::vector<int> partition(const Mesh& mesh, int parts) {
   const std::size_t cells = mesh.hexes.size();
@@ -35,4 +35,4 @@ std::vector<int> partition(const Mesh& mesh, int parts) {
   return {rank.begin(), rank.end()};
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

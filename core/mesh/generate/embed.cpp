@@ -6,7 +6,7 @@
 
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 void drop_rounding(std::array<double, 4>& weights) {
@@ -48,4 +48,4 @@ int sole_node(const EmbeddedPoint& e) {
 
 EmbeddedPoint at_node(int node) { return {{node, node, node, node}, {1, 0, 0, 0}}; }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -3,7 +3,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// The point of some faces nearest to a target, as weights on one face. Weights within rounding of 0 are 0.
 struct Embedding {
@@ -24,4 +24,4 @@ int sole_node(const EmbeddedPoint& point);
 /// A point that sits in a node.
 EmbeddedPoint at_node(int node);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

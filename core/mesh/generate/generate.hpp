@@ -4,7 +4,7 @@
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// A box of equal cells. Region "block"; surfaces "xmin", "xmax", "ymin", "ymax", "zmin", "zmax", and
 /// "outside" (all six).
@@ -95,4 +95,4 @@ std::vector<Quad> faces_where(const Mesh& mesh, const std::vector<Quad>& faces, 
   return chosen;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

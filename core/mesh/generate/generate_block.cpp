@@ -2,7 +2,7 @@
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 Mesh generate(const BlockShape& b) {
   for (int i = 0; i < 3; ++i)
@@ -38,4 +38,4 @@ Mesh generate(const BlockShape& b) {
   return mesh;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -2,7 +2,7 @@
 #include "core/mesh/generate/o_grid.hpp"
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 Mesh generate(const CylinderShape& c) {
   Mesh mesh;
@@ -40,4 +40,4 @@ Mesh generate(const CylinderShape& c) {
   return mesh;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

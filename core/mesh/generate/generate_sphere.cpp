@@ -7,7 +7,7 @@
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 using Lattice = std::array<int, 3>;
@@ -154,4 +154,4 @@ Mesh generate(const BallShape& b) {
   return mesh;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

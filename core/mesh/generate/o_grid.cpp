@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 /// Equiangular lattice: tan(45° i / n), exact at −n, 0, n.
@@ -77,4 +77,4 @@ Disc o_grid(const DiscMap& map, bool half) {
   return disc;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// The unit disc as the image of a lattice: a square core −n..n × −n..n whose outline is rounded half way to
 /// a circle, and `rings` rings between the outline and the circle.
@@ -33,4 +33,4 @@ struct Disc {
 /// Core of 2n × 2n cells (half: n × 2n with x >= 0) and rings; the rim's angles are equal.
 Disc o_grid(const DiscMap& map, bool half);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -3,7 +3,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Reads a Gmsh file, MSH 2.2 or 4.1, ASCII or binary.
 ///
@@ -35,4 +35,4 @@ struct GmshFormat {
 /// be written.
 void write_gmsh(const Mesh& mesh, const std::string& path, const GmshFormat& format = {});
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 const char* const use_hexahedra =
@@ -106,4 +106,4 @@ void GmshFile::refuse_others() const {
          use_hexahedra);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -8,7 +8,7 @@
 #include "core/mesh/gmsh/gmsh_scanner.hpp"
 #include "core/mesh/imported.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// What a Gmsh file says, before it becomes a Mesh.
 struct GmshFile {
@@ -64,4 +64,4 @@ void read_elements4(GmshScanner& in, GmshFile& file, const GmshEntities& entitie
 /// The mesh that the elements and groups describe.
 Mesh mesh_of(const GmshFile& file);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -12,7 +12,7 @@
 #include "core/mesh/gmsh/gmsh_file.hpp"
 #include "core/mesh/repeated.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 /// Numbers the nodes that hexahedra use in the order of the file.
@@ -162,4 +162,4 @@ Mesh mesh_of(const GmshFile& file) {
   return mesh;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -3,7 +3,7 @@
 
 #include "core/mesh/gmsh/gmsh_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 // Gmsh adds groups of its own, such as _part{1}_physical{2}.
@@ -45,4 +45,4 @@ void read_partitioned4(GmshScanner& in, const GmshFile& file, GmshEntities& enti
             "partitions");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

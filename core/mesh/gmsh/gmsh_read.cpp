@@ -3,7 +3,7 @@
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "core/mesh/gmsh/gmsh_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 struct Header {
@@ -78,4 +78,4 @@ Mesh read_gmsh(const std::string& path) {
   return mesh_of(file);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -1,6 +1,6 @@
 #include "core/mesh/gmsh/gmsh_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 std::vector<int> physical(std::span<const int> tags) {
@@ -51,4 +51,4 @@ void read_elements2(GmshScanner& in, GmshFile& file) {
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -1,6 +1,6 @@
 #include "core/mesh/gmsh/gmsh_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 std::vector<int> read_entity4(GmshScanner& in, bool b, int dimension) {
   for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in.real(b);  // place, or bounding box
@@ -65,4 +65,4 @@ void read_elements4(GmshScanner& in, GmshFile& file, const GmshEntities& entitie
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -10,7 +10,7 @@
 #include "core/base/parse_number.hpp"
 #include "core/base/whole_file.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 const char* const save_again = "save the mesh again as MSH 4.1 or 2.2";
@@ -100,4 +100,4 @@ void GmshScanner::skip_past(const std::string& marker) {
     if (text_[at_] == '\n') ++line_;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

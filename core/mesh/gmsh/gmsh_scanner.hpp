@@ -5,7 +5,7 @@
 
 #include "core/base/printable.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Walks through the text or the bytes of a file and knows its line. Every failure is an InputError with that
 /// line.
@@ -61,4 +61,4 @@ class GmshScanner {
   int line_ = 1;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

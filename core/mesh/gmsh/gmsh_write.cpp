@@ -9,7 +9,7 @@
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 /// A physical group; in the file it is one entity of the same tag.
@@ -226,4 +226,4 @@ void write_gmsh(const Mesh& mesh, const std::string& path, const GmshFormat& for
   out.close();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

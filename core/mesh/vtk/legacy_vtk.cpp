@@ -13,7 +13,7 @@
 #include "core/base/printable.hpp"
 #include "core/mesh/vtk/vtk_grid.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 const char* const write_again = "write the file again; it may have been cut off";
@@ -250,4 +250,4 @@ VtkGrid read_legacy_vtk(const std::string& path, const std::string& text) {
   return LegacyReader(path, text).read();
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

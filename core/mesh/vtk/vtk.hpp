@@ -3,7 +3,7 @@
 
 #include "core/mesh/imported.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Reads an unstructured grid of hexahedra (cell types 12 and 11, voxels): an XML file (.vtu: ASCII, base64
 /// or raw, inline or appended, zlib) or a legacy file (.vtk: ASCII or binary), as its content says.
@@ -18,4 +18,4 @@ namespace bulbus {
 /// The notes tell which arrays were skipped. Throws InputError with the file and, in text, the line.
 ReadMesh read_vtk(const std::string& path, const std::string& regions = "region");
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

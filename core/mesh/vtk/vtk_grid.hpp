@@ -4,7 +4,7 @@
 
 #include "core/mesh/imported.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 struct VtkArray {
   std::string name;
@@ -38,4 +38,4 @@ std::vector<double> numbers_in(std::string_view bytes, VtkType type, bool swappe
 /// `regions`: name of the cell array.
 ReadMesh mesh_of(const VtkGrid& grid, const std::string& regions);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -12,7 +12,7 @@
 #include "core/mesh/vtk/vtk.hpp"
 #include "core/mesh/vtk/vtk_grid.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 constexpr int voxel = 11, hexahedron = 12;
@@ -227,4 +227,4 @@ ReadMesh read_vtk(const std::string& path, const std::string& regions) {
   return mesh_of(legacy ? read_legacy_vtk(path, text) : read_vtu(path, text), regions);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

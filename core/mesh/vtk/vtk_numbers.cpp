@@ -5,7 +5,7 @@
 
 #include "core/mesh/vtk/vtk_grid.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 template <class T>
@@ -51,4 +51,4 @@ std::vector<double> numbers_in(std::string_view bytes, VtkType type, bool swappe
   }
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

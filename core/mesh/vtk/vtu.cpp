@@ -16,7 +16,7 @@
 #include "core/mesh/vtk/vtu_bytes.hpp"
 #include "core/mesh/vtk/xml.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 const char* const save_again = "write the file again (in ParaView: Save Data, .vtu)";
@@ -192,4 +192,4 @@ class VtuReader {
 
 VtkGrid read_vtu(const std::string& path, const std::string& text) { return VtuReader(path).read(text); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

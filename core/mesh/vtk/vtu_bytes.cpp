@@ -10,7 +10,7 @@
 
 #include "core/mesh/vtk/vtk_grid.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 constexpr double most_deflated = 1032;  // zlib makes nothing smaller by more
@@ -96,4 +96,4 @@ std::string array_bytes(VtuBytes bytes, const VtuFormat& format) {
   return all;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// Takes bytes from a base64 or raw stream in order.
 class VtuBytes {
@@ -29,4 +29,4 @@ struct VtuFormat {
 /// The bytes of one array behind its sizes. Throws std::length_error with what is wrong.
 std::string array_bytes(VtuBytes bytes, const VtuFormat& format);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

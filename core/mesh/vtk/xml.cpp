@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/printable.hpp"
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 namespace {
 
 constexpr int deepest = 30;
@@ -163,4 +163,4 @@ const XmlElement* XmlElement::part(std::string_view wanted) const {
 
 XmlElement parse_xml(const std::string& path, std::string_view text) { return Parser(path, text).root(); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bulbus {
+namespace bulbus::inline mesh {
 
 /// An element of a VTK XML file.
 struct XmlElement {
@@ -23,4 +23,4 @@ struct XmlElement {
 /// <AppendedData>, whose content need not be text. Throws InputError with file and line.
 XmlElement parse_xml(const std::string& path, std::string_view text);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline mesh

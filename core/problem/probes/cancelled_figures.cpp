@@ -7,7 +7,7 @@
 
 #include "core/problem/closed_surface.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 bool is_moment(const std::string& kind) { return kind == "moment" || kind == "body_moment"; }
@@ -55,4 +55,4 @@ std::vector<std::string> cancelled_figures(const Model& model) {
   return sentences;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -4,7 +4,7 @@
 
 #include "core/problem/model.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Is a probe of this kind a sum of forces or moments, to which symmetry images add?
 bool sums_forces(const std::string& kind);
@@ -12,4 +12,4 @@ bool sums_forces(const std::string& kind);
 /// A sentence for every probe whose figure the images in the planes of symmetry cancel, whatever happens.
 std::vector<std::string> cancelled_figures(const Model& model);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/probes/probe_figures.hpp"
 
-namespace bulbus::probes {
+namespace bulbus::inline problem::probes {
 namespace {
 
 // The deformable hexahedra of the region, or of all.
@@ -93,4 +93,4 @@ ProbeSet::Figure volume_ratio(const Problem& problem, const ProbeSpec& spec) {
   };
 }
 
-}  // namespace bulbus::probes
+}  // namespace bulbus::inline problem::probes

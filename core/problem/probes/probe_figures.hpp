@@ -2,7 +2,7 @@
 #include "core/problem/probes/probes.hpp"
 
 /// The figures behind ProbeSet, in mm, N, MPa. Making one and asking it are collective.
-namespace bulbus::probes {
+namespace bulbus::inline problem::probes {
 
 /// Of forces on nodes: their sum, their moment about the origin, and the sum of their components away from
 /// the z axis.
@@ -53,4 +53,4 @@ ProbeSet::Figure volume_ratio(const Problem& problem, const ProbeSpec& spec);
 /// Mean, max or min over all ranks' numbers. Collective.
 double statistic(const Comm& comm, const std::string& kind, std::span<const double> numbers);
 
-}  // namespace bulbus::probes
+}  // namespace bulbus::inline problem::probes

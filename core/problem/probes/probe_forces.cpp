@@ -6,7 +6,7 @@
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/probes/probe_figures.hpp"
 
-namespace bulbus::probes {
+namespace bulbus::inline problem::probes {
 namespace {
 
 Resultant resultant(Snapshot& s, std::span<const int> nodes, const std::string& of) {
@@ -88,4 +88,4 @@ ProbeSet::Figure volume(const Problem& problem, const ProbeSpec& spec) {
   };
 }
 
-}  // namespace bulbus::probes
+}  // namespace bulbus::inline problem::probes

@@ -5,7 +5,7 @@
 
 #include "core/problem/probes/probe_figures.hpp"
 
-namespace bulbus::probes {
+namespace bulbus::inline problem::probes {
 namespace {
 
 template <class Number>
@@ -71,4 +71,4 @@ ProbeSet::Figure distance(const Problem& problem, const ProbeSpec& spec) {
              Snapshot& s) { return component_of(minus(mean_place(s, to), mean_place(s, from)), c); };
 }
 
-}  // namespace bulbus::probes
+}  // namespace bulbus::inline problem::probes

@@ -1,6 +1,6 @@
 #include "core/problem/probes/probe_record.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 double ProbeRecord::value(std::size_t i, Snapshot& s, const Start& start) const {
   const auto origin = s.origin;
@@ -41,4 +41,4 @@ ProbeValues ProbeRecord::values(Snapshot& s) const {
   return values;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

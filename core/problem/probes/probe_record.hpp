@@ -4,7 +4,7 @@
 
 #include "core/problem/probes/probes.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// One per probe; none where the step that it counts from has not ended.
 using ProbeValues = std::vector<std::optional<double>>;
@@ -33,4 +33,4 @@ class ProbeRecord {
   std::map<int, Start> starts_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

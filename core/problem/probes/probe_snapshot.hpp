@@ -6,7 +6,7 @@
 
 #include "core/problem/problem.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// A state with what is derived from it, each computed when first asked for. Problem and state must outlive
 /// it.
@@ -45,4 +45,4 @@ class Snapshot {
   std::map<const void*, std::any> derived_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/probes/probe_figures.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 namespace {
 
 const ProbeSet::Kinds& own_kinds() {
@@ -87,4 +87,4 @@ std::vector<double> ProbeSet::values(const Problem& problem, const State& state)
   return values(snapshot);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

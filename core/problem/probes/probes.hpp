@@ -6,7 +6,7 @@
 
 #include "core/problem/probes/probe_snapshot.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// The figures that a model's probes ask for.
 ///
@@ -53,4 +53,4 @@ class ProbeSet {
   std::vector<Probe> probes_;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

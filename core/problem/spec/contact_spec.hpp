@@ -3,7 +3,7 @@
 
 #include "core/base/parameters.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// Frictionless penalty contact between the nodes or the faces' points of one surface (slave, the softer
 /// side) and the faces of another or of a rigid body (master).
@@ -44,4 +44,4 @@ struct ContactSpec {
   }
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/require_one.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 void RigidBodySpec::validate() const { require_one("the rigid body", "shape", optional_members(*this)); }
 
@@ -17,4 +17,4 @@ void SutureSpec::validate() const {
                       "add 'surface: ...', the surface of the mesh that its points lie on");
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

@@ -6,7 +6,7 @@
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus {
+namespace bulbus::inline problem {
 
 /// What a scene says of rigid bodies that it moves itself, and of the sutures that run over them.
 
@@ -249,4 +249,4 @@ struct SutureSpec {
   void validate() const;
 };
 
-}  // namespace bulbus
+}  // namespace bulbus::inline problem

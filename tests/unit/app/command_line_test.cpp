@@ -41,8 +41,8 @@ TEST(CommandLine, HelpsAndTellsItsVersion) {
   EXPECT_NE(bulbus_says({"run", "--help"}).out.find("--set"), std::string::npos);
   EXPECT_EQ(bulbus_says({"--version"}).out, std::string("bulbus ") + version + "\n");
   EXPECT_NE(bulbus_says({"help", "scene"}).out.find("max_iterations"), std::string::npos);
-  EXPECT_EQ(bulbus_says({"help", "scene"}).out.find("smoothed_part"), std::string::npos);
-  EXPECT_NE(bulbus_says({"help", "scene", "--expert"}).out.find("smoothed_part"), std::string::npos);
+  EXPECT_EQ(bulbus_says({"help", "scene"}).out.find("smoothing_range"), std::string::npos);
+  EXPECT_NE(bulbus_says({"help", "scene", "--expert"}).out.find("smoothing_range"), std::string::npos);
   EXPECT_NE(bulbus_says({"help", "scene", "--all"}).out.find("record_spectrum"), std::string::npos);
   EXPECT_NE(bulbus_says({"help", "study"}).out.find("one_at_a_time"), std::string::npos);
   EXPECT_EQ(bulbus_says({"help", "schema"}).out[0], '{');

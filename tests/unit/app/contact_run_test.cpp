@@ -118,7 +118,7 @@ TEST(ContactRun, CountsFromTheEndOfAStep) {
 
 TEST(ContactRun, HasNoFigureBeforeItsStep) {
   const Ran r = run_scene(replaced(scene, "since: press", "since: leave"),
-                          {"solver.stepping.smallest=0.9", "solver.newton.max_iterations=1"});
+                          {"solver.stepping.minimum=0.9", "solver.newton.max_iterations=1"});
   EXPECT_EQ(r.status, 1) << r.err;
   EXPECT_TRUE(r.summary()["probes"]["sink"].is_null());
 }

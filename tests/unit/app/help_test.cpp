@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
+#include "app/scene/concepts.hpp"
 #include "app/scene/help.hpp"
-#include "app/scene/kinds.hpp"
-#include "app/scene/wording.hpp"
+#include "app/scene/text_format.hpp"
 #include "app/study/study.hpp"
 #include "scenes.hpp"
 
@@ -14,15 +14,15 @@ using namespace bulbus::test;
 /// Calls `see` for every key below an object, into lists, maps and options.
 template <class T, class See>
 void walk(T& value, See&& see) {
-  if constexpr (kinds::Described<T>) {
+  if constexpr (concepts::Described<T>) {
     value.describe([&](const char* key, auto& member, const About& about) {
       see(key, about);
       walk(member, see);
     });
-  } else if constexpr (kinds::Map<T>) {
+  } else if constexpr (concepts::Map<T>) {
     typename T::mapped_type inner{};
     walk(inner, see);
-  } else if constexpr (kinds::List<T> || kinds::Optional<T>) {
+  } else if constexpr (concepts::List<T> || concepts::Optional<T>) {
     typename T::value_type inner{};
     walk(inner, see);
   }

@@ -1,4 +1,4 @@
-#include "app/scene/entry.hpp"
+#include "app/scene/yaml_node.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -62,11 +62,11 @@ TEST(Yaml, KeepsTextThatLooksLikeSomethingElse) {
                             "...",
                             "a #b",
                             "\x01"}) {
-    Entry map = Entry::empty(Entry::Kind::map);
-    map.insert(*title ? title : "key", {}, Entry::word(title));
-    const Entry read = parse_yaml(to_yaml(map), "text");
+    YamlNode map = YamlNode::empty(YamlNode::Kind::map);
+    map.insert(*title ? title : "key", {}, YamlNode::word(title));
+    const YamlNode read = parse_yaml(to_yaml(map), "text");
     ASSERT_EQ(read.items.size(), 1u) << title;
-    EXPECT_TRUE(read.items[0].is(Entry::Kind::word)) << title;
+    EXPECT_TRUE(read.items[0].is(YamlNode::Kind::word)) << title;
     EXPECT_EQ(read.items[0].text, title);
     EXPECT_EQ(read.keys[0], map.keys[0]);
   }

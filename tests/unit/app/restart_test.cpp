@@ -238,7 +238,7 @@ TEST(Restart, GoesOnWhereARunDidNotConverge) {
   const std::string rare = replaced(full_of_memory, "checkpoint: 1", "checkpoint: 100");
   const Ran failed =
       call("run", fresh_folder("bulbus_stuck"), "scene.yaml",
-           replaced(rare, "newton: {", "stepping: {smallest: .9}\n  newton: {max_iterations: 3, "), {});
+           replaced(rare, "newton: {", "stepping: {minimum: .9}\n  newton: {max_iterations: 3, "), {});
   ASSERT_EQ(failed.status, 1) << failed.err;
   ASSERT_EQ(failed.summary()["totals"]["increments"], 3);
   write_scene(failed.folder, full_of_memory);

@@ -108,7 +108,7 @@ TEST(Run, SavesTheLastStateWhateverTheInterval) {
 /// The block may shrink to a tenth of its length, not to nothing: the last good state stays on the disk.
 TEST(Run, TellsWhyItDidNotConverge) {
   const Ran r = run_scene(replaced(scene, "x: 0.8", "x: \"-2.2*s\""),
-                          {"solver.stepping.smallest=0.1", "solver.newton.max_iterations=6"});
+                          {"solver.stepping.minimum=0.1", "solver.newton.max_iterations=6"});
   EXPECT_EQ(r.status, 1);
   const auto s = r.summary();
   EXPECT_EQ(s["converged"], false);

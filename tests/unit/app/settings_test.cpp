@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "app/scene/help.hpp"
-#include "app/scene/outline.hpp"
+#include "app/scene/schema_tree.hpp"
 #include "app/scene/unused.hpp"
 #include "app/scene/value_of.hpp"
 #include "app/study/study_design.hpp"
@@ -16,15 +16,15 @@ namespace {
 
 using namespace bulbus;
 using namespace bulbus::test;
-using Kind = Topic::Kind;
+using Kind = SchemaNode::Kind;
 namespace fs = std::filesystem;
 
 const std::string method_key = "solver.linear.method", displacement_key = "solver.linear.displacement";
 
 /// Calls `see` for every key below a topic that holds a value, with its path.
 template <class See>
-void walk(const Topic& topic, const std::string& path, See&& see) {
-  for (const Topic& t : topic.parts) {
+void walk(const SchemaNode& topic, const std::string& path, See&& see) {
+  for (const SchemaNode& t : topic.parts) {
     const std::string key = path + "." + t.key;
     if (t.kind == Kind::group)
       walk(t, key, see);
@@ -36,19 +36,19 @@ void walk(const Topic& topic, const std::string& path, See&& see) {
 template <class See>
 void walk_solver(See&& see) {
   SolverSettings defaults;
-  walk(outline_of("solver", About{""}, value_of(defaults)), "solver", see);
+  walk(schema_tree_of("solver", About{""}, value_of(defaults)), "solver", see);
 }
 
 std::vector<std::string> keys_at(Level level) {
   std::vector<std::string> keys;
-  walk_solver([&](const std::string& key, const Topic& t) {
+  walk_solver([&](const std::string& key, const SchemaNode& t) {
     if (t.about.level == level) keys.push_back(key);
   });
   return keys;
 }
 
 /// A legal value that is not the default.
-std::string another_value(const Topic& t) {
+std::string another_value(const SchemaNode& t) {
   if (t.kind == Kind::truth) return t.fallback.text == "true" ? "false" : "true";
   if (t.kind == Kind::text)
     return t.about.choices.empty() ? "words" : t.about.choices[t.about.choices[0] == t.fallback.text];
@@ -97,8 +97,8 @@ TEST(Levels, HelpShowsTheOthersOnRequest) {
                     all = scene_help(Level::debug);
   for (const std::string& help : {everyday, expert, all})
     EXPECT_NE(help.find("\n    memory_limit "), std::string::npos);
-  EXPECT_EQ(everyday.find("smoothed_part"), std::string::npos);
-  EXPECT_NE(expert.find("smoothed_part"), std::string::npos);
+  EXPECT_EQ(everyday.find("smoothing_range"), std::string::npos);
+  EXPECT_NE(expert.find("smoothing_range"), std::string::npos);
   EXPECT_EQ(expert.find("record_krylov"), std::string::npos);
   EXPECT_NE(all.find("record_krylov"), std::string::npos);
   const std::string left_out = fmt::format("{} settings for experts and {} for debugging are not shown",
@@ -109,7 +109,7 @@ TEST(Levels, HelpShowsTheOthersOnRequest) {
 }
 
 TEST(Choices, AreReadFromTheirWordsAndWrittenAsThem) {
-  walk_solver([](const std::string& key, const Topic& t) {
+  walk_solver([](const std::string& key, const SchemaNode& t) {
     if (t.kind != Kind::text || t.about.choices.empty()) return;
     EXPECT_GE(t.about.choices.size(), 2u) << key;
     for (const std::string& word : t.about.choices) {
@@ -122,7 +122,7 @@ TEST(Choices, AreReadFromTheirWordsAndWrittenAsThem) {
 
 TEST(Unused, IsRefusedForEveryConditionThatDoesNotHold) {
   int refused = 0;
-  walk_solver([&](const std::string& key, const Topic& t) {
+  walk_solver([&](const std::string& key, const SchemaNode& t) {
     const std::string given = key + "=" + another_value(t);
     const auto& conditions = t.about.conditions;
     auto set = choices(conditions, -1).first;

@@ -21,7 +21,7 @@ probes:
 solver:
   linear: {method: direct}
   newton: {max_iterations: 6}
-  stepping: {smallest: 0.2}
+  stepping: {minimum: 0.2}
 )yaml";
 
 /// Line 4 begins `vary`.

@@ -26,17 +26,17 @@ TEST_F(ActiveSet, APairOfPredictedPressurePullsBackUntilTheIncrementEnds) {
   term.linearize(open);
   dx[z] = 1;
   EXPECT_GT(action(term, dx)[z], 0) << "it keeps its stiffness";
-  ASSERT_TRUE(term.revise(open)) << "no tension at the end of an increment";
+  ASSERT_TRUE(term.update_multipliers(open)) << "no tension at the end of an increment";
   EXPECT_EQ(force(term, open)[z], 0);
   term.linearize(open);
-  EXPECT_FALSE(term.revise(open));
+  EXPECT_FALSE(term.update_multipliers(open));
 }
 
 TEST_F(ActiveSet, APairThatIsReleasedAgainAndAgainFollowsTheLawForTheRestOfTheIncrement) {
   for (int k = 0; k < 3; ++k) {
     term.linearize(closed);
     term.predict(dx);
-    ASSERT_TRUE(term.revise(open));
+    ASSERT_TRUE(term.update_multipliers(open));
   }
   term.linearize(closed);
   term.predict(dx);
@@ -48,13 +48,13 @@ TEST_F(ActiveSet, APairThatIsReleasedAgainAndAgainFollowsTheLawForTheRestOfTheIn
 }
 
 TEST_F(ActiveSet, OneThatTheLastSolutionWasNotFoundWithIsTriedOnce) {
-  EXPECT_FALSE(term.revise(open)) << "nothing was solved";
+  EXPECT_FALSE(term.update_multipliers(open)) << "nothing was solved";
   term.linearize(closed);
-  EXPECT_TRUE(term.revise(open));
-  EXPECT_FALSE(term.revise(open));
+  EXPECT_TRUE(term.update_multipliers(open));
+  EXPECT_FALSE(term.update_multipliers(open));
   term.set_progress(.5);
   term.linearize(closed);
-  EXPECT_FALSE(term.revise(closed));
+  EXPECT_FALSE(term.update_multipliers(closed));
 }
 
 TEST_F(ActiveSet, APairOfPredictedTensionOpens) {

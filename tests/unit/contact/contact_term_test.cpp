@@ -58,7 +58,7 @@ TEST_F(ContactTermTest, ActionIsTheDerivativeOfTheForceOnceSettled) {
 
 TEST_F(ContactTermTest, ActionIsTheDerivativeOfTheForceWithMultipliersToo) {
   auto augmented = two.term(contact_spec(50, .1, 1e-4));
-  ASSERT_TRUE(augmented.revise(state));
+  ASSERT_TRUE(augmented.update_multipliers(state));
   EXPECT_GT(relative_difference(force(augmented, state), force(term, state)), .5);
   settle(augmented, state);
   const auto exact = derivative(

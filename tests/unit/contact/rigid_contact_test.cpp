@@ -210,7 +210,7 @@ TEST_F(PlateOnSpring, PenaltyAloneLeavesThePenetrationOfItsSpring) {
   auto term = augmented(0);
   equilibrate(term);
   EXPECT_NEAR(z, k * w / (k + penalty * A), 1e-10);
-  EXPECT_FALSE(term.revise(at(z)));
+  EXPECT_FALSE(term.update_multipliers(at(z)));
 }
 
 TEST_F(PlateOnSpring, AugmentationDrivesThePenetrationBelowItsTolerance) {
@@ -218,7 +218,7 @@ TEST_F(PlateOnSpring, AugmentationDrivesThePenetrationBelowItsTolerance) {
   equilibrate(term);
   double before = -z;
   int updates = 0;
-  while (term.revise(at(z))) {
+  while (term.update_multipliers(at(z))) {
     ++updates;
     equilibrate(term);
     EXPECT_NEAR(-z / before, k / (k + penalty * A), 1e-6);
@@ -236,7 +236,7 @@ TEST_F(PlateOnSpring, AugmentationDrivesThePenetrationBelowItsTolerance) {
   w = -.1;
   term.set_progress(.5);
   equilibrate(term);
-  ASSERT_TRUE(term.revise(at(z)));
+  ASSERT_TRUE(term.update_multipliers(at(z)));
   const double pushed = term.figures(at(z)).on_master[0].force[2];
   term.roll_back();
   EXPECT_EQ(term.memory().pressure[0], kept);
@@ -247,7 +247,7 @@ TEST_F(PlateOnSpring, AugmentationGivesUpInTheEnd) {
   auto term = augmented(1e-12);
   k = 2000;
   int updates = 0;
-  for (equilibrate(term); term.revise(at(z)); equilibrate(term)) ++updates;
+  for (equilibrate(term); term.update_multipliers(at(z)); equilibrate(term)) ++updates;
   EXPECT_EQ(updates, 20);
   EXPECT_TRUE(term.augmentation().gave_up);
   EXPECT_GT(term.augmentation().violation, 1e-12);
@@ -255,14 +255,14 @@ TEST_F(PlateOnSpring, AugmentationGivesUpInTheEnd) {
 
 TEST_F(PlateOnSpring, AugmentationLeavesNoGapWhereTheLoadWanes) {
   auto term = augmented(1e-6);
-  for (equilibrate(term); term.revise(at(z)); equilibrate(term)) {
+  for (equilibrate(term); term.update_multipliers(at(z)); equilibrate(term)) {
   }
   term.commit(at(z));
   w = -.02;
   term.set_progress(.5);
   equilibrate(term);
   EXPECT_GT(z, 1e-3) << "the old multiplier presses across a gap";
-  while (term.revise(at(z))) equilibrate(term);
+  while (term.update_multipliers(at(z))) equilibrate(term);
   EXPECT_LE(std::abs(z), 1e-6);
   EXPECT_GT(term.figures(at(z)).pairs, 0);
 }
@@ -270,11 +270,11 @@ TEST_F(PlateOnSpring, AugmentationLeavesNoGapWhereTheLoadWanes) {
 TEST_F(PlateOnSpring, AugmentedPlateIsReleasedWhenItLifts) {
   auto term = augmented(1e-6);
   equilibrate(term);
-  while (term.revise(at(z))) equilibrate(term);
+  while (term.update_multipliers(at(z))) equilibrate(term);
   term.commit(at(z));
   w = .1;
   term.set_progress(.5);
-  for (equilibrate(term); term.revise(at(z)); equilibrate(term)) {
+  for (equilibrate(term); term.update_multipliers(at(z)); equilibrate(term)) {
   }
   EXPECT_NEAR(z, w, 1e-10);
 }

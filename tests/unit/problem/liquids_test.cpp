@@ -113,7 +113,7 @@ TEST_F(FilledShell, ResidualIsTheSameHoweverManyRanks) {
     // a reference norm: at the seams of the ranks, |a + b| of a liquid's faces becomes |a| + |b|
     ASSERT_NEAR(r.reference_force[n], expected.reference_force[m], .02 * expected.reference_force[m]);
   }
-  const Balance a = p.balance(r), b = alone.balance(expected);
+  const EquilibriumError a = p.equilibrium_error(r), b = alone.equilibrium_error(expected);
   EXPECT_NEAR(a.force, b.force, .01 * b.force);
   EXPECT_EQ(a.region, b.region);
   EXPECT_NEAR(a.volume, b.volume, 1e-13);

@@ -7,14 +7,14 @@ TEST_F(FilledShell, RigidHexahedraKeepTheirVolumeInTheBalance) {
   Problem p(scene.mesh, scene.model, world());
   State s = p.initial_state();
   p.begin_step(0, s);
-  const Balance b = p.balance(p.residual(s));
+  const EquilibriumError b = p.equilibrium_error(p.residual(s));
   EXPECT_LT(b.volume, 1e-13);
   s = shaken(p, s, .02, 3);
   const Residual r = p.residual(s);
   double worst = 0;
   for (std::size_t e = 0; e < r.volume.size(); ++e)
     worst = worse(worst, std::abs(r.volume[e]) / p.solid().reference_volumes()[e]);
-  EXPECT_DOUBLE_EQ(p.balance(r).volume, world().max(worst));
+  EXPECT_DOUBLE_EQ(p.equilibrium_error(r).volume, world().max(worst));
   EXPECT_GT(worst, 1e-4);
 }
 
@@ -42,7 +42,7 @@ TEST(RigidRegions, BalanceCountsTheResultantOnABody) {
   scene.model.steps[0].loads.push_back(force("zmax", {0, 0, 1}));
   Problem p(scene.mesh, scene.model, world());
   State s = at_end_of_step(p);
-  const Balance b = p.balance(p.residual(s));
+  const EquilibriumError b = p.equilibrium_error(p.residual(s));
   EXPECT_EQ(b.region, "lid");
   EXPECT_DOUBLE_EQ(b.force, 1);
 }
@@ -61,8 +61,8 @@ TEST(RigidRegions, BalanceCountsTheMomentOnABody) {
   const Residual r = p.residual(s);
   EXPECT_NEAR(norm(r.bodies[0].force), 0, 1e-14);
   expect_near(r.bodies[0].moment, {0, -6, 0});
-  EXPECT_EQ(p.balance(r).region, "lid");
-  EXPECT_GT(p.balance(r).force, .5);
+  EXPECT_EQ(p.equilibrium_error(r).region, "lid");
+  EXPECT_GT(p.equilibrium_error(r).force, .5);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(March, CutsIncrementsThatNeedTooManyIterations) {
 
 TEST(March, ImpossibleStepFailsWithAReasonAndKeepsTheLastGoodState) {
   Trial run(stretched_block(2, "-1.2"));
-  run.settings.stepping.smallest = .02;
+  run.settings.stepping.minimum = .02;
   run.go();
   EXPECT_FALSE(run.report.converged);
   EXPECT_GT(run.report.cuts, 0);
@@ -48,7 +48,7 @@ TEST(March, ImpossibleStepFailsWithAReasonAndKeepsTheLastGoodState) {
   EXPECT_GT(run.comm.min(run.problem.solid().least_jacobian(run.state.x)), 0);
   const double done = run.increments.back().progress;
   EXPECT_NEAR(run.problem.progress(), done, 1e-14);
-  const Balance b = run.problem.balance(run.problem.residual(run.state));
+  const EquilibriumError b = run.problem.equilibrium_error(run.problem.residual(run.state));
   EXPECT_LT(b.force, 1e-9);
   EXPECT_LT(b.volume, 1e-9);
 }

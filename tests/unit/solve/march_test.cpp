@@ -55,7 +55,7 @@ TEST(March, RigidBodiesSkewHoldsBarsAndLiquidConvergeQuadraticallyToo) {
   run.go();
   ASSERT_TRUE(run.report.converged) << run.report.reason;
   for (const Increment& i : run.increments) expect_quadratic(i.newton);
-  EXPECT_LT(run.increments.back().newton.balance.force, 1e-10);
+  EXPECT_LT(run.increments.back().newton.error.force, 1e-10);
 }
 
 TEST(March, NegativePivotsAreHexahedraAndLiquids) {
@@ -139,11 +139,11 @@ TEST(March, IsLaxUnderwayAndStrictAtTheEnd) {
   Scene scene = stretched_block(2, "0.4");
   scene.model.steps[0].increments = 4;
   Trial strict(scene), lax(scene);
-  lax.settings.newton.underway = 1e6;
+  lax.settings.newton.intermediate = 1e6;
   strict.go(), lax.go();
   EXPECT_LT(lax.report.newton_iterations, strict.report.newton_iterations);
   for (int i = 0; i < 4; ++i) {
-    const Balance &left = lax.increments[i].newton.balance, &right = strict.increments[i].newton.balance;
+    const EquilibriumError &left = lax.increments[i].newton.error, &right = strict.increments[i].newton.error;
     EXPECT_LE(std::max(right.force, right.volume), 1e-10);
     EXPECT_EQ(std::max(left.force, left.volume) > 1e-10, i < 3) << i;
   }

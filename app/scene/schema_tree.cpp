@@ -1,13 +1,13 @@
-#include "app/scene/outline.hpp"
+#include "app/scene/schema_tree.hpp"
 
 #include <algorithm>
 
 #include "app/scene/writer.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
-using Kind = Topic::Kind;
+using Kind = SchemaNode::Kind;
 
 Kind kind_of(Value::Kind kind) {
   switch (kind) {
@@ -32,19 +32,19 @@ Kind kind_of(Value::Kind kind) {
   }
 }
 
-std::vector<Topic> parts_of(const Value& group) {
-  std::vector<Topic> parts;
+std::vector<SchemaNode> parts_of(const Value& group) {
+  std::vector<SchemaNode> parts;
   for (const Member& m : group.members()) {
-    Entry fallback = entry_of(m.value, m.about);
-    parts.push_back(outline_of(m.key, m.about, m.value));
+    YamlNode fallback = entry_of(m.value, m.about);
+    parts.push_back(schema_tree_of(m.key, m.about, m.value));
     parts.back().fallback = std::move(fallback);
   }
   return parts;
 }
 
 // Gives all that is below a topic the topic's level and conditions.
-void inherit(Topic& topic, const About& about) {
-  for (Topic& part : topic.parts) {
+void inherit(SchemaNode& topic, const About& about) {
+  for (SchemaNode& part : topic.parts) {
     part.about.level = std::max(part.about.level, about.level);
     part.about.conditions.insert(part.about.conditions.begin(), about.conditions.begin(),
                                  about.conditions.end());
@@ -54,15 +54,16 @@ void inherit(Topic& topic, const About& about) {
 
 }  // namespace
 
-Topic outline_of(const std::string& key, const About& about, const Value& value) {
+SchemaNode schema_tree_of(const std::string& key, const About& about, const Value& value) {
   if (value.kind() == Value::Kind::optional) {
-    Topic topic = outline_of(key, about, value.add());
+    SchemaNode topic = schema_tree_of(key, about, value.add());
     topic.optional = !about.zero_is_automatic;
     return topic;
   }
-  Topic topic{.key = key, .about = about, .kind = kind_of(value.kind())};
+  SchemaNode topic{.key = key, .about = about, .kind = kind_of(value.kind())};
   if (value.kind() == Value::Kind::word) topic.about.choices = value.words();
-  if (topic.kind == Kind::list || topic.kind == Kind::map) topic.parts = {outline_of("", about, value.add())};
+  if (topic.kind == Kind::list || topic.kind == Kind::map)
+    topic.parts = {schema_tree_of("", about, value.add())};
   if (topic.kind == Kind::group) {
     topic.parts = parts_of(value);
     inherit(topic, about);
@@ -70,4 +71,4 @@ Topic outline_of(const std::string& key, const About& about, const Value& value)
   return topic;
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

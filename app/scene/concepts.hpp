@@ -9,7 +9,7 @@
 #include "core/base/parameters.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace bulbus::kinds {
+namespace bulbus::inline app::concepts {
 
 /// A visitor that looks at nothing: it only serves to ask whether a type describes itself.
 struct Blind {
@@ -56,4 +56,4 @@ struct is_map<std::map<std::string, T>> : std::true_type {};
 template <class T>
 concept Map = is_map<T>::value;
 
-}  // namespace bulbus::kinds
+}  // namespace bulbus::inline app::concepts

@@ -6,7 +6,7 @@
 #include "core/base/parameters.hpp"
 #include "core/base/require_one.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 /// Shortest text that reads back as the same double, in a form that every YAML reader takes for a number.
 std::string number_text(double value);
@@ -20,4 +20,4 @@ std::string conditions_text(std::span<const Condition> conditions);
 /// What a number may be: "a number in MPa (or with its unit), above 0".
 std::string wanted_number(const About& about);
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

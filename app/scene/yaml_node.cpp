@@ -1,4 +1,4 @@
-#include "app/scene/entry.hpp"
+#include "app/scene/yaml_node.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -11,7 +11,7 @@
 #include "core/base/error.hpp"
 #include "core/base/printable.hpp"
 
-namespace bulbus {
+namespace bulbus::inline app {
 namespace {
 
 constexpr int deepest = 64;                  // an alias inside its own anchor would nest for ever
@@ -30,7 +30,7 @@ class Converter {
  public:
   explicit Converter(const Source& source) : source_(source) {}
 
-  Entry convert(const YAML::Node& node, int depth) {
+  YamlNode convert(const YAML::Node& node, int depth) {
     const Place place = source_.at(node.Mark());
     if (depth > deepest)
       throw input_error(place.file, place.line, "nested too deeply",
@@ -38,8 +38,8 @@ class Converter {
     count(1, place);
     if (node.IsMap()) return convert_map(node, place, depth);
     if (node.IsSequence()) return convert_list(node, place, depth);
-    return node.IsScalar() ? Entry::word(whole(node.Scalar(), place), place)
-                           : Entry::empty(Entry::Kind::nothing, place);
+    return node.IsScalar() ? YamlNode::word(whole(node.Scalar(), place), place)
+                           : YamlNode::empty(YamlNode::Kind::nothing, place);
   }
 
  private:
@@ -60,16 +60,16 @@ class Converter {
                         "and tables in files of their own");
   }
 
-  Entry convert_list(const YAML::Node& node, const Place& place, int depth) {
-    Entry list = Entry::empty(Entry::Kind::list, place);
+  YamlNode convert_list(const YAML::Node& node, const Place& place, int depth) {
+    YamlNode list = YamlNode::empty(YamlNode::Kind::list, place);
     for (const YAML::Node& item : node) list.items.push_back(convert(item, depth + 1));
     return list;
   }
 
-  Entry convert_map(const YAML::Node& node, const Place& place, int depth) {
-    Entry map = Entry::empty(Entry::Kind::map, place);
+  YamlNode convert_map(const YAML::Node& node, const Place& place, int depth) {
+    YamlNode map = YamlNode::empty(YamlNode::Kind::map, place);
     std::unordered_map<std::string, int> lines;  // of the keys so far
-    std::vector<Entry> merged;
+    std::vector<YamlNode> merged;
     for (const auto& pair : node) {
       const Place at = source_.at(pair.first.Mark());
       if (!pair.first.IsScalar())
@@ -80,25 +80,25 @@ class Converter {
         throw input_error(
             at.file, at.line, "the key '" + printable(key, true) + "' is given twice",
             "it stands in line " + std::to_string(first->second) + " already; keep one of the two");
-      Entry value = convert(pair.second, depth + 1);
+      YamlNode value = convert(pair.second, depth + 1);
       if (value.place.line == 0) value.place = at;
       if (key == "<<")
         merged.push_back(std::move(value));
       else
         map.insert(key, at, std::move(value));
     }
-    for (const Entry& from : merged) merge(map, from, lines);
+    for (const YamlNode& from : merged) merge(map, from, lines);
     return map;
   }
 
   // The merge key of YAML, `<<: *name`: what the map does not say itself comes from another map, or from the
   // first of several.
-  void merge(Entry& map, const Entry& from, std::unordered_map<std::string, int>& lines) {
-    if (from.is(Entry::Kind::list)) {
-      for (const Entry& one : from.items) merge(map, one, lines);
+  void merge(YamlNode& map, const YamlNode& from, std::unordered_map<std::string, int>& lines) {
+    if (from.is(YamlNode::Kind::list)) {
+      for (const YamlNode& one : from.items) merge(map, one, lines);
       return;
     }
-    if (!from.is(Entry::Kind::map))
+    if (!from.is(YamlNode::Kind::map))
       throw input_error(source_.name, from.place.line, "the merge key '<<' has no map",
                         "write `<<: *name` with the anchor &name at a map, or a list of such");
     for (std::size_t i = 0; i < from.keys.size(); ++i)
@@ -112,29 +112,29 @@ class Converter {
 
 }  // namespace
 
-const Entry* Entry::find(const std::string& key) const {
+const YamlNode* YamlNode::find(const std::string& key) const {
   auto at = std::find(keys.begin(), keys.end(), key);
   return at == keys.end() ? nullptr : &items[at - keys.begin()];
 }
 
-Entry* Entry::find(const std::string& key) {
-  return const_cast<Entry*>(static_cast<const Entry*>(this)->find(key));
+YamlNode* YamlNode::find(const std::string& key) {
+  return const_cast<YamlNode*>(static_cast<const YamlNode*>(this)->find(key));
 }
 
-Entry& Entry::insert(const std::string& key, Place key_place, Entry value) {
+YamlNode& YamlNode::insert(const std::string& key, Place key_place, YamlNode value) {
   keys.push_back(key);
   key_places.push_back(std::move(key_place));
   return items.emplace_back(std::move(value));
 }
 
-Entry Entry::word(std::string text, Place place) {
-  Entry e = empty(Kind::word, std::move(place));
+YamlNode YamlNode::word(std::string text, Place place) {
+  YamlNode e = empty(Kind::word, std::move(place));
   e.text = std::move(text);
   return e;
 }
 
-Entry Entry::empty(Kind kind, Place place) {
-  Entry e;
+YamlNode YamlNode::empty(Kind kind, Place place) {
+  YamlNode e;
   e.kind = kind;
   e.place = std::move(place);
   return e;
@@ -142,7 +142,7 @@ Entry Entry::empty(Kind kind, Place place) {
 
 namespace {
 
-Entry parse(const std::string& text, const Source& source) {
+YamlNode parse(const std::string& text, const Source& source) {
   if (text.size() > most_bytes)
     throw input_error(source.name, 0, fmt::format("has more than {} MB: that is no scene", most_bytes >> 20),
                       "check the name of the file; meshes and bodies are files of their own");
@@ -151,7 +151,7 @@ Entry parse(const std::string& text, const Source& source) {
     if (documents.size() > 1)
       throw input_error(source.name, source.at(documents[1].Mark()).line,
                         "a second YAML document begins here", "remove the lines '---' between them");
-    return documents.empty() ? Entry::empty(Entry::Kind::nothing, {source.name, 0})
+    return documents.empty() ? YamlNode::empty(YamlNode::Kind::nothing, {source.name, 0})
                              : Converter(source).convert(documents[0], 0);
   } catch (const YAML::Exception& fault) {
     throw input_error(source.name, source.at(fault.mark).line, "not valid YAML: " + fault.msg,
@@ -161,9 +161,9 @@ Entry parse(const std::string& text, const Source& source) {
 
 }  // namespace
 
-Entry parse_yaml(const std::string& text, const std::string& file) { return parse(text, {file, true}); }
+YamlNode parse_yaml(const std::string& text, const std::string& file) { return parse(text, {file, true}); }
 
-Entry read_yaml(const std::string& path) {
+YamlNode read_yaml(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path))
     throw input_error(path, 0, "cannot be read", "check the name of the file");
@@ -173,6 +173,6 @@ Entry read_yaml(const std::string& path) {
   return parse_yaml(text, path);
 }
 
-Entry parse_word(const std::string& text, const std::string& place) { return parse(text, {place, false}); }
+YamlNode parse_word(const std::string& text, const std::string& place) { return parse(text, {place, false}); }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app

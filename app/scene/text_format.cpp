@@ -1,10 +1,10 @@
-#include "app/scene/wording.hpp"
+#include "app/scene/text_format.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace bulbus {
+namespace bulbus::inline app {
 
 std::string number_text(double value) {
   std::string text = fmt::format("{}", value);
@@ -37,4 +37,4 @@ std::string wanted_number(const About& about) {
          (bounds.empty() ? "" : ", " + bounds);
 }
 
-}  // namespace bulbus
+}  // namespace bulbus::inline app
