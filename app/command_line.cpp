@@ -27,6 +27,7 @@ struct Arguments {
   bool text = false, expert = false, all = false;
   int repeat = 1;
   CompareOptions tolerances;
+  ExportOptions exported;
 };
 
 struct Parser {
@@ -40,11 +41,15 @@ struct Parser {
   CLI::App* check =
       app.add_subcommand("check", "validate a scene or a study and print its sizes; solves nothing");
   CLI::App* mesh = app.add_subcommand("mesh", "write the mesh of a scene as a Gmsh file");
+  CLI::App* to_file = app.add_subcommand(
+      "export", "write mesh, sets, materials and steps of a scene for Abaqus, CalculiX or FEBio");
   CLI::App* compare = app.add_subcommand(
       "compare", "probes of two runs at the end of each step: exit status 0 if they agree, 1 if they differ");
   CLI::App* plot = app.add_subcommand("plot", "draw probes of a run over its steps (SVG)");
   CLI::App* report = app.add_subcommand(
       "report", "a run, two runs side by side or a study as one page for a browser, with the model in 3-D");
+  CLI::App* market =
+      app.add_subcommand("matrix-market", "write a dumped linear system as Matrix Market files");
   CLI::App* help =
       app.add_subcommand("help", "the keys of a scene or a study, or the JSON schema of a scene");
 
@@ -53,7 +58,7 @@ struct Parser {
   Parser() {
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("bulbus ") + version);
-    for (CLI::App* command : {run, trade, check, mesh}) {
+    for (CLI::App* command : {run, trade, check, mesh, to_file}) {
       command->add_option("SCENE", given.scene, "scene file (YAML)")->required();
       add_set(command);
     }
@@ -73,6 +78,19 @@ struct Parser {
             ->expected(0, 1);
     mesh->add_option("-o", given.out, "file to write (MSH 4.1, binary)")->type_name("FILE.msh")->required();
     mesh->add_flag("--text", given.text, "write MSH 2.2 text instead");
+    to_file->add_option("--to", given.out, "file to write: .inp (Abaqus, CalculiX), .feb (FEBio 4.0), .msh")
+        ->type_name("FILE")
+        ->required();
+    to_file
+        ->add_option("--element", given.exported.element,
+                     "element of an .inp file: C3D8I suits CalculiX, C3D8H (exactly incompressible) Abaqus")
+        ->check(CLI::IsMember({"C3D8", "C3D8I", "C3D8H", "C3D8R"}))
+        ->capture_default_str();
+    to_file
+        ->add_option("--bulk", given.exported.bulk,
+                     "bulk modulus in parts of each region's shear modulus: those programs are compressible")
+        ->check(CLI::Range(1., 1e9))
+        ->capture_default_str();
     compare->add_option("DIR", given.first, "folder of the results of a run")->required();
     compare->add_option("DIR2", given.second, "and of another")->required();
     compare
@@ -93,6 +111,12 @@ struct Parser {
     report->add_option("DIR2", given.second, "of another run, to compare with");
     report->add_option("-o", given.out, "file to write (default: report.html or comparison.html in DIR)")
         ->type_name("FILE.html");
+    market->add_option("DUMP", given.first, "system of a run with solver.linear.dump: system_0001.h5")
+        ->required();
+    market
+        ->add_option("-o", given.out,
+                     "file of the matrix (default: beside the dump); others get its name and theirs")
+        ->type_name("FILE.mtx");
     help->add_option("TOPIC", given.topic, "scene, study or schema")
         ->required()
         ->check(CLI::IsMember({"scene", "study", "schema"}));
@@ -181,7 +205,7 @@ void expect_fitting(const Parser& parser, bool of_a_study) {
   if (*parser.study && !of_a_study)
     throw input_error(file, 0, "is no study: it has neither 'scene' nor 'vary'",
                       "'bulbus help study' tells what it needs");
-  if (of_a_study && (*parser.run || *parser.trade || *parser.mesh))
+  if (of_a_study && (*parser.run || *parser.trade || *parser.mesh || *parser.to_file))
     throw input_error(file, 0, "is a study, not a scene", "solve it with 'bulbus study'");
 }
 
@@ -206,6 +230,7 @@ int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
     out << report(given.first, given.second, given.out, comm) << "\n";
     return 0;
   }
+  if (*parser.market) return matrix_market(given.first, given.out, comm, out);
   const auto [out_dir, checkpoint] = places_of(parser);
   const bool of_a_study = read_together(given, comm, is_a_study);
   expect_fitting(parser, of_a_study);
@@ -217,6 +242,7 @@ int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
   const Scene scene = read_together(given, comm, read_scene);
   if (*parser.check) return check(scene, comm);
   if (*parser.run) return run(scene, given.scene, out_dir, comm, Log::Screen::shown, checkpoint);
+  if (*parser.to_file) return export_scene(scene, given.scene, given.out, given.exported, comm, out);
   return write_mesh(scene, given.out, given.text ? GmshFormat{false, false} : GmshFormat{}, comm);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/records/comparison.hpp"
+#include "app/export/export_scene.hpp"
 #include "app/study/study.hpp"
 #include "core/base/parallel.hpp"
 #include "core/io/log.hpp"
@@ -58,8 +59,17 @@ void plot_history(const std::string& folder, std::vector<std::string> probes, co
 /// OutputError where it cannot be written.
 std::string report(const std::string& folder, const std::string& second, const std::string& file,
                    const Comm& comm);
+/// Writes a dumped linear system as Matrix Market files (empty: beside the dump) and prints their names.
+/// Collective. Throws InputError.
+int matrix_market(const std::string& dump, std::string file, const Comm& comm, std::ostream& out);
 
 /// Writes the scene's mesh as a Gmsh file. Collective. Throws InputError on every rank.
 int write_mesh(const Scene& scene, const std::string& file, const GmshFormat& format, const Comm& comm);
+
+/// Writes mesh, sets and what else has an equivalent there for another program, which the file's ending
+/// chooses: .inp (Abaqus, CalculiX), .feb (FEBio 4.0), .msh (Gmsh, the mesh alone). Prints what is left out.
+/// Collective. Throws InputError and OutputError on every rank.
+int export_scene(const Scene& scene, const std::string& scene_path, const std::string& file,
+                 const ExportOptions& options, const Comm& comm, std::ostream& out);
 
 }  // namespace bulbus::inline app

@@ -26,14 +26,31 @@
 namespace bulbus::inline app {
 namespace {
 
+// The direct solver factorises the system as it is: augmentation would only fill it.
+LinearSettings settings_of_system(LinearSettings linear) {
+  if (linear.method == Method::direct) linear.gamma = 0;
+  return linear;
+}
+
+// Which algebraic multigrid it is; Bulbus's own says no more than its name.
+std::string amg_of(Displacement by) {
+  if (by == Displacement::boomeramg) return " (hypre's BoomerAMG, component by component)";
+  if (by == Displacement::boomeramg_nodal) return " (hypre's BoomerAMG, node by node with the rotations)";
+  if (by == Displacement::scalar_amg) return " (hypre's BoomerAMG on xx, yy and zz)";
+  if (by == Displacement::hybrid)
+    return " (hypre's BoomerAMG on xx, yy and zz between smoothers, with rigid-body modes)";
+  return "";
+}
+
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
   const std::string liquids = l.formulation == Formulation::eliminated ? ", liquid pressures eliminated" : "";
   if (l.method == Method::direct) return "direct (MUMPS)" + liquids;
   const std::string why = l.displacement != Displacement::automatic ? ""
                           : problem.coarser()                       ? " (the mesh is refined)"
                                                                     : " (the mesh is not refined)";
-  return fmt::format("GMRES({}), displacement block by {}{}, operator {}, gamma {:g}{}", l.restart,
-                     word_of(l.displacement_on(problem.coarser())), why, word_of(l.op), l.gamma, liquids);
+  const Displacement by = l.displacement_on(problem.coarser());
+  return fmt::format("GMRES({}), displacement block by {}{}{}, operator {}, gamma {:g}{}", l.restart,
+                     word_of(by), amg_of(by), why, word_of(l.op), l.gamma, liquids);
 }
 
 std::vector<std::string> lines_of_levels(const Problem& problem) {

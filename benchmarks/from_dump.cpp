@@ -1,5 +1,5 @@
-// One linear system from its dump alone (core/solve/dump.hpp): MUMPS, and GMRES with what the matrix itself
-// offers.
+// One linear system from its dump alone (docs/dump.md): MUMPS, GMRES with what the matrix itself offers, and
+// GMRES on its displacement block with BoomerAMG.
 //
 //     bench_from_dump system.h5 ...      solves these
 //     bench_from_dump -n 8               makes the dump of a small half eye first
@@ -11,6 +11,8 @@
 #include "benchmarks/half_eye.hpp"
 #include "core/solve/assemble.hpp"
 #include "core/solve/mumps.hpp"
+#include "core/solve/near_null_space.hpp"
+#include "precond/amg/boomeramg.hpp"
 #include "precond/make_preconditioner.hpp"
 
 using namespace bulbus;
@@ -93,6 +95,87 @@ double relative_residual(const ScaledMatrix& A, std::span<const double> x, std::
   return std::sqrt(rr / bb);
 }
 
+/// The displacement block of a dump of one rank, its right-hand side and its rotations.
+class DisplacementBlockOf final : public LinearOperator {
+ public:
+  explicit DisplacementBlockOf(const SystemDump& d) {
+    while (size_ < static_cast<int>(d.kind.size()) && d.kind[size_] == UnknownKind::displacement) ++size_;
+    csr.rows = size_;
+    for (std::size_t k = 0; k < d.matrix.row.size(); ++k) {  // sorted by row
+      const int row = d.matrix.row[k], column = d.matrix.col[k];
+      if (row >= size_ || column >= size_) continue;
+      if (csr.row_ids.empty() || csr.row_ids.back() != row) {
+        csr.row_ids.push_back(row);
+        csr.start.push_back(static_cast<int>(csr.columns.size()));
+      }
+      csr.columns.push_back(column);
+      csr.values.push_back(d.matrix.value[k]);
+    }
+    csr.start.push_back(static_cast<int>(csr.columns.size()));
+    rhs.assign(d.rhs.begin(), d.rhs.begin() + size_);
+    take_rotations(d);
+  }
+  int size() const override { return size_; }
+  void apply(std::span<const double> x, std::span<double> y) const override {
+    for (std::size_t i = 0; i < csr.row_ids.size(); ++i) {
+      double sum = 0;
+      for (int k = csr.start[i]; k < csr.start[i + 1]; ++k) sum += csr.values[k] * x[csr.columns[k]];
+      y[csr.row_ids[i]] = sum;
+    }
+  }
+
+  DistributedCsr csr;
+  std::vector<double> rhs;
+  std::vector<std::vector<double>> rotations;  ///< about the middle of the nodes, of the size of translations
+
+ private:
+  void take_rotations(const SystemDump& d) {
+    if (d.near_null_space.empty()) return;
+    Vec3<double> middle{0, 0, 0};
+    double squares = 0;
+    for (int i = 0; i < size_; i += 3)
+      for (int c = 0; c < 3; ++c) {
+        middle[c] += 3 * d.coordinates[3 * i + c] / size_;
+        squares += 3 * std::pow(d.coordinates[3 * i + c], 2) / size_;
+      }
+    const double radius = std::sqrt(squares - dot(middle, middle));
+    rotations.assign(3, std::vector<double>(size_));
+    for (int i = 0; i < size_; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const double* of = &d.near_null_space[6 * i];
+        const int a = (k + 1) % 3, b = (k + 2) % 3;  // e_k × x = x_a e_b − x_b e_a
+        rotations[k][i] = (of[3 + k] - middle[a] * of[b] + middle[b] * of[a]) / radius;
+      }
+  }
+  int size_ = 0;
+};
+
+/// BoomerAMG at several thresholds of strong connections, unknown by unknown and node by node.
+void solve_displacements(const SystemDump& d, const json& system, const Options& o, json& rows) {
+  const Comm comm;
+  const DisplacementBlockOf K(d);
+  for (const bool nodal : {false, true})
+    for (const double threshold : {.25, .5, .7, .9}) {
+      AmgOptions options{.functions = 3, .nodal = nodal, .threshold = threshold};
+      if (nodal) options.rigid_modes = K.rotations;
+      double start = cpu_seconds();
+      const BoomerAmg amg(K.csr, options, comm);
+      const double made = cpu_seconds() - start;
+      std::vector<double> x(K.size());
+      start = cpu_seconds();
+      const KrylovReport k = fgmres(K, &amg, K.rhs, x, {1e-6, 100, o.smoke ? 50 : 400, false}, comm);
+      json row{{"method",
+                fmt::format("displacements by boomeramg{}, threshold {}", nodal ? "_nodal" : "", threshold)},
+               {"iterations", k.iterations},
+               {"setup_s", made},
+               {"solve_s", cpu_seconds() - start},
+               {"mb", 1e-6 * amg.bytes()},
+               {"reason", k.converged ? "" : k.reason}};
+      row.update(system);
+      rows.push_back(std::move(row));
+    }
+}
+
 void solve_one(const std::string& path, const Options& o, json& rows) {
   const SystemDump d = read_system(path);
   const std::size_t n = d.rhs.size();
@@ -142,6 +225,7 @@ void solve_one(const std::string& path, const Options& o, json& rows) {
          {"residual", relative_residual(A, x, b)},
          {"reason", k.converged ? "" : k.reason}});
   }
+  solve_displacements(d, system, o, rows);
 }
 
 // The first coupled increment's system, as a run with `solver.linear.dump` would write it.
@@ -157,13 +241,15 @@ std::string make_dump(int n) {
   const CoupledOperator A(system);
   const std::string path =
       std::filesystem::temp_directory_path() / ("bulbus_half_eye_" + std::to_string(n) + ".h5");
-  write_system(path,
-               {assemble(A),
-                A.right_hand_side(r, prescribed),
-                unknown_kinds(system.layout()),
-                system.scaling(),
-                {{"n", n}}},
-               comm);
+  SystemDump dump;
+  dump.matrix = assemble(A);
+  dump.rhs = A.right_hand_side(r, prescribed);
+  dump.kind = unknown_kinds(system.layout());
+  dump.scaling = system.scaling();
+  dump.coordinates = unknown_coordinates(system);
+  dump.near_null_space = near_null_space(system);
+  dump.attributes = {{"n", n}};
+  write_system(path, dump, comm);
   return path;
 }
 

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   const auto& chosen = o.rest.empty() ? methods : o.rest;  // `bench_precond hybrid exact`: these only
   SolverSettings settings;
   settings.linear.take_mesh(o.refine);
+  settings.linear.fallback = Fallback::none;  // a preconditioner that fails shall say so
   json report = new_report("precond", o, comm.size());
   for (auto [key, value] : {std::pair<const char*, json>{"gamma", settings.linear.gamma},
                             {"tolerance", tolerance},

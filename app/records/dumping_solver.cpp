@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "core/solve/assemble.hpp"
+#include "core/solve/near_null_space.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -25,20 +28,37 @@ class DumpingSolver final : public LinearSolver {
 
   LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
+    const std::string file = fmt::format("{}/system_{:04d}.h5", name_, ++count_);
+    const std::string path = folder_.path() + "/" + file;
+    const Comm& comm = A.system().problem().comm();
+    folder_.claim({file});
+    write_system(path, dump_of(A, b, tolerance), comm);
+    const LinearReport report = solver_->solve(A, std::move(b), x, tolerance);
+    write_solution(path, x,
+                   {{"converged", report.ok},
+                    {"iterations", report.iterations},
+                    {"negative_pivots", report.negative_pivots}},
+                   comm);
+    return report;
+  }
+
+ private:
+  // Solution and what is known with it are filled in later.
+  SystemDump dump_of(const CoupledOperator& A, const std::vector<double>& b, double tolerance) const {
     const CoupledSystem& system = A.system();
     SystemDump dump;
     dump.matrix = assemble(A);
     dump.rhs = b;
     dump.kind = unknown_kinds(system.layout());
     dump.scaling = system.scaling();
-    dump.attributes = {{"gamma", system.gamma()}, {"increment", increment_()}, {"tolerance", tolerance}};
-    const std::string file = fmt::format("{}/system_{:04d}.h5", name_, ++count_);
-    folder_.claim({file});
-    write_system(folder_.path() + "/" + file, dump, system.problem().comm());
-    return solver_->solve(A, std::move(b), x, tolerance);
+    dump.coordinates = unknown_coordinates(system);
+    dump.near_null_space = near_null_space(system);
+    dump.solution.assign(b.size(), std::numeric_limits<double>::quiet_NaN());
+    dump.attributes = {{"gamma", system.gamma()}, {"increment", increment_()}, {"tolerance", tolerance},
+                       {"converged", 0},          {"iterations", 0},           {"negative_pivots", -1}};
+    return dump;
   }
 
- private:
   std::unique_ptr<LinearSolver> solver_;
   std::string name_;
   ResultsFolder& folder_;

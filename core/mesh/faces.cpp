@@ -45,6 +45,19 @@ int FaceTable::first(const Quad& nodes) const {
   return -1;
 }
 
+int FaceTable::directed(const Quad& nodes) const {
+  const int low = lowest(nodes);
+  if (low < 0 || low + 1 >= static_cast<int>(start_.size())) return -1;
+  for (std::size_t e = start_[low]; e < start_[low + 1]; ++e) {
+    Quad turned = face_nodes(*hexes_, entries_[e]);
+    for (int i = 0; i < 4; ++i) {
+      if (turned == nodes) return entries_[e];
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    }
+  }
+  return -1;
+}
+
 int FaceTable::count(const Quad& nodes) const {
   const int low = lowest(nodes);
   if (low < 0 || low + 1 >= static_cast<int>(start_.size())) return 0;

@@ -15,6 +15,8 @@ class FaceTable {
   explicit FaceTable(const std::vector<Hex>& hexes);
   /// The lowest-numbered face with these four nodes, or -1.
   int first(const Quad& nodes) const;
+  /// The face with these nodes whose normal is theirs, or -1.
+  int directed(const Quad& nodes) const;
   /// How many hexahedra have a face with these nodes.
   int count(const Quad& nodes) const;
 

@@ -4,6 +4,9 @@
 
 namespace bulbus::inline problem {
 
+/// All terms c_rs of a deformable region's energy; a pair of powers may come twice.
+std::vector<Polynomial::Term> terms_of(const RegionSpec& spec);
+
 /// The law that the keys of a deformable region choose: the only place that turns a RegionSpec into a
 /// Material.
 Material material_of(const RegionSpec& spec);

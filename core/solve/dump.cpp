@@ -11,6 +11,7 @@
 
 #include "core/base/error.hpp"
 #include "core/io/hdf5_file.hpp"
+#include "core/io/output.hpp"
 
 namespace bulbus::inline solve {
 namespace {
@@ -61,6 +62,28 @@ bool write(hid_t file, const char* name, const std::vector<T>& part, const Comm&
   return comm.all(H5Dwrite(set, type_of(T{}), memory, space, collective, part.data()) >= 0);
 }
 
+/// The same in rows of so many numbers.
+void write_table(hid_t file, const char* name, const std::vector<double>& part, int columns,
+                 const Comm& comm) {
+  hdf5::write_rows(file, name, std::span<const double>(part), columns, comm);
+}
+
+/// Over what the file holds.
+bool overwrite(hid_t file, const char* name, std::span<const double> part, const Comm& comm) {
+  Handle set(H5Dopen(file, name, H5P_DEFAULT), H5Dclose);
+  if (!comm.all(set.ok())) return false;
+  Handle space(H5Dget_space(set), H5Sclose);
+  const hsize_t count = part.size(), first = comm.offset(static_cast<long long>(part.size()));
+  Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  if (count > 0)
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr);
+  else
+    H5Sselect_none(space), H5Sselect_none(memory);
+  Handle collective(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  H5Pset_dxpl_mpio(collective, H5FD_MPIO_COLLECTIVE);
+  return comm.all(H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, collective, part.data()) >= 0);
+}
+
 template <class T>
 std::vector<T> read(hid_t file, const char* name, const std::string& path) {
   Handle set(H5Dopen(file, name, H5P_DEFAULT), H5Dclose);
@@ -70,6 +93,11 @@ std::vector<T> read(hid_t file, const char* name, const std::string& path) {
   bool ok = all.empty() || H5Dread(set, type_of(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()) >= 0;
   need(ok, path, std::string("cannot read ") + name);
   return all;
+}
+
+/// Nothing where a file does not have it.
+std::vector<double> read_if_there(hid_t file, const char* name, const std::string& path) {
+  return H5Lexists(file, name, H5P_DEFAULT) > 0 ? read<double>(file, name, path) : std::vector<double>();
 }
 
 /// All ranks must write the same: the first one's.
@@ -99,6 +127,11 @@ bool write_attribute(hid_t file, const std::string& name, double value) {
   return attribute.ok() && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value) >= 0;
 }
 
+bool overwrite_attribute(hid_t file, const std::string& name, double value) {
+  Handle attribute(H5Aopen(file, name.c_str(), H5P_DEFAULT), H5Aclose);
+  return attribute.ok() && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value) >= 0;
+}
+
 herr_t read_attribute(hid_t file, const char* name, const H5A_info_t*, void* into) {
   Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
   double value = 0;
@@ -107,11 +140,18 @@ herr_t read_attribute(hid_t file, const char* name, const H5A_info_t*, void* int
   return 0;
 }
 
+/// A part that may be left out: so many numbers per unknown on every rank, or none on any.
+bool all_or_none(const std::vector<double>& part, std::size_t numbers, const Comm& comm) {
+  return comm.all(part.size() == numbers) || comm.all(part.empty());
+}
+
 void check(const SystemDump& d, const Comm& comm) {
-  bool fits = d.matrix.row.size() == d.matrix.col.size() && d.matrix.row.size() == d.matrix.value.size() &&
-              d.kind.size() == d.rhs.size() && (d.scaling.empty() || d.scaling.size() == d.rhs.size());
-  bool scaled = comm.any(!d.scaling.empty());
-  if (comm.any(!fits || (scaled && d.scaling.size() != d.rhs.size())))
+  const std::size_t n = d.rhs.size();
+  const bool fits = d.matrix.row.size() == d.matrix.col.size() &&
+                    d.matrix.row.size() == d.matrix.value.size() && d.kind.size() == n;
+  const bool optional = all_or_none(d.scaling, n, comm) & all_or_none(d.coordinates, 3 * n, comm) &
+                        all_or_none(d.near_null_space, 6 * n, comm) & all_or_none(d.solution, n, comm);
+  if (comm.any(!fits || !optional))
     throw std::invalid_argument("write_system: the parts of the system differ in length");
 }
 
@@ -119,6 +159,18 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_text(const std::string& pat
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "w"), std::fclose);
   need(file != nullptr, path, "cannot be written");
   return file;
+}
+
+/// Refuses a file that is not whole, as on a full disk.
+void close_text(std::unique_ptr<std::FILE, int (*)(std::FILE*)> file, const std::string& path) {
+  const bool whole = std::ferror(file.get()) == 0;
+  need((std::fclose(file.release()) == 0) & whole, path, "cannot be written to its end");
+}
+
+/// `system_rhs.mtx` of `system.mtx`.
+std::string named(const std::string& path, const std::string& what) {
+  std::filesystem::path p(path);
+  return p.replace_filename(p.stem().string() + "_" + what + p.extension().string()).string();
 }
 
 /// Sorted by column and row, duplicates added.
@@ -140,14 +192,33 @@ Triplets compressed(const Triplets& t) {
 
 void write_system(const std::string& path, const SystemDump& part, const Comm& comm) {
   check(part, comm);
-  const double bytes = 16. * part.matrix.row.size() + 17. * part.rhs.size();
+  const double bytes = 16. * part.matrix.row.size() + (17 + 8. * (3 + 6 + 1)) * part.rhs.size();
   hdf5::write_whole(path, comm, comm.sum(bytes), [&](hid_t file) {
     bool ok = write(file, "row", part.matrix.row, comm) & write(file, "col", part.matrix.col, comm) &
               write(file, "value", part.matrix.value, comm) & write(file, "rhs", part.rhs, comm) &
               write(file, "kind", part.kind, comm) & write(file, "scaling", part.scaling, comm);
+    write_table(file, "coordinates", part.coordinates, 3, comm);
+    write_table(file, "near_null_space", part.near_null_space, 6, comm);
+    write_table(file, "solution", part.solution, 0, comm);
     for (const auto& [name, value] : agreed(part.attributes, comm)) ok &= write_attribute(file, name, value);
     if (!comm.all(ok)) throw std::runtime_error(path + ": cannot be written");
   });
+}
+
+void write_solution(const std::string& path, std::span<const double> part,
+                    const std::map<std::string, double>& attributes, const Comm& comm) {
+  const hdf5::Quiet quiet;
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_mpio(access, comm.raw(), MPI_INFO_NULL);
+  bool ok = false;
+  {
+    Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
+    if (comm.all(file.ok())) {
+      ok = overwrite(file, "solution", part, comm);
+      for (const auto& [name, value] : agreed(attributes, comm)) ok &= overwrite_attribute(file, name, value);
+    }
+  }
+  if (!comm.all(ok)) throw OutputError(path + ": the solution cannot be written");
 }
 
 SystemDump read_system(const std::string& path) {
@@ -159,23 +230,44 @@ SystemDump read_system(const std::string& path) {
   d.rhs = read<double>(file, "rhs", path);
   d.kind = read<UnknownKind>(file, "kind", path);
   d.scaling = read<double>(file, "scaling", path);
+  d.coordinates = read_if_there(file, "coordinates", path);
+  d.near_null_space = read_if_there(file, "near_null_space", path);
+  d.solution = read_if_there(file, "solution", path);
   bool ok = H5Aiterate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, read_attribute, &d.attributes) >= 0;
   need(ok, path, "cannot read the attributes");
   return d;
 }
 
-void write_matrix_market(const std::string& path, const SystemDump& whole) {
+std::vector<std::string> write_matrix_market(const std::string& path, const SystemDump& whole) {
   Triplets m = compressed(whole.matrix);
   std::size_t n = whole.rhs.size();
+  std::vector<std::string> written{path};
   auto matrix = open_text(path);
-  std::fprintf(matrix.get(), "%%%%MatrixMarket matrix coordinate real general\n%zu %zu %zu\n", n, n,
-               m.row.size());
+  std::fprintf(matrix.get(), "%%%%MatrixMarket matrix coordinate real general\n");
+  for (const auto& [attribute, value] : whole.attributes)
+    std::fprintf(matrix.get(), "%% %s %.17g\n", attribute.c_str(), value);
+  std::fprintf(matrix.get(), "%zu %zu %zu\n", n, n, m.row.size());
   for (std::size_t k = 0; k < m.row.size(); ++k)
     std::fprintf(matrix.get(), "%d %d %.17g\n", m.row[k] + 1, m.col[k] + 1, m.value[k]);
-  std::filesystem::path p(path);
-  auto rhs = open_text(p.replace_filename(p.stem().string() + "_rhs" + p.extension().string()).string());
-  std::fprintf(rhs.get(), "%%%%MatrixMarket matrix array real general\n%zu 1\n", n);
-  for (double v : whole.rhs) std::fprintf(rhs.get(), "%.17g\n", v);
+  close_text(std::move(matrix), path);
+  // `columns` numbers per unknown; the format wants column by column.
+  const auto write_array = [&](const std::string& what, const auto& values, std::size_t columns) {
+    if (values.empty()) return;
+    const std::string& name = written.emplace_back(named(path, what));
+    auto file = open_text(name);
+    std::fprintf(file.get(), "%%%%MatrixMarket matrix array real general\n%zu %zu\n", n, columns);
+    for (std::size_t c = 0; c < columns; ++c)
+      for (std::size_t i = 0; i < n; ++i)
+        std::fprintf(file.get(), "%.17g\n", static_cast<double>(values[columns * i + c]));
+    close_text(std::move(file), name);
+  };
+  write_array("rhs", whole.rhs, 1);
+  write_array("solution", whole.solution, 1);
+  write_array("scaling", whole.scaling, 1);
+  write_array("kind", whole.kind, 1);
+  write_array("coordinates", whole.coordinates, 3);
+  write_array("near_null_space", whole.near_null_space, 6);
+  return written;
 }
 
 }  // namespace bulbus::inline solve

@@ -129,7 +129,9 @@ void LinearSettings::describe_choices(V& v) {
         .expert());
   v("displacement", displacement,
     of_gmres({"preconditioner of the displacement block; auto: multigrid where the mesh is refined, "
-              "aggregation elsewhere"}));
+              "aggregation elsewhere, both Bulbus's own. hypre's BoomerAMG, for comparison: boomeramg on the "
+              "whole block, component by component; boomeramg_nodal, node by node with the rotations; "
+              "scalar_amg on xx, yy and zz; hybrid, the same between smoothers, with rigid-body modes"}));
   v("operator", op,
     About{"tangent: all recomputed, strain cached in float, or assembled 3x3 blocks"}.expert());
   // not of GMRES alone: beside the direct solver either word is true

@@ -7,6 +7,10 @@
 namespace bulbus::inline precond {
 namespace {
 
+// Of strong connections: each takes the least time of .25, .5, .7 and .9
+// (benchmarks/notebook/displacement_block.md).
+constexpr double unknown_threshold = .9, nodal_threshold = .25;
+
 // Triplets come sorted, each entry once.
 DistributedCsr to_rows(const Triplets& t, long long first_row, int rows) {
   DistributedCsr m{first_row, rows, {}, {}, {t.col.begin(), t.col.end()}, t.value};
@@ -52,6 +56,7 @@ AssembledAmg::AssembledAmg(const CoupledSystem& system, bool nodal)
   AmgOptions options;
   options.functions = 3;
   options.nodal = nodal;
+  options.threshold = nodal ? nodal_threshold : unknown_threshold;
   if (nodal) options.rigid_modes = rotations(system);
   amg_ = std::make_unique<BoomerAmg>(
       to_rows(assemble_displacement(system), 3 * system.problem().mesh().first_node, nodal_), options,

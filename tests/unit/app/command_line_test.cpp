@@ -36,7 +36,7 @@ fs::path folder_with(const std::string& scene) {
 TEST(CommandLine, HelpsAndTellsItsVersion) {
   const Answer help = bulbus_says({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"run", "study", "check", "mesh", "help"})
+  for (const char* command : {"run", "study", "check", "mesh", "export", "matrix-market", "help"})
     EXPECT_NE(help.out.find(std::string("\n  ") + command), std::string::npos);
   EXPECT_NE(bulbus_says({"run", "--help"}).out.find("--set"), std::string::npos);
   EXPECT_EQ(bulbus_says({"--version"}).out, std::string("bulbus ") + version + "\n");

@@ -182,6 +182,65 @@ TEST(Run, DumpsEverySystem) {
   EXPECT_EQ(d.rhs.size(), d.scaling.size());
   EXPECT_EQ(d.attributes.at("increment"), 1);
   EXPECT_EQ(d.attributes.at("gamma"), 0);
+  EXPECT_EQ(d.attributes.at("converged"), 1);
+  EXPECT_EQ(d.attributes.at("negative_pivots"), 8);  // one per hexahedron
+}
+
+/// With its solution, and with rigid motions that nothing resists in a body free of stress.
+TEST(Run, DumpsSolutionAndNearNullSpace) {
+  const Ran r = run_scene(scene, {"solver.linear.dump=systems", "mesh.block.nx=5", "mesh.block.ny=3",
+                                  "mesh.block.nz=3", "steps.0.increments=1"});
+  ASSERT_EQ(r.status, 0) << r.err;
+  const SystemDump d = read_system(r.folder / "out/systems/system_0001.h5");
+  const std::size_t n = d.rhs.size();
+  ASSERT_EQ(d.coordinates.size(), 3 * n);
+  ASSERT_EQ(d.near_null_space.size(), 6 * n);
+  std::vector<double> missing = d.rhs, size(n), action(6 * n), magnitude(6 * n);
+  for (std::size_t i = 0; i < n; ++i) size[i] = std::abs(d.rhs[i]);
+  for (std::size_t k = 0; k < d.matrix.row.size(); ++k) {
+    const int row = d.matrix.row[k], col = d.matrix.col[k];
+    const double a = d.matrix.value[k];
+    missing[row] -= a * d.solution[col];
+    size[row] += std::abs(a * d.solution[col]);
+    if (d.kind[col] != UnknownKind::displacement) continue;
+    for (int m = 0; m < 6; ++m) {
+      action[6 * row + m] += a * d.near_null_space[6 * col + m];
+      magnitude[6 * row + m] += std::abs(a * d.near_null_space[6 * col + m]);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) EXPECT_LE(std::abs(missing[i]), 1e-10 * size[i]) << i;
+  // Of a node with free ones alone around it: cells are 0.4 × ⅓ × ⅓, and x = 0, x = 2, y = 0 and z = 0 are
+  // held.
+  const auto is_interior = [&](std::size_t i) {
+    const double* x = &d.coordinates[3 * i];
+    return x[0] > 0.7 && x[0] < 1.3 && x[1] > 0.6 && x[2] > 0.6;
+  };
+  int seen = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (d.kind[i] != UnknownKind::displacement || !is_interior(i)) continue;
+    ++seen;
+    for (int m = 0; m < 6; ++m)
+      EXPECT_LE(std::abs(action[6 * i + m]), 1e-12 * magnitude[6 * i + m]) << i << " " << m;
+  }
+  EXPECT_GT(seen, 10);
+}
+
+TEST(Run, WritesADumpAsMatrixMarket) {
+  const Ran r = run_scene(scene, {"solver.linear.dump=systems"});
+  const std::string dump = r.folder / "out/systems/system_0002.h5";
+  std::ostringstream out, err;
+  EXPECT_EQ(command_line({"matrix-market", dump}, Comm(MPI_COMM_SELF), out, err), 0) << err.str();
+  const std::size_t n = read_system(dump).rhs.size();
+  for (const auto& [part, size] : {std::pair{"_near_null_space", fmt::format("{} 6", n)},
+                                   {"_coordinates", fmt::format("{} 3", n)},
+                                   {"_solution", fmt::format("{} 1", n)}}) {
+    std::ifstream in(dump.substr(0, dump.size() - 3) + part + ".mtx");
+    std::string first, second;
+    std::getline(in, first), std::getline(in, second);
+    EXPECT_EQ(second, size) << part;
+  }
+  EXPECT_EQ(command_line({"matrix-market", dump, "-o", "a.txt"}, Comm(MPI_COMM_SELF), out, err), 2);
+  EXPECT_EQ(command_line({"matrix-market", "/no/such.h5"}, Comm(MPI_COMM_SELF), out, err), 2);
 }
 
 TEST(Check, AcceptsAScene) {

@@ -1,0 +1,29 @@
+#include "app/export/exported_material.hpp"
+
+#include <algorithm>
+
+#include "core/problem/region_material.hpp"
+
+namespace bulbus::inline app {
+
+int ExportedMaterial::order() const {
+  int largest = 0;
+  for (const auto& [powers, value] : c) largest = std::max(largest, powers.first + powers.second);
+  return largest;
+}
+
+double ExportedMaterial::coefficient(int r, int s) const {
+  const auto at = c.find({r, s});
+  return at == c.end() ? 0 : at->second;
+}
+
+double ExportedMaterial::shear() const { return 2 * (coefficient(1, 0) + coefficient(0, 1)); }
+
+ExportedMaterial exported_material(const RegionSpec& spec) {
+  ExportedMaterial material;
+  for (const auto& term : terms_of(spec)) material.c[{term.r, term.s}] += term.c;
+  std::erase_if(material.c, [](const auto& entry) { return entry.second == 0; });
+  return material;
+}
+
+}  // namespace bulbus::inline app
