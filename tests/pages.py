@@ -56,7 +56,7 @@ def commands(here, page):
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "python"), "BULBUS": str(here / "build/bulbus")}
     said = ""
     for command in "".join(blocks(page, "sh")).splitlines():
-        command = re.sub(r"^python3 ", f"{sys.executable} ", command)
+        command = re.sub(r"(^| )python3 ", rf"\1{sys.executable} ", command)
         run = subprocess.run(command, shell=True, cwd=here, text=True, capture_output=True, env=environment)
         said += run.stdout
         if run.returncode:

@@ -96,6 +96,7 @@ def view(args, data, number, title, table):
     camera.SetViewUp(0, 0, 1)
     camera.ParallelProjectionOn()
     renderer.ResetCamera()
+    camera.Zoom(0.9)
     path = f"{args.folder}/bodies_{number:04d}.vtp"
     if os.path.exists(path):
         renderer.AddActor(actor(body(path), opacity=0.25))
