@@ -26,6 +26,9 @@ MeshHierarchy meshes_to_write(const Scene& scene) {
 // The mesh that a run would solve on, checked against the model as a run checks it.
 Mesh mesh_of_model(const Scene& scene, Model& model) {
   scene.validate();
+  if (scene.reference)
+    throw scene_error("reference", "the unloaded mesh is found by a run, and this writes the drawn one",
+                      "Export a scene without `reference` whose mesh is the unloaded.msh of a run.");
   MeshHierarchy meshes = meshes_to_write(scene);
   move_onto_planes(meshes.base, model);
   refuse_inverted(meshes.base);

@@ -23,8 +23,8 @@ install(FILES ${PROJECT_BINARY_DIR}/bulbusConfig.cmake ${PROJECT_BINARY_DIR}/bul
         COMPONENT development)
 
 install(TARGETS bulbus COMPONENT program)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/meshes DESTINATION ${CMAKE_INSTALL_DATADIR}/bulbus
-        COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/meshes ${PROJECT_SOURCE_DIR}/python
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bulbus COMPONENT program PATTERN __pycache__ EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 # cpack --preset package: a Debian package of the program.

@@ -31,6 +31,7 @@ def main():
         assert "bulbus" in run(prefix / "bin/bulbus", "--version")
         check = run(prefix / "bin/bulbus", "check", prefix / "share/bulbus/scenes/two_blocks.yaml")
         assert "hexahedra" in check, check
+        assert (prefix / "share/bulbus/python/bulbus/__init__.py").exists()
     print(said.strip())
 
 
