@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/records/comparison.hpp"
 #include "app/export/export_scene.hpp"
+#include "app/records/comparison.hpp"
 #include "app/study/study.hpp"
 #include "core/base/parallel.hpp"
 #include "core/io/log.hpp"

@@ -22,9 +22,10 @@ double ExportedMaterial::shear() const { return 2 * (coefficient(1, 0) + coeffic
 
 ExportedMaterial exported_material(const RegionSpec& spec) {
   if (spec.fung || spec.fibres)
-    throw input_error(std::string("a region with the law `") + (spec.fung ? "fung" : "fibres") +
-                          "` has no equivalent in the file",
-                      "Give its coefficients c10 ... c30, or a format's own law by hand in the mesh alone (.msh).");
+    throw input_error(
+        std::string("a region with the law `") + (spec.fung ? "fung" : "fibres") +
+            "` has no equivalent in the file",
+        "Give its coefficients c10 ... c30, or a format's own law by hand in the mesh alone (.msh).");
   ExportedMaterial material;
   for (const auto& term : terms_of(spec)) material.c[{term.r, term.s}] += term.c;
   std::erase_if(material.c, [](const auto& entry) { return entry.second == 0; });
