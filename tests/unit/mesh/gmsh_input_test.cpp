@@ -104,7 +104,7 @@ TEST(GmshInput, RefusesFilesThatAreNoMesh) {
   expect_msh_refused("", {"$MeshFormat is missing"});
   expect_msh_refused("solid cube\n", {"$MeshFormat is missing"});
   expect_msh_refused("$MeshFormat\n4 0 8\n$EndMeshFormat\n", {".msh:2: MSH version 4 is not read", "4.1"});
-  expect_msh_refused(nodes, {"no hexahedra"});
+  expect_msh_refused(msh_nodes, {"no hexahedra"});
   expect_msh_refused(msh_nodes + "$Elements\n3\n" + cube, {"the file ends too early"});
   expect_msh_refused(msh_nodes + elements("1 5 2 7 x 1 2 3 4 5 6 7 8\n"),
                      {".msh:18: 'x' is no whole number"});
