@@ -16,8 +16,6 @@
 namespace bulbus::inline app {
 namespace {
 
-constexpr double least_curvature = -1e-2;  // as of Newton's method: beneath, a loose solve may have made it
-
 // Problem and interactions on the same meshes after `move` has changed them.
 template <class Move>
 void rebuild(Prepared& prepared, Move move) {
@@ -105,7 +103,7 @@ bool take_unloaded_reference(const Scene& scene, Prepared& prepared, const Check
   }
   prepared.reference = report;
   if (!report.found) return false;
-  if (report.curvature < least_curvature) {
+  if (report.curvature < -least_curvature) {
     prepared.warnings.emplace_back(
         "perhaps the drawn state is not stable under its loads: the last solution of the search for the "
         "unloaded reference has negative curvature");

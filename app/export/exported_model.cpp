@@ -9,7 +9,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/formula.hpp"
-#include "core/problem/rigid_body.hpp"
+#include "core/problem/set_motion.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -139,26 +139,10 @@ class ModelExport {
           return at_end(**own[c], step, key, "the displacement of '" + spec.set + "'", X);
         });
       if (spec.affine || spec.rotate || spec.translate)
-        take(c, [&](const Point& X) { return moved(spec, X)[c] - X[c]; });
+        take(c, [&](const Point& X) {
+          return (spec.affine ? affine_image(spec, X) : rigidly_moved(spec, X, 1))[c] - X[c];
+        });
     }
-  }
-
-  // Where the motion of a whole set from the reference leads to.
-  static Point moved(const DisplaceSpec& spec, const Point& X) {
-    if (spec.affine) {
-      const auto& F = *spec.affine;
-      Point x{};
-      for (int c = 0; c < 3; ++c) x[c] = F[3 * c] * X[0] + F[3 * c + 1] * X[1] + F[3 * c + 2] * X[2];
-      return x;
-    }
-    Point x = X;
-    if (spec.rotate) {
-      const RotationSpec& r = *spec.rotate;
-      const Point axis = (1 / norm(r.axis)) * r.axis, arm = X - r.center;
-      const Mat3<double> R = rotation({r.angle * axis[0], r.angle * axis[1], r.angle * axis[2]});
-      for (int c = 0; c < 3; ++c) x[c] = r.center[c] + R(c, 0) * arm[0] + R(c, 1) * arm[1] + R(c, 2) * arm[2];
-    }
-    return spec.translate ? x + *spec.translate : x;
   }
 
   void add_load(const LoadSpec& spec, int step, const std::string& key) {

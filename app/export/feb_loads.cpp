@@ -31,8 +31,8 @@ class Conditions {
         const auto at = step.displacements.find(key);
         return at == step.displacements.end() ? std::optional<double>() : at->second[0];
       });
-      out_.text("<bc type=\"prescribed displacement\" node_set=\"{}\">\n<dof>{}</dof>\n", in_xml(of.first),
-                "xyz"[of.second]);
+      out_.text("<bc type=\"prescribed displacement\" node_set=\"{}\">\n<dof>{}</dof>\n",
+                escaped_markup(of.first), "xyz"[of.second]);
       out_.text("<value lc=\"{}\">1</value>\n<relative>0</relative>\n</bc>\n", lc);
     }
   }
@@ -44,7 +44,7 @@ class Conditions {
         const auto at = step.pressures.find(key);
         return at == step.pressures.end() ? 0. : at->second;
       });
-      out_.text("<surface_load type=\"pressure\" surface=\"{}\">\n", in_xml(surface));
+      out_.text("<surface_load type=\"pressure\" surface=\"{}\">\n", escaped_markup(surface));
       out_.text("<pressure lc=\"{}\">1</pressure>\n<linear>0</linear>\n</surface_load>\n", lc);
     }
     for (const auto& [set, ignored] : steps_.back().forces)
@@ -73,7 +73,7 @@ class Conditions {
       return at == step.forces.end() ? 0. : at->second[c];
     });
     out_.text("<nodal_load type=\"nodal_force\" node_set=\"{}\">\n<value lc=\"{}\">{},{},{}</value>\n",
-              in_xml(set), lc, c == 0 ? 1 : 0, c == 1 ? 1 : 0, c == 2 ? 1 : 0);
+              escaped_markup(set), lc, c == 0 ? 1 : 0, c == 1 ? 1 : 0, c == 2 ? 1 : 0);
     out_.text("</nodal_load>\n");
   }
 
@@ -84,7 +84,7 @@ class Conditions {
 
 void write_step(ExportFile& out, const ExportedStep& step, int number) {
   out.text("<step id=\"{}\" name=\"{}\">\n<Control>\n<analysis>STATIC</analysis>\n", number,
-           in_xml(step.name.empty() ? "step " + std::to_string(number) : step.name));
+           escaped_markup(step.name.empty() ? "step " + std::to_string(number) : step.name));
   const double size = 1. / step.increments;
   out.text("<time_steps>{}</time_steps>\n<step_size>{}</step_size>\n", step.increments, size);
   out.text("<solver type=\"solid\">\n<max_refs>25</max_refs>\n</solver>\n<time_stepper type=\"default\">\n");
@@ -110,7 +110,7 @@ void write_feb_loads(ExportFile& out, const ExportedModel& model) {
   Conditions conditions(out, model.steps);
   out.text("<Boundary>\n");
   for (const auto& [set, directions] : model.fixed) {
-    out.text("<bc type=\"zero displacement\" node_set=\"{}\">\n", in_xml(set));
+    out.text("<bc type=\"zero displacement\" node_set=\"{}\">\n", escaped_markup(set));
     for (int c = 0; c < 3; ++c) out.text("<{}_dof>{}</{}_dof>\n", "xyz"[c], directions[c] ? 1 : 0, "xyz"[c]);
     out.text("</bc>\n");
   }
@@ -125,27 +125,6 @@ void write_feb_loads(ExportFile& out, const ExportedModel& model) {
   for (std::size_t k = 0; k < model.steps.size(); ++k)
     write_step(out, model.steps[k], static_cast<int>(k + 1));
   out.text("</Step>\n");
-}
-
-std::string in_xml(const std::string& text) {
-  std::string escaped;
-  for (char c : text) switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  return escaped;
 }
 
 std::string in_comment(const std::string& text) {

@@ -3,6 +3,7 @@
 
 #include "app/export/export_file.hpp"
 #include "app/export/exported_model.hpp"
+#include "core/io/markup.hpp"
 
 namespace bulbus::inline app {
 
@@ -13,8 +14,7 @@ void cut_steps_for_feb(ExportedModel& model);
 /// curve of its own, on which its values at the ends of the steps are joined by straight lines.
 void write_feb_loads(ExportFile& out, const ExportedModel& model);
 
-/// For attributes and for comments of XML.
-std::string in_xml(const std::string& text);
+/// For comments of XML.
 std::string in_comment(const std::string& text);
 
 }  // namespace bulbus::inline app

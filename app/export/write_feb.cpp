@@ -40,7 +40,7 @@ class FebModel {
     sets_and_surfaces(out);
     out.text("</Mesh>\n<MeshDomains>\n");
     for (const std::string& region : mesh_.region_names)
-      out.text("<SolidDomain name=\"{}\" mat=\"{}\"/>\n", in_xml(region), in_xml(region));
+      out.text("<SolidDomain name=\"{}\" mat=\"{}\"/>\n", escaped_markup(region), escaped_markup(region));
     out.text("</MeshDomains>\n");
     write_feb_loads(out, made_);
     out.text("<Output>\n<plotfile type=\"febio\">\n<var type=\"displacement\"/>\n<var type=\"stress\"/>\n");
@@ -59,8 +59,8 @@ class FebModel {
     const ExportedMaterial m = material_of_region(region);
     if (content_.model.regions.at(region).rigid || (m.order() > 1 && !is_yeoh(m))) return;
     const bool linear = m.order() == 1;
-    out.text("<material id=\"{}\" name=\"{}\" type=\"{}\">\n<density>1</density>\n", r + 1, in_xml(region),
-             linear ? "Mooney-Rivlin" : "Yeoh");
+    out.text("<material id=\"{}\" name=\"{}\" type=\"{}\">\n<density>1</density>\n", r + 1,
+             escaped_markup(region), linear ? "Mooney-Rivlin" : "Yeoh");
     for (int k = 1; k <= (linear ? 2 : m.order()); ++k)
       out.text("<c{}>{}</c{}>\n", k,
                linear ? m.coefficient(k == 1 ? 1 : 0, k == 1 ? 0 : 1) : m.coefficient(k, 0), k);
@@ -74,7 +74,7 @@ class FebModel {
                mesh_.points[n][2]);
     out.text("</Nodes>\n");
     for (int r = 0; r < static_cast<int>(mesh_.region_names.size()); ++r) {
-      out.text("<Elements type=\"hex8\" name=\"{}\">\n", in_xml(mesh_.region_names[r]));
+      out.text("<Elements type=\"hex8\" name=\"{}\">\n", escaped_markup(mesh_.region_names[r]));
       for (std::size_t e = 0; e < mesh_.hexes.size(); ++e) {
         if (mesh_.region[e] != r) continue;
         const Hex& h = mesh_.hexes[e];
@@ -87,12 +87,12 @@ class FebModel {
 
   void sets_and_surfaces(ExportFile& out) const {
     for (const auto& [name, nodes] : made_.sets) {
-      out.text("<NodeSet name=\"{}\">", in_xml(name));
+      out.text("<NodeSet name=\"{}\">", escaped_markup(name));
       for (std::size_t i = 0; i < nodes.size(); ++i) out.text("{}{}", i > 0 ? "," : "", nodes[i] + 1);
       out.text("</NodeSet>\n");
     }
     for (const auto& [name, quads] : mesh_.surfaces) {
-      out.text("<Surface name=\"{}\">\n", in_xml(name));
+      out.text("<Surface name=\"{}\">\n", escaped_markup(name));
       for (std::size_t i = 0; i < quads.size(); ++i)
         out.text("<quad4 id=\"{}\">{},{},{},{}</quad4>\n", i + 1, quads[i][0] + 1, quads[i][1] + 1,
                  quads[i][2] + 1, quads[i][3] + 1);

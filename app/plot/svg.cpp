@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/io/markup.hpp"
+
 namespace bulbus::inline app::svg {
 namespace {
 
@@ -15,22 +17,11 @@ constexpr std::array dashes{"", "7 3", "2 3", "7 3 2 3"};
 const char* colour(std::size_t series) { return colours[series % colours.size()]; }
 const char* dash(std::size_t series) { return dashes[series / colours.size() % dashes.size()]; }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  return out;
+// Control characters are none of XML's.
+std::string escaped(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return escaped_markup(text);
 }
 
 }  // namespace

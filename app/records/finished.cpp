@@ -1,21 +1,16 @@
 #include "app/records/finished.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/eye/tissues.hpp"
 #include "app/scene/input_files.hpp"
 #include "app/version.hpp"
+#include "core/io/text_file.hpp"
 
 namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // None if there is no such file, or nothing but a ruin.
 std::vector<std::string> regions_in(const std::string& resolved) {
@@ -37,14 +32,14 @@ bool is_of(const std::string& resolved, Scene scene) {
 }  // namespace
 
 json summary_in(const std::string& folder) {
-  return json::parse(text_of(folder + "/summary.json"), nullptr, false);
+  return json::parse(content_of(folder + "/summary.json"), nullptr, false);
 }
 
 bool is_finished(const Scene& scene, const std::string& folder) {
   const json summary = summary_in(folder);
   return summary.is_object() && summary.value("reason", "") != "interrupted" &&
          summary.value("/versions/bulbus"_json_pointer, "") == version &&
-         is_of(text_of(folder + "/resolved.yaml"), scene) &&
+         is_of(content_of(folder + "/resolved.yaml"), scene) &&
          summary.value("input_files", json::object()) == hashes_of(input_files(scene));
 }
 

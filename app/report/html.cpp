@@ -2,23 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "core/io/markup.hpp"
+
 namespace bulbus::inline app::html {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text)
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  return out;
-}
+std::string escaped(const std::string& text) { return escaped_markup(text); }
 
 std::string element(const std::string& name, const std::string& html, const std::string& kind) {
   const std::string attribute = kind.empty() ? "" : " class=\"" + kind + "\"";

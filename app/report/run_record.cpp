@@ -5,21 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "app/records/finished.hpp"
 #include "app/records/record_names.hpp"
 #include "core/base/error.hpp"
+#include "core/io/text_file.hpp"
 
 namespace bulbus::inline app {
 namespace {
 
 using json = nlohmann::json;
-
-std::string text_in(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::optional<Scene> scene_in(const std::string& text, const std::string& path) {
   try {
@@ -42,7 +37,7 @@ std::string label_of(double time, const History& history) {
 }
 
 std::vector<RunRecord::Frame> frames_in(const std::string& folder, const History& history) {
-  const json index = json::parse(text_in(folder + "/" + series_file), nullptr, false);
+  const json index = json::parse(content_of(folder + "/" + series_file), nullptr, false);
   std::vector<RunRecord::Frame> frames;
   if (!index.is_object()) return frames;
   for (const json& file : index.value("files", json::array())) {
@@ -79,8 +74,8 @@ RunRecord read_run(const std::string& folder) {
     throw input_error(folder, 0, "has neither history.csv nor summary.json",
                       "Name the folder of the results of a run or of a study.");
   if (has_history) run.history = read_history(folder);
-  run.scene_text = text_in(folder + "/" + resolved_file);
-  run.log_text = text_in(folder + "/" + log_file);
+  run.scene_text = content_of(folder + "/" + resolved_file);
+  run.log_text = content_of(folder + "/" + log_file);
   run.scene = scene_in(run.scene_text, folder + "/" + resolved_file);
   run.frames = frames_in(folder, run.history);
   return run;

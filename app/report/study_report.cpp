@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/records/record_names.hpp"
@@ -15,11 +14,6 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-std::string content_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string level_of(const json& value) {
   return value.is_number()   ? html::number(value)

@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/mesh.hpp"
 
-/// Reads an YamlNode into any struct that describes itself. Every fault is an InputError that names the
+/// Reads a YamlNode into any struct that describes itself. Every fault is an InputError that names the
 /// place, the key, the value and the remedy. `key` is the path of the value, such as `solver.linear.gamma`.
 namespace bulbus::inline app::reader {
 

@@ -4,7 +4,7 @@
 
 namespace bulbus::inline app {
 
-/// Any value as an YamlNode, defaults and all, with its unit as a note; what is optional and empty is left
+/// Any value as a YamlNode, defaults and all, with its unit as a note; what is optional and empty is left
 /// out.
 YamlNode entry_of(const Value& value, const About& about = About{""});
 

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "core/io/disk_file.hpp"
@@ -32,6 +33,11 @@ void rename_to(const std::string& temporary, const std::string& path) {
 }
 
 }  // namespace
+
+std::string content_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 void settle(const std::string& temporary, const std::string& path) {
   flush_to_disk(temporary);

@@ -7,6 +7,9 @@ namespace bulbus::inline io {
 /// Does a file that is written bit by bit begin anew, or go on behind what it holds?
 enum class FileStart { anew, continued };
 
+/// The bytes of a file; empty if it cannot be read. Not collective.
+std::string content_of(const std::string& path);
+
 /// Writes a whole file under a temporary name and renames it: a reader sees the old file or the new one,
 /// never a part. Throws std::runtime_error. Not collective.
 void write_whole(const std::string& path, const std::string& text);

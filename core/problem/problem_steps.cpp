@@ -9,6 +9,7 @@
 #include "core/problem/enclosed_parts.hpp"
 #include "core/problem/formula.hpp"
 #include "core/problem/problem.hpp"
+#include "core/problem/set_motion.hpp"
 
 namespace bulbus::inline problem {
 namespace {
@@ -140,24 +141,10 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
   if (!spec.affine && !spec.rotate && !spec.translate) return;
   // whole motions: u(s) for all three directions; affine from the reference, rigid from the start of the step
   const auto motion = [spec](const Vec3<double>& X, const Vec3<double>& x, double s) {
-    Vec3<double> u;
-    if (spec.affine) {
-      const auto& F = *spec.affine;
-      for (int c = 0; c < 3; ++c) {
-        const double end = F[3 * c] * X[0] + F[3 * c + 1] * X[1] + F[3 * c + 2] * X[2] - X[c];
-        u[c] = x[c] - X[c] + s * (end - (x[c] - X[c]));
-      }
-      return u;
-    }
-    Vec3<double> place = x;
-    if (spec.rotate) {
-      const auto& r = *spec.rotate;
-      const Vec3<double> a = unit(r.axis), arm = minus(x, r.center);
-      const Mat3<double> R = rotation({s * r.angle * a[0], s * r.angle * a[1], s * r.angle * a[2]});
-      for (int c = 0; c < 3; ++c)
-        place[c] = r.center[c] + R(c, 0) * arm[0] + R(c, 1) * arm[1] + R(c, 2) * arm[2];
-    }
-    for (int c = 0; c < 3; ++c) u[c] = place[c] + (spec.translate ? s * (*spec.translate)[c] : 0) - X[c];
+    if (!spec.affine) return minus(rigidly_moved(spec, x, s), X);
+    const Vec3<double> end = minus(affine_image(spec, X), X);
+    Vec3<double> u = minus(x, X);
+    for (int c = 0; c < 3; ++c) u[c] += s * (end[c] - u[c]);
     return u;
   };
   for (int c = 0; c < 3; ++c) {

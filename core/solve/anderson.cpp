@@ -17,7 +17,7 @@ std::vector<double> difference(std::span<const double> a, std::span<const double
 
 }  // namespace
 
-void AndersonAcceleration::remember(std::span<const double> x, std::span<const double> f) {
+void AndersonAcceleration::add(std::span<const double> x, std::span<const double> f) {
   if (!x_.empty()) differences_.push_front({difference(x, x_), difference(f, f_)});
   if (std::ssize(differences_) > depth_) differences_.pop_back();
   x_.assign(x.begin(), x.end());
@@ -55,7 +55,7 @@ std::vector<double> AndersonAcceleration::coefficients(std::span<const double> f
 }
 
 std::vector<double> AndersonAcceleration::next(std::span<const double> x, std::span<const double> f) {
-  remember(x, f);
+  add(x, f);
   std::vector<double> result(x.begin(), x.end());
   for (std::size_t i = 0; i < result.size(); ++i) result[i] += f[i];
   if (differences_.empty()) return result;

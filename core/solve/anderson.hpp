@@ -25,7 +25,7 @@ class AndersonAcceleration {
   struct Difference {
     std::vector<double> x, f;
   };
-  void remember(std::span<const double> x, std::span<const double> f);
+  void add(std::span<const double> x, std::span<const double> f);
   std::vector<double> coefficients(std::span<const double> f) const;
 
   int depth_;

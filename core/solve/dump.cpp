@@ -44,14 +44,10 @@ void need(bool ok, const std::string& path, const std::string& what) {
 /// HDF5 shall not print what becomes an exception.
 void silence() { H5Eset_auto(H5E_DEFAULT, nullptr, nullptr); }
 
-/// The ranks' parts one after another.
+/// The ranks' parts one after another into a dataset that has their length.
 template <class T>
-bool write(hid_t file, const char* name, const std::vector<T>& part, const Comm& comm) {
-  long long length = static_cast<long long>(part.size());
-  hsize_t count = part.size(), first = comm.offset(length), total = comm.sum(length);
-  Handle space(H5Screate_simple(1, &total, nullptr), H5Sclose);
-  Handle set(H5Dcreate(file, name, type_of(T{}), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-  if (!set.ok() || total == 0) return set.ok();
+bool fill(const Handle& set, const Handle& space, std::span<const T> part, const Comm& comm) {
+  const hsize_t count = part.size(), first = comm.offset(static_cast<long long>(part.size()));
   Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
   if (count > 0)
     H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr);
@@ -60,6 +56,15 @@ bool write(hid_t file, const char* name, const std::vector<T>& part, const Comm&
   Handle collective(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(collective, H5FD_MPIO_COLLECTIVE);
   return comm.all(H5Dwrite(set, type_of(T{}), memory, space, collective, part.data()) >= 0);
+}
+
+template <class T>
+bool write(hid_t file, const char* name, const std::vector<T>& part, const Comm& comm) {
+  const hsize_t total = comm.sum(static_cast<long long>(part.size()));
+  Handle space(H5Screate_simple(1, &total, nullptr), H5Sclose);
+  Handle set(H5Dcreate(file, name, type_of(T{}), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  if (!set.ok() || total == 0) return set.ok();
+  return fill(set, space, std::span<const T>(part), comm);
 }
 
 /// The same in rows of so many numbers.
@@ -73,15 +78,7 @@ bool overwrite(hid_t file, const char* name, std::span<const double> part, const
   Handle set(H5Dopen(file, name, H5P_DEFAULT), H5Dclose);
   if (!comm.all(set.ok())) return false;
   Handle space(H5Dget_space(set), H5Sclose);
-  const hsize_t count = part.size(), first = comm.offset(static_cast<long long>(part.size()));
-  Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  if (count > 0)
-    H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr);
-  else
-    H5Sselect_none(space), H5Sselect_none(memory);
-  Handle collective(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-  H5Pset_dxpl_mpio(collective, H5FD_MPIO_COLLECTIVE);
-  return comm.all(H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, collective, part.data()) >= 0);
+  return fill(set, space, part, comm);
 }
 
 template <class T>

@@ -5,10 +5,6 @@ namespace {
 
 constexpr int rigid_motions = 6;
 
-Vec3<double> place_of(const State& state, int node) {
-  return {state.x[3 * node], state.x[3 * node + 1], state.x[3 * node + 2]};
-}
-
 // Of rigid bodies, the same on every rank: each rank that has one of a body's nodes knows it.
 std::vector<Vec3<double>> body_centers(const CoupledSystem& system) {
   const State& state = system.state();
@@ -17,7 +13,7 @@ std::vector<Vec3<double>> body_centers(const CoupledSystem& system) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].nodes().empty()) continue;
     const int node = bodies[b].nodes()[0];
-    const Vec3<double> x = place_of(state, node), arm = bodies[b].arm(state.bodies[b], state.x, node);
+    const Vec3<double> x = at(state.x, node), arm = bodies[b].arm(state.bodies[b], state.x, node);
     for (int c = 0; c < 3; ++c) sums[4 * b + c] = x[c] - arm[c];
     sums[4 * b + 3] = 1;
   }
@@ -48,7 +44,7 @@ std::vector<double> unknown_coordinates(const CoupledSystem& system) {
   const auto put = [&](int unknown, const Vec3<double>& x) {
     for (int c = 0; c < 3; ++c) coordinates[3 * unknown + c] = x[c];
   };
-  for (int i = 0; i < layout.nodal; ++i) put(i, place_of(system.state(), i / 3));
+  for (int i = 0; i < layout.nodal; ++i) put(i, at(system.state().x, i / 3));
   for (int i = 0; i < layout.bodies; ++i) put(layout.nodal + i, centers[i / 6]);
   for (int h = 0; h < layout.hexes; ++h) {
     Vec3<double> middle{0, 0, 0};
@@ -67,7 +63,7 @@ std::vector<double> near_null_space(const CoupledSystem& system) {
   for (int mode = 0; mode < rigid_motions; ++mode) {
     std::vector<double> nodal(layout.nodal);
     for (int n = 0; n < layout.nodal / 3; ++n) {
-      const Vec3<double> u = displacement(mode, place_of(system.state(), n));
+      const Vec3<double> u = displacement(mode, at(system.state().x, n));
       for (int c = 0; c < 3; ++c) nodal[3 * n + c] = u[c];
     }
     dofs.project(nodal);

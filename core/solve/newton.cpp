@@ -17,7 +17,6 @@
 namespace bulbus::inline solve {
 namespace {
 
-constexpr double least_curvature = 1e-2;  // relative; beneath, a linear solve's tolerance may have made it
 // Of the first Newton steps together: two increments of half the length cost less than what is to come.
 // Later a few short steps are allowed.
 constexpr double least_length = 1.0 / 8;

@@ -25,6 +25,10 @@ inline constexpr int first_steps = 4;
 /// In words, for logs and summaries.
 std::string describe(Outcome outcome);
 
+/// Of a solution, relative (LinearReport::curvature): between it and minus it, the tolerance of a linear
+/// solve may have made the sign.
+inline constexpr double least_curvature = 1e-2;
+
 /// One Newton iteration as it is reported: the equilibrium error before it and the linear solve it made.
 struct NewtonIteration {
   int number = 0;

@@ -17,9 +17,9 @@ constexpr double intermediate = 1e-2;    // of the first distance: enough before
 // Of the linear solves. A lens in its zonules hardly counts in the residual: looser solves leave it where it
 // is, so that distances come out too small one time and too large the next.
 constexpr double eta = 1e-5;
-constexpr int patience = 12;              // iterations without a smaller distance
-constexpr double least_length = 1.0 / 8;  // of a step of the reference
-constexpr double least_jacobian = 0.1;    // from one reference to the next
+constexpr int most_without_progress = 12;  // iterations in which the least distance does not fall
+constexpr double least_length = 1.0 / 8;   // of a step of the reference
+constexpr double least_jacobian = 0.1;     // from one reference to the next
 
 // What an iteration begins with, besides the drawn places, where the nodes are in all of them.
 struct Iterate {
@@ -90,7 +90,8 @@ class Search {
       if (k == 0 && load < 1) enough = intermediate * *distance;
       if (*distance <= enough) return true;
       if (k == 0 || *distance < least) least = *distance, since = 0;
-      if (since == patience) return fail(fmt::format("the distances do not fall below {:.2g} mm", least));
+      if (since == most_without_progress)
+        return fail(fmt::format("the distances do not fall below {:.2g} mm", least));
       before = *distance;
     }
     return fail(fmt::format("{} iterations leave a distance of {:.2g} mm", spec_.max_iterations, before));
