@@ -8,6 +8,7 @@ namespace bulbus::inline contact {
 namespace {
 
 constexpr int halvings = 30;
+constexpr double in_full = .01;  // of the mean pressure
 
 // Mean of √d over the half edges beside a node at the distance θ from the end of contact, in lengths
 double mean_root(double theta) {
@@ -50,6 +51,17 @@ double part_in_contact(const std::array<NodeInContact, 4>& corners, const std::a
     twice += a[0] * b[1] - a[1] * b[0];
   }
   return twice / 2;
+}
+
+double area_in_contact(std::span<const PointInContact> points, const Comm& comm) {
+  double force = 0, weighted = 0;
+  for (const auto& [p, area] : points) force += p * area, weighted += p * p * area;
+  force = comm.sum(force), weighted = comm.sum(weighted);
+  if (force == 0) return 0;
+  const double least = in_full * weighted / force;
+  double sum = 0;
+  for (const auto& [p, area] : points) sum += std::min(1., p / least) * area;
+  return sum;
 }
 
 }  // namespace bulbus::inline contact

@@ -74,14 +74,18 @@ std::vector<int> ContactTerm::active_nodes(const State& state) const {
 }
 
 double ContactTerm::area_of_points(const Found& f) const {
-  double sum = 0;
-  int counted = -1;  // a point that touches two pieces has one area
+  std::vector<PointInContact> points;
+  int last = -1;  // a point that touches two pieces has one area
   for (const Touch& t : f.touches) {
-    if (!points_[t.point].mine || t.point == counted || area(t) * pressure(t).value == 0) continue;
-    sum += f.shape.areas[t.point];
-    counted = t.point;
+    const double p = area(t) > 0 ? pressure(t).value : 0;
+    if (!points_[t.point].mine || p == 0) continue;
+    if (t.point == last)
+      points.back().pressure = std::max(points.back().pressure, p);
+    else
+      points.push_back({p, f.shape.areas[t.point]});
+    last = t.point;
   }
-  return sum;
+  return area_in_contact(points, comm_);
 }
 
 // Each face is of the rank that owns its first corner; the others tell that rank of corners of their own.

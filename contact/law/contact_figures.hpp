@@ -18,8 +18,8 @@ inline Vec3<double> moment_about(const Vec3<double>& point, const Wrench& w) {
 /// Figures of one contact on one rank: sums and the largest penetration are those of its slave points.
 struct ContactFigures {
   int pairs = 0;    ///< active ones
-  double area = 0;  ///< current area in contact: of faces up to where contact ends on them, of points on
-                    ///< faces all that are active, mm²
+  double area = 0;  ///< current area in contact, mm²: of faces up to where contact ends on them, of points
+                    ///< on faces as in area_in_contact()
   double penetration = 0;         ///< largest, mm
   std::vector<Wrench> on_master;  ///< per part of a rigid body; one in all for a master of the mesh
 };

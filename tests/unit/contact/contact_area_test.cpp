@@ -44,5 +44,30 @@ TEST(PartInContact, OfAFaceIsThatOfAPolygon) {
   }
 }
 
+TEST(AreaInContact, IsContinuousWhereAPointBeginsToTouch) {
+  const Comm alone(MPI_COMM_SELF);
+  const std::vector<PointInContact> two{{1, 3}, {2, 4}};
+  const double mean = (3 + 16) / 11.;
+  EXPECT_EQ(area_in_contact(two, alone), 7);
+  EXPECT_EQ(area_in_contact({}, alone), 0);
+  for (const auto& [pressure, counted] :
+       {std::pair{1e-12, 0.}, {.005 * mean, 1.}, {.01 * mean, 2.}, {mean, 2.}}) {
+    std::vector<PointInContact> three = two;
+    three.push_back({pressure, 2});
+    EXPECT_NEAR(area_in_contact(three, alone), 7 + counted, 5e-3);
+  }
+}
+
+TEST(AreaInContact, OfHertzIsHis) {
+  std::vector<PointInContact> points;
+  constexpr int rings = 100000;
+  for (int i = 0; i < rings; ++i) {
+    const double r2 = (i + .5) / rings;  // rings of equal area
+    points.push_back({std::sqrt(1 - r2), 1. / rings});
+  }
+  EXPECT_NEAR(area_in_contact(points, Comm(MPI_COMM_SELF)), 1, 1e-4);
+  EXPECT_LT(area_in_contact(points, Comm(MPI_COMM_SELF)), 1);
+}
+
 }  // namespace
 }  // namespace bulbus
