@@ -26,7 +26,8 @@ RunSize size_of(const Prepared& prepared) {
   const Problem& problem = *prepared.problem;
   RunSize size{.liquids = static_cast<double>(problem.liquids().size()),
                .refinements = problem.mesh().refinements,
-               .ranks = problem.comm().size()};
+               .ranks = problem.comm().size(),
+               .symmetric = problem.symmetric()};
   size.contact_points = problem.comm().sum(contact_points(*prepared.interactions));
   for (const Problem* p = &problem; p; p = p->coarser()) {
     std::array<double, 2> sums{static_cast<double>(p->mesh().nodes()),

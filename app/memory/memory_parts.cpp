@@ -97,32 +97,36 @@ double levels_bytes(double aggregates, double neighbours) {
   return aggregates * (neighbours * (gathered + 1.1 * block) + of_aggregate) + 5 * megabyte;
 }
 
-// Aggregates' matrix of 6 x 6 blocks and its factors by MUMPS: with all 27 neighbours, and fewer where the
-// body is thin; separators, and so factors, grow with the body's extent. Measured on blocks, cylinders,
-// shells and eyes of 3,600 to 47,000 hexahedra. While the factors are made there are blocks and triplets
-// besides.
-double aggregation_bytes(const Size& s, const LinearSettings& l) {
+// Aggregates' matrix of 6 x 6 blocks, their triplets and those in single precision while the factors are
+// made, and the factors by MUMPS: an aggregate is coupled with fifteen others (half eyes at n = 8 and 14: 7.9
+// and 8.1 blocks in the upper triangle); factors grow with the neighbours, fewer where the body is thin, and
+// with the separators, and so with the body's extent. Measured on blocks, cylinders, shells and eyes of 3,600
+// to 47,000 hexahedra.
+double aggregation_bytes(const Size& s, const LinearSettings& l, bool symmetric) {
   const double aggregates = s.nodes / l.aggregation.nodes, round = sphericity(s.hexes, s.nodes),
                neighbours = 27 * std::min(1., .5 + .8 * round);
   if (l.smoothing == Precision::single && 6 * aggregates > l.aggregation.factorised)
     return levels_bytes(aggregates, neighbours);
-  const double factors = (neighbours / 27 * 1350 + 18 * round * std::cbrt(s.nodes)) * 16 * aggregates;
-  return (l.smoothing == Precision::full ? 1.4 : 1) * factors + 36 * single * neighbours / 2 * aggregates +
-         triplet_bytes(6 * aggregates, 6, neighbours);
+  const double factors = (neighbours / 27 * 1350 + 18 * round * std::cbrt(s.nodes)) * 16 * aggregates,
+               triplet = 2 * sizeof(int) + number + single, block = 48 * number + 40 + 36 * triplet;
+  return (l.smoothing == Precision::full ? 1.4 : 1) * (symmetric ? 1 : 2) * factors +
+         (symmetric ? 8 : 15) * block * aggregates;
 }
 
 // Of hypre's hierarchies, and of the nodes' blocks.
-double coarse_bytes(Displacement name, const Size& s, const LinearSettings& l) {
-  if (name == Displacement::aggregation) return aggregation_bytes(s, l);
+double coarse_bytes(Displacement name, const Size& s, const LinearSettings& l, bool symmetric) {
+  if (name == Displacement::aggregation) return aggregation_bytes(s, l, symmetric);
   if (name == Displacement::jacobi) return 9 * 12 * s.nodes;
   return (name == Displacement::boomeramg || name == Displacement::boomeramg_nodal ? 2 * 27 * 9
                                                                                    : 2 * 27 * 3) *
          12 * s.nodes;
 }
 
-void add_direct(const Size& s, int ranks, std::vector<MemoryPart>& parts) {
-  parts.push_back({"matrix and its copies", direct_matrix_bytes(s.hexes)});
-  parts.push_back({"factors", direct_factor_bytes(s.unknowns(), s.hexes, s.nodes, ranks)});
+void add_direct(const RunSize& size, std::vector<MemoryPart>& parts) {
+  const Size& s = size.levels.front();
+  parts.push_back({"matrix and its copies", direct_matrix_bytes(s.hexes, size.symmetric)});
+  parts.push_back(
+      {"factors", direct_factor_bytes(s.unknowns(), s.hexes, s.nodes, size.ranks, size.symmetric)});
 }
 
 void add_iterative(const RunSize& size, const SolverSettings& solver, std::vector<MemoryPart>& parts) {
@@ -137,7 +141,7 @@ void add_iterative(const RunSize& size, const SolverSettings& solver, std::vecto
   if (name == Displacement::multigrid && hierarchy)
     add_coarser_levels(size, l, parts);
   else
-    parts.push_back({"coarse matrix", coarse_bytes(name, s, l)});
+    parts.push_back({"coarse matrix", coarse_bytes(name, s, l, size.symmetric)});
 }
 
 }  // namespace
@@ -165,7 +169,7 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   parts.push_back({"checkpoints",
                    scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});
   if (scene.solver.linear.method == Method::direct)
-    add_direct(s, size.ranks, parts);
+    add_direct(size, parts);
   else
     add_iterative(size, scene.solver, parts);
   return parts;
@@ -175,7 +179,7 @@ double bytes_of_fallback(const RunSize& size, const Scene& scene) {
   const LinearSettings& l = scene.solver.linear;
   if (l.method == Method::direct || l.fallback != Fallback::direct) return 0;
   std::vector<MemoryPart> parts;
-  add_direct(size.levels.front(), size.ranks, parts);
+  add_direct(size, parts);
   return sum_of(parts);
 }
 

@@ -25,6 +25,7 @@ struct RunSize {
   std::vector<Level> levels;  ///< the finest first, then the coarser ones that multigrid uses
   double liquids = 0, contact_points = 0;
   int refinements = 0, ranks = 1;
+  bool symmetric = true;  ///< is the tangent, so that half of matrices and factors are kept?
 };
 
 /// What states, operator, preconditioner and Krylov method or factors add to program, mesh and problem.

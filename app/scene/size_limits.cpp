@@ -62,7 +62,7 @@ void refuse_too_large(const MeshCount& base, const Scene& scene, int ranks) {
   std::vector<MemoryPart> parts{
       {"program, mesh and problem", ranks * (of_program + of_base_hex * base.hexes) + of_hex * finest.hexes}};
   if (scene.solver.linear.method == Method::direct)
-    parts.push_back({"matrix and its copies", direct_matrix_bytes(finest.hexes)});
+    parts.push_back({"matrix and its copies", direct_matrix_bytes(finest.hexes, true)});
   else
     for (MemoryPart& part : parts_of_solution(run_size(base, scene, ranks), scene))
       parts.push_back(std::move(part));

@@ -61,9 +61,9 @@ bool DirectFallback::available(const CoupledSystem& system) {
     const auto& problem = system.problem();
     const double hexes = static_cast<double>(problem.mesh().all_hexes),
                  unknowns = static_cast<double>(global_size(system));
-    fits_ = 1e-6 * (direct_matrix_bytes(hexes) +
+    fits_ = 1e-6 * (direct_matrix_bytes(hexes, problem.symmetric()) +
                     direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes),
-                                        problem.comm().size())) <
+                                        problem.comm().size(), problem.symmetric())) <
             available_mb(system);
   }
   return *fits_;

@@ -9,6 +9,11 @@ namespace bulbus::inline precond {
 
 void CoarseMatrix::clear() { std::ranges::fill(blocks_, Block{}); }
 
+void CoarseMatrix::shrink() {
+  blocks_.shrink_to_fit();
+  places_.shrink_to_fit();
+}
+
 CoarseMatrix::Block& CoarseMatrix::block(int row, int column) {
   const auto [at, added] =
       at_.emplace((static_cast<long long>(row) << 32) + column, static_cast<int>(blocks_.size()));

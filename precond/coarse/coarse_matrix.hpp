@@ -22,6 +22,8 @@ class CoarseMatrix {
 
   /// Everything zero again.
   void clear();
+  /// Gives back what blocks were reserved and not needed.
+  void shrink();
   /// Adds a contribution to the reduced displacement block (see for_each_condensed_matrix). `modes`: of every
   /// local node.
   void add(const Aggregates& groups, std::span<const NodeModes> modes, std::span<const int> dofs,

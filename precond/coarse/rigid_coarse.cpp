@@ -28,6 +28,7 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
     for (const auto& e : system_.body_extra())
       if (!system_.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
   for (int k : modes_.missing) plan_->matrix.add(k, k, system_.constrained_diagonal());
+  plan_->matrix.shrink();
   const auto frames = std::exchange(modes_.frames, {});
   if (plan_->levels && make_levels(frames)) return;
   const FactorReport f =
