@@ -34,6 +34,15 @@ Reuse PreconditionerCache::refreshed(const CoupledSystem& system) {
   return displacement_->keeps_factors() ? reuse : Reuse{};
 }
 
+bool PreconditionerCache::can_improve() const {
+  return history_.solves > 0 || (displacement_ && displacement_->could_be_factorised());
+}
+
+void PreconditionerCache::improve() {
+  if (history_.solves == 0) factory_.factorise_coarse();
+  forget();
+}
+
 std::unique_ptr<CoupledPreconditioner> PreconditionerCache::make(const CoupledSystem& system) {
   reused_ = refreshed(system);
   if (!reused_.anything()) forget();

@@ -16,7 +16,8 @@ class PreconditionerCache final : public PreconditionerFactory {
   PreconditionerCache(const LinearSettings& settings, Profiler& profiler);
   std::unique_ptr<CoupledPreconditioner> make(const CoupledSystem& system) override;
   void record(double iterations_per_digit) override { history_.add(iterations_per_digit); }
-  bool has_history() const override { return history_.solves > 0; }
+  bool can_improve() const override;
+  void improve() override;
   void forget() override { history_ = {}; }
   /// What the last preconditioner has taken over.
   const Reuse& reused() const { return reused_; }

@@ -89,12 +89,13 @@ void add_coarser_levels(const RunSize& size, const LinearSettings& l, std::vecto
   parts.push_back({"base factors", base_bytes(size.levels.back(), l)});
 }
 
-// Levels of aggregates: half of the blocks with their places while they are gathered, all of them in single
-// precision, frames, weights and six vectors of the aggregates; each further level has a tenth of the rows.
-double levels_bytes(double aggregates, double neighbours) {
-  const double gathered = (6 * 8 * number + 40) / 2, block = 36 * single + 4,
-               of_aggregate = 40 * number + 2 * 36 * single + 36 * single;
-  return aggregates * (neighbours * (gathered + 1.1 * block) + of_aggregate) + 5 * megabyte;
+// Levels of aggregates: half of the blocks with their places while they are gathered, all of them in the rows
+// of the levels, frames, weights and six vectors of the aggregates; each further level has a sixth of the
+// rows.
+double levels_bytes(double aggregates) {
+  const double gathered = 8 * (48 * number + 40), block = 36 * number + 4,
+               of_aggregate = 40 * number + 2 * 36 * number + 36 * number;
+  return aggregates * (gathered + 1.2 * (15 * block + of_aggregate)) + 5 * megabyte;
 }
 
 // Aggregates' matrix of 6 x 6 blocks, their triplets and those in single precision while the factors are
@@ -106,7 +107,7 @@ double aggregation_bytes(const Size& s, const LinearSettings& l, bool symmetric)
   const double aggregates = s.nodes / l.aggregation.nodes, round = sphericity(s.hexes, s.nodes),
                neighbours = 27 * std::min(1., .5 + .8 * round);
   if (l.smoothing == Precision::single && 6 * aggregates > l.aggregation.factorised)
-    return levels_bytes(aggregates, neighbours);
+    return levels_bytes(aggregates);
   const double factors = (neighbours / 27 * 1350 + 18 * round * std::cbrt(s.nodes)) * 16 * aggregates,
                triplet = 2 * sizeof(int) + number + single, block = 48 * number + 40 + 36 * triplet;
   return (l.smoothing == Precision::full ? 1.4 : 1) * (symmetric ? 1 : 2) * factors +

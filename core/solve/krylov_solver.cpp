@@ -141,9 +141,11 @@ class KrylovSolver final : public LinearSolver {
       const auto scope = profiler_.clock.measure("linear solve");
       r = solve_by_krylov(A, b, x, tolerance);
     }
-    r.retry = !r.ok && factory_->has_history();
-    factory_->record(r.iterations / -std::log10(tolerance));
-    if (r.retry) factory_->forget();
+    r.retry = !r.ok && factory_->can_improve();
+    if (r.retry)
+      factory_->improve();
+    else
+      factory_->record(r.iterations / -std::log10(tolerance));
     if (r.ok || r.retry || !fallback_.available(system)) return r;
     LinearReport direct = fallback_.solve(A, b, x, tolerance);
     direct.iterations = r.iterations, direct.history = std::move(r.history),
@@ -211,7 +213,7 @@ class KrylovSolver final : public LinearSolver {
                                const KrylovObserver& observer) {
     const Comm& comm = system.problem().comm();
     const double scale = norm(b, comm);
-    const bool other_way = factory_->has_history() || fallback_.available(system);
+    const bool other_way = factory_->can_improve() || fallback_.available(system);
     KrylovReport report;
     bool flexible = !M.is_linear() || tolerance < least_of_plain_method, stagnant = false, slow = false;
     // A system so small is factorised in less time; and a residual that falls so slowly says little of the

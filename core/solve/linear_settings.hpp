@@ -21,14 +21,15 @@ struct SmootherSettings {
 
 /// Aggregation as a preconditioner of the displacement block.
 struct AggregationSettings : SmootherSettings {
-  int nodes = 16, factorised = 200000;
+  int nodes = 16, factorised = 8000;
   AggregationSettings() : SmootherSettings{16, 0.02} {}
   template <class V>
   void describe(V&& v) {
     v("nodes", nodes, About{"nodes of an aggregate"}.between(8, 1000));
     v("factorised", factorised,
-      About{"most unknowns of a coarse matrix that is factorised; a larger one is aggregated again"}.between(
-          100, 10000000));
+      About{"most unknowns of a coarse matrix that is factorised; a larger one is aggregated again, and "
+            "factorised only after a solve that failed"}
+          .between(100, 10000000));
     SmootherSettings::describe(v);
   }
 };

@@ -17,7 +17,7 @@ namespace bulbus::inline solve {
 struct LinearReport {
   bool ok = false;
   std::string reason;
-  bool retry = false;    ///< failed with parts of an earlier linearisation: the next prepare() makes all anew
+  bool retry = false;    ///< failed, but may succeed with what the next prepare() makes of the same system
   int iterations = 0;    ///< Krylov iterations; 0 of the direct solver
   double reduction = 0;  ///< ‖s r‖ / ‖s b‖ reached
   bool by_fallback = false;  ///< MUMPS solved it in place of GMRES, which did not
@@ -104,8 +104,11 @@ class PreconditionerFactory {
   virtual std::unique_ptr<CoupledPreconditioner> make(const CoupledSystem& system) = 0;
   /// A solve took so many Krylov iterations per digit; the same on every rank.
   virtual void record(double iterations_per_digit) = 0;
-  /// Were there solves since all was made anew, so that a preconditioner made anew may do better?
-  virtual bool has_history() const = 0;
+  /// May another preconditioner of the same linearisation do better: one that takes nothing over, or one that
+  /// factorises what this one approximates?
+  virtual bool can_improve() const = 0;
+  /// After a solve that failed: the next one is that.
+  virtual void improve() = 0;
   /// The next one takes nothing over.
   virtual void forget() = 0;
 };

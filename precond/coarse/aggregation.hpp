@@ -30,6 +30,7 @@ class Aggregation final : public DisplacementPreconditioner {
   bool is_linear() const override { return true; }
   double refresh() override { return smoother_->refresh(); }
   bool keeps_factors() const override { return coarse_.keeps_factors(); }
+  bool could_be_factorised() const override { return coarse_.could_be_factorised(); }
   std::string setup_error() const override { return coarse_.setup_error(); }
   std::size_t bytes() const override;
   std::shared_ptr<const LineJacobi> lines() const override { return jacobi_; }

@@ -12,15 +12,15 @@ namespace bulbus::inline precond {
 /// What the levels keep from one linearisation to the next.
 struct HierarchyPlan {
   /// `most_unknowns`: of a matrix that is factorised. Collective.
-  HierarchyPlan(const Comm& c, int most_unknowns)
-      : comm(c), most(most_unknowns), factor(c, {.precision = Precision::single}) {}
+  HierarchyPlan(const Comm& c, int most_unknowns) : comm(c), most(most_unknowns), factor(c) {}
   Comm comm;
   int most;
   std::vector<std::vector<int>> groups;  ///< level by level, the aggregate of each of this rank's rows
   Mumps factor;                          ///< of the last level
 };
 
-/// Aggregates of aggregates: an approximate inverse of the matrix of rigid-body modes in single precision.
+/// Aggregates of aggregates: an approximate inverse of the matrix of rigid-body modes, in double precision,
+/// since bending modes of a thin wall have energies that single precision does not hold.
 /// Every level has the rigid motions of its aggregates as unknowns, six each (Vaněk, Mandel and Brezina,
 /// Computing 56, 1996, with prolongations that are not smoothed). A cycle is one sweep of block Gauss–Seidel,
 /// the correction by the next level and a sweep back; in place of the K-cycle's Krylov method (Notay and
@@ -44,25 +44,25 @@ class BlockHierarchy final : public Preconditioner {
   int levels() const { return static_cast<int>(levels_.size()); }
 
  private:
-  using Weights = std::array<float, 36>;  // by columns
+  using Weights = std::array<double, 36>;  // by columns
   struct Level {
     DistributedBlocks blocks;
-    std::vector<int> group;                    // empty on the last level
-    std::vector<Weights> weights;              // of this rank's rows: their modes in those of their group
-    int degree = 1;                            // of the polynomial
-    double lowest = 1, highest = 1;            // of the spectrum that it damps
-    mutable std::vector<float> b, x;           // right-hand side and solution, this with ghosts
-    mutable std::vector<float> r, z, d, rest;  // of the polynomial; of the cycle
-    void update_ghosts(std::span<float> v) const { blocks.rows.halo.update_ghosts(v, 6); }
+    std::vector<int> group;                     // empty on the last level
+    std::vector<Weights> weights;               // of this rank's rows: their modes in those of their group
+    int degree = 1;                             // of the polynomial
+    double lowest = 1, highest = 1;             // of the spectrum that it damps
+    mutable std::vector<double> b, x;           // right-hand side and solution, this with ghosts
+    mutable std::vector<double> r, z, d, rest;  // of the polynomial; of the cycle
+    void update_ghosts(std::span<double> v) const { blocks.rows.halo.update_ghosts(v, 6); }
   };
 
   void coarsen(std::vector<RigidFrame>& frames, int bodies, double missing_diagonal);
   void factorise();
   void set_polynomial(std::size_t level);
   void solve(std::size_t level) const;
-  void cycle(std::size_t level, std::span<const float> b, std::span<float> x) const;
-  void restrict_to(std::size_t level, std::span<const float> fine) const;
-  void prolongate(std::size_t level, std::span<float> fine) const;
+  void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
+  void restrict_to(std::size_t level, std::span<const double> fine) const;
+  void prolongate(std::size_t level, std::span<double> fine) const;
 
   std::shared_ptr<HierarchyPlan> plan_;
   std::vector<Level> levels_;

@@ -16,9 +16,9 @@ using Square = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
 
 // sum += factor · A x of one block: a whole register for every column, the last two lanes of which are of the
 // next one.
-inline void add_product(const float* block, const float* x, float factor, std::array<float, width>& sum) {
+inline void add_product(const double* block, const double* x, double factor, std::array<double, width>& sum) {
   for (int j = 0; j < size; ++j) {
-    const float xj = factor * x[j];
+    const double xj = factor * x[j];
     for (int i = 0; i < width; ++i) sum[i] += block[size * j + i] * xj;
   }
 }
@@ -53,8 +53,8 @@ void BlockMatrix::add(int row, int column, const Block& block) {
   const auto end = column_.begin() + start_[row + 1];
   const auto at = std::lower_bound(column_.begin() + start_[row], end, column);
   if (at == end || *at != column) throw std::invalid_argument("BlockMatrix: there is no such block");
-  float* value = &value_[of_block * (at - column_.begin())];
-  for (int i = 0; i < of_block; ++i) value[size * (i % size) + i / size] += static_cast<float>(block[i]);
+  double* value = &value_[of_block * (at - column_.begin())];
+  for (int i = 0; i < of_block; ++i) value[size * (i % size) + i / size] += block[i];
 }
 
 void BlockMatrix::invert_diagonal() {
@@ -63,24 +63,23 @@ void BlockMatrix::invert_diagonal() {
       if (column_[k] != row) continue;
       const Square inverse = inverse_of(block(row, k - start_[row]));
       for (int i = 0; i < of_block; ++i)
-        inverse_[of_block * row + size * (i % size) + i / size] =
-            static_cast<float>(inverse(i / size, i % size));
+        inverse_[of_block * row + size * (i % size) + i / size] = inverse(i / size, i % size);
     }
 }
 
 BlockMatrix::Block BlockMatrix::block(int row, int k) const {
   Block b;
-  const float* value = &value_[of_block * (start_[row] + k)];
+  const double* value = &value_[of_block * (start_[row] + k)];
   for (int i = 0; i < of_block; ++i) b[i] = value[size * (i % size) + i / size];
   return b;
 }
 
-void BlockMatrix::subtract(int row, std::span<const float> x, Sum& sum) const {
+void BlockMatrix::subtract(int row, std::span<const double> x, Sum& sum) const {
   for (int k = start_[row]; k < start_[row + 1]; ++k)
     add_product(&value_[of_block * k], &x[size * column_[k]], -1, sum);
 }
 
-void BlockMatrix::apply(std::span<const float> x, std::span<float> y) const {
+void BlockMatrix::apply(std::span<const double> x, std::span<double> y) const {
   for (int row = 0; row < rows(); ++row) {
     Sum sum{};
     subtract(row, x, sum);
@@ -88,7 +87,7 @@ void BlockMatrix::apply(std::span<const float> x, std::span<float> y) const {
   }
 }
 
-void BlockMatrix::residual(std::span<const float> b, std::span<const float> x, std::span<float> r) const {
+void BlockMatrix::residual(std::span<const double> b, std::span<const double> x, std::span<double> r) const {
   for (int row = 0; row < rows(); ++row) {
     Sum sum{};
     std::copy_n(&b[size * row], size, sum.begin());
@@ -97,7 +96,7 @@ void BlockMatrix::residual(std::span<const float> b, std::span<const float> x, s
   }
 }
 
-void BlockMatrix::sweep(std::span<const float> b, std::span<float> x, bool forwards) const {
+void BlockMatrix::sweep(std::span<const double> b, std::span<double> x, bool forwards) const {
   for (int n = 0; n < rows(); ++n) {
     const int row = forwards ? n : rows() - 1 - n;
     Sum sum{}, step{};

@@ -5,7 +5,7 @@
 
 namespace bulbus::inline precond {
 
-/// A sparse matrix of 6 × 6 blocks in single precision: rows in compressed form, both triangles. On several
+/// A sparse matrix of 6 × 6 blocks: rows in compressed form, both triangles. On several
 /// ranks the rows of this one, columns by local numbers, its own rows first.
 class BlockMatrix {
  public:
@@ -27,20 +27,20 @@ class BlockMatrix {
   std::size_t entries() const { return column_.size(); }
 
   /// y = A x; six numbers per block row.
-  void apply(std::span<const float> x, std::span<float> y) const;
+  void apply(std::span<const double> x, std::span<double> y) const;
   /// r = b − A x.
-  void residual(std::span<const float> b, std::span<const float> x, std::span<float> r) const;
+  void residual(std::span<const double> b, std::span<const double> x, std::span<double> r) const;
   /// One sweep of block Gauss–Seidel on A x = b, from the first block row to the last or back.
-  void sweep(std::span<const float> b, std::span<float> x, bool forwards) const;
+  void sweep(std::span<const double> b, std::span<double> x, bool forwards) const;
   std::size_t bytes() const;
 
  private:
-  using Sum = std::array<float, 8>;  // the last two entries are not used
-  void subtract(int row, std::span<const float> x, Sum& sum) const;
+  using Sum = std::array<double, 8>;  // the last two entries are not used
+  void subtract(int row, std::span<const double> x, Sum& sum) const;
 
   std::vector<int> start_, column_;
-  std::vector<float> value_;    // column by column, 36 a block; two more at the end, where eight are read
-  std::vector<float> inverse_;  // of the diagonal blocks, the same
+  std::vector<double> value_;    // column by column, 36 a block; two more at the end, where eight are read
+  std::vector<double> inverse_;  // of the diagonal blocks, the same
 };
 
 }  // namespace bulbus::inline precond

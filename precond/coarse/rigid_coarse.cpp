@@ -7,6 +7,13 @@
 
 namespace bulbus::inline precond {
 
+namespace {
+
+// Half a million nodes' coarse matrix, the largest whose factors were tried: 6 GB (docs/decisions/052).
+constexpr int most_factorised = 200000;
+
+}  // namespace
+
 RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision, int most)
     : groups(aggregate(system, nodes)),
       matrix(system.problem().symmetric()),
@@ -37,6 +44,8 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
   if (!f.ok) setup_error_ = "rigid motions of aggregates: " + f.reason;
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
 }
+
+bool RigidCoarse::could_be_factorised() const { return levels_ && coarse_size() <= most_factorised; }
 
 // Returns false where they are of no use.
 bool RigidCoarse::make_levels(const std::vector<RigidFrame>& frames) {

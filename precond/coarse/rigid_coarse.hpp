@@ -36,6 +36,8 @@ class RigidCoarse final : public Preconditioner {
   void factorise(const KeepFactors& keep);
   /// Are the factors those of an earlier linearisation?
   bool keeps_factors() const { return keeps_factors_; }
+  /// Are there levels of a matrix that is small enough for MUMPS?
+  bool could_be_factorised() const;
   int size() const override { return system_.layout().primal(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool is_linear() const override { return true; }

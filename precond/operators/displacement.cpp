@@ -98,4 +98,9 @@ std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const Coup
   return std::make_unique<Aggregation>(system, plans_->aggregation, settings_.aggregation, smoothing, keep);
 }
 
+void DisplacementFactory::factorise_coarse() {
+  settings_.aggregation.factorised = std::numeric_limits<int>::max();
+  if (plans_ && plans_->aggregation) plans_->aggregation->rigid->levels.reset();
+}
+
 }  // namespace bulbus::inline precond

@@ -34,6 +34,8 @@ class DisplacementFactory {
   /// Collective. Throws InputError where hypre's or MUMPS's numbering ends, and for multigrid without a
   /// refined mesh. `keep`: the coarsest matrix's factors.
   std::unique_ptr<DisplacementPreconditioner> make(const CoupledSystem& system, const KeepFactors& keep = {});
+  /// From now on aggregation factorises its coarse matrix, however large it is.
+  void factorise_coarse();
 
  private:
   LinearSettings settings_;

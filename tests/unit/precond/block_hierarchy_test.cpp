@@ -52,14 +52,7 @@ Eigen::MatrixXd dense(const BlockMatrix& A) {
   return D;
 }
 
-std::vector<float> noise_floats(std::size_t n, int seed) {
-  const auto v = noise_vector(n, seed);
-  return {v.begin(), v.end()};
-}
-
-Vector of(const std::vector<float>& v) {
-  return Eigen::Map<const Eigen::VectorXf>(v.data(), v.size()).cast<double>();
-}
+Vector of(const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), v.size()); }
 
 TEST(BlockMatrix, IsThatOfItsTriplets) {
   for (const Scene& scene : {thin_plate(), filled_shell("octant")}) {
@@ -70,7 +63,7 @@ TEST(BlockMatrix, IsThatOfItsTriplets) {
       want(t.row[e], t.col[e]) += t.value[e];
       if (c.problem.symmetric() && t.row[e] != t.col[e]) want(t.col[e], t.row[e]) += t.value[e];
     }
-    EXPECT_LT((dense(c.A) - want).norm(), 1e-6 * want.norm());
+    EXPECT_LT((dense(c.A) - want).norm(), 1e-13 * want.norm());
   }
 }
 
@@ -78,22 +71,22 @@ TEST(BlockMatrix, MultipliesAndSweeps) {
   const Coarse c(thin_plate());
   const Eigen::MatrixXd D = dense(c.A);
   const std::size_t n = D.rows();
-  const auto x = noise_floats(n, 1), b = noise_floats(n, 2);
-  std::vector<float> y(n), r(n), z = x;
+  const auto x = noise_vector(n, 1), b = noise_vector(n, 2);
+  std::vector<double> y(n), r(n), z = x;
   c.A.apply(x, y);
-  EXPECT_LT((of(y) - D * of(x)).norm(), 1e-5 * of(y).norm());
+  EXPECT_LT((of(y) - D * of(x)).norm(), 1e-13 * of(y).norm());
   c.A.residual(b, x, r);
-  EXPECT_LT((of(r) - (of(b) - D * of(x))).norm(), 1e-5 * of(r).norm());
+  EXPECT_LT((of(r) - (of(b) - D * of(x))).norm(), 1e-13 * of(r).norm());
   c.A.sweep(b, z, true);
   Vector want = of(x);
   for (std::size_t i = 0; i < n; i += 6)
     want.segment<6>(i) += D.block<6, 6>(i, i).fullPivLu().solve((of(b) - D * want).segment<6>(i));
-  EXPECT_LT((of(z) - want).norm(), 1e-4 * want.norm());
+  EXPECT_LT((of(z) - want).norm(), 1e-10 * want.norm());
   c.A.sweep(b, z, false);
   for (std::size_t i = n; i > 0; i -= 6)
     want.segment<6>(i - 6) +=
         D.block<6, 6>(i - 6, i - 6).fullPivLu().solve((of(b) - D * want).segment<6>(i - 6));
-  EXPECT_LT((of(z) - want).norm(), 1e-4 * want.norm());
+  EXPECT_LT((of(z) - want).norm(), 1e-10 * want.norm());
 }
 
 TEST(AggregateBlocks, AreCompactAndKeepBodiesAsTheyAre) {

@@ -126,5 +126,39 @@ TEST(Reuse, KeepsOnlyWhatFits) {
   EXPECT_EQ(reused(cache, l.system), Reuse{});
 }
 
+std::vector<double> preconditioned(const Preconditioner& M) {
+  const auto b = noise_vector(M.size(), 3);
+  std::vector<double> x(b.size());
+  M.apply(b, x);
+  return x;
+}
+
+// A failed solve asks first for all made anew, then for factors in place of levels, then for nothing more.
+TEST(Reuse, EndsInFactorsOfTheCoarseMatrix) {
+  Linearised l(small_eye(6), 0, 0);
+  widen(l);
+  l.settings.aggregation.factorised = 100;
+  Profiler profiler;
+  PreconditionerCache cache(l.settings, profiler);
+  EXPECT_FALSE(cache.can_improve()) << "nothing is made";
+  auto preconditioner = cache.make(l.system);
+  cache.record(1);
+  ASSERT_TRUE(cache.can_improve());
+  cache.improve();
+  preconditioner.reset();
+  preconditioner = cache.make(l.system);
+  const auto levels = preconditioned(*preconditioner);
+  ASSERT_TRUE(cache.can_improve()) << "there are levels";
+  cache.improve();
+  preconditioner.reset();
+  preconditioner = cache.make(l.system);
+  EXPECT_FALSE(cache.can_improve());
+  l.settings.aggregation.factorised = 1000000;
+  PreconditionerCache factorised(l.settings, profiler);
+  const auto wanted = preconditioned(*factorised.make(l.system)), found = preconditioned(*preconditioner);
+  EXPECT_LT(relative_difference(found, wanted), 1e-6);
+  EXPECT_GT(relative_difference(levels, wanted), 1e-4) << "levels approximate";
+}
+
 }  // namespace
 }  // namespace bulbus
