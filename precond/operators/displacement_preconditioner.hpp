@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
 
 namespace bulbus::inline precond {
@@ -14,10 +15,12 @@ class DisplacementPreconditioner : public Preconditioner {
   virtual std::shared_ptr<const LineJacobi> lines() const { return nullptr; }
   /// Are the factors of its coarsest matrix those of an earlier linearisation?
   virtual bool keeps_factors() const { return false; }
-  /// The block that it was made for has another tangent: what it applies on the fly is the present one, all
-  /// else stays. Returns by how much the largest eigenvalue that it damps has grown since it was made; 1
-  /// where it damps none. Collective.
-  virtual double refresh() { return 1; }
+  /// What it applies on the fly is the tangent of this linearisation from now on, all else stays. Returns by
+  /// how much the largest eigenvalue that it damps has grown since it was made; 1 where it damps none.
+  /// Collective.
+  virtual double refresh(SharedSystem /*system*/) { return 1; }
+  /// Gives up the linearisation that it was made for; of no use until it is refreshed.
+  virtual void release() {}
 };
 
 }  // namespace bulbus::inline precond
