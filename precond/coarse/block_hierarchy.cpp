@@ -11,16 +11,16 @@
 namespace bulbus::inline precond {
 namespace {
 
-constexpr int blocks_of_aggregate = 6;
-constexpr int usual_degree = 5;  // of the polynomial in a level's cycle
-constexpr int lanczos_steps = 10;
+// Of an aggregate; of the polynomial in a level's cycle; before it: docs/decisions/052.
+constexpr int blocks_of_aggregate = 6, usual_degree = 5, lanczos_steps = 10;
 // The spectrum of a cycle times a positive definite matrix ends at 1, or where the next level's polynomial
 // lets it, and begins where Lanczos' method has come to, or a little below. A polynomial for less than the
 // least would be too weak on all the rest. Outside of its interval it grows without bounds: where there are
 // negative eigenvalues, or some beyond the farthest, the cycle stands alone.
 constexpr double below = 0.7, least = 0.02, most = 0.5, farthest = 1.5;
-constexpr double unstable =
-    100;  // eigenvalue of a cycle times its matrix: a sweep along many rows may make it so
+// Eigenvalue of a cycle times its matrix, which ends at 1 where sweeps are stable: along many rows one may
+// blow up by orders of magnitude.
+constexpr double unstable = 100;
 
 Triplets triplets_of(const DistributedBlocks& blocks) {
   Triplets t;
