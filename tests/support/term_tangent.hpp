@@ -13,8 +13,10 @@ inline std::vector<double> action(const TermTangent& tangent, std::span<const do
   return f;
 }
 
+/// Zeros of a term without a tangent.
 inline std::vector<double> action(const Term& term, const State& state, std::span<const double> d) {
-  return action(*tangent_at(term, state), d);
+  const auto tangent = tangent_at(term, state);
+  return tangent ? action(*tangent, d) : std::vector<double>(d.size());
 }
 
 /// Tells a term of a Newton step by dx, found with its tangent at a state.

@@ -60,12 +60,13 @@ TEST_F(ContactTermTest, ActionIsTheDerivativeOfTheForceWithMultipliersToo) {
   ASSERT_TRUE(augmented.update_multipliers(state));
   EXPECT_GT(relative_difference(force(augmented, state), force(term, state)), .5);
   settle(augmented, state);
+  const auto found = action(augmented, state, d);
   const auto exact = derivative(
       [&](std::span<const double> x) {
         return force(augmented, {{x.begin(), x.end()}, {}, {}, {}});
       },
       state.x, d, 1e-5);
-  EXPECT_LT(relative_difference(action(augmented, state, d), exact), 1e-7);
+  EXPECT_LT(relative_difference(found, exact), 1e-7);
 }
 
 TEST_F(ContactTermTest, TangentStaysWhatItIsWhateverBecomesOfTheTerm) {
