@@ -26,12 +26,6 @@
 namespace bulbus::inline app {
 namespace {
 
-// The direct solver factorises the system as it is: augmentation would only fill it.
-LinearSettings settings_of_system(LinearSettings linear) {
-  if (linear.method == Method::direct) linear.gamma = 0;
-  return linear;
-}
-
 // Which algebraic multigrid it is; Bulbus's own says no more than its name.
 std::string amg_of(Displacement by) {
   if (by == Displacement::boomeramg) return " (hypre's BoomerAMG, component by component)";
@@ -81,13 +75,6 @@ void write_header(const Log& log, const Scene& scene, const std::string& scene_p
 Scene with_materials_of(const Problem& problem, Scene scene) {
   scene.model = problem.model();
   return scene;
-}
-
-void measure_memory(const Problem& problem, const CoupledSystem& system, Profiler& profiler) {
-  profiler.memory.set("mesh", problem.mesh().bytes());
-  profiler.memory.set("solid", problem.solid().bytes());
-  profiler.memory.set("operator cache", problem.solid().cache_bytes());
-  profiler.memory.set("coupled system", system.bytes());
 }
 
 nlohmann::json json_of(const MemoryForecast& forecast) {
@@ -210,7 +197,6 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   if (!may_begin) return conclude(march_without(*prepared.reference), remedy_of(*prepared.reference));
 
   const LinearSettings& linear = scene.solver.linear;
-  CoupledSystem system(problem, system_settings(linear));
   auto solver = make_solver(linear, profiler);
   if (!linear.dump.empty())
     solver = make_dumping_solver(
@@ -218,7 +204,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   solver->watch([&](const SolveProgress& progress) { recorder.solve_lasts(progress); });
   auto [place, step_start, state] = from ? recorder.resume(*from) : Resumed{.state = problem.initial_state()};
   if (prepared.reference && place.report.increments == 0) place.expected = prepared.reference->loaded;
-  const MarchReport report = march(problem, system, *solver, state, scene.solver, profiler, recorder, place);
+  const MarchReport report = march(problem, *solver, state, scene.solver, profiler, recorder, place);
 
   recorder.finish(state);
   for (const auto& told : {deep_contacts(*prepared.interactions, recorder.contacts()),
@@ -229,7 +215,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
       log.warn(warning);
     }
   std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
-  measure_memory(problem, system, profiler);
+  profiler.memory.set("mesh", problem.mesh().bytes());
   return conclude(report, report.converged ? "" : recorder.diagnosis(state));
 }
 

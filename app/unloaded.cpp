@@ -52,8 +52,8 @@ UnloadedReport search(const Scene& scene, Prepared& prepared, const Log& log, Pr
   log.info(fmt::format("unloaded reference: the mesh is drawn under {}", loads_of(spec)));
   log.info("     it  load    distance, mm  ratio    eta      Krylov  elapsed");
   const double start = Clock::now();
-  const UnloadedSolver solver{system_settings(scene.solver.linear),
-                              [&] { return make_solver(scene.solver.linear, profiler); }, profiler};
+  const UnloadedSolver solver{scene.solver.linear, [&] { return make_solver(scene.solver.linear, profiler); },
+                              profiler};
   UnloadedReport report;
   rebuild(prepared, [&](std::vector<MeshLevel>& levels) {
     report =

@@ -31,7 +31,6 @@ json run(const std::vector<std::string>& words) {
   if (method == "iterative") settings.linear.take_mesh(refine);
   Profiler profiler;
   auto problem = half_eye(n, comm, refine);
-  CoupledSystem system(*problem, settings.linear);
   TimedSolver solver(make_solver(settings.linear, profiler));
   State state = problem->initial_state();
   json row{{"n", n},
@@ -41,7 +40,8 @@ json run(const std::vector<std::string>& words) {
            {"unknowns", unknowns(*problem)}};
   for (auto [step, progress] : {std::pair{0, 1.}, {1, .25}}) {
     problem->begin_step(step, state);
-    const NewtonReport report = newton(*problem, system, solver, state, progress, settings.newton, profiler);
+    const NewtonReport report =
+        newton(*problem, settings.linear, solver, state, progress, settings.newton, profiler);
     row["newton_iterations"].push_back(report.iterations.size());
     if (report.outcome != Outcome::converged) {
       row["reason"] = report.reason;
@@ -51,9 +51,6 @@ json run(const std::vector<std::string>& words) {
     if (step == 0) problem->end_step();
   }
   profiler.memory.set("mesh", problem->mesh().bytes());
-  profiler.memory.set("solid", problem->solid().bytes());
-  profiler.memory.set("operator cache", problem->solid().cache_bytes());
-  profiler.memory.set("coupled system", system.bytes());
   std::vector<double> whole;
   for (std::size_t i = 0; i < solver.solution.size(); ++i)
     whole.push_back(solver.setup[i] + solver.solution[i]);

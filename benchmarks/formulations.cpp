@@ -86,20 +86,19 @@ json solved(const Variant& v, Problem& problem, const State& state, const FirstI
   const SolverSettings settings = settings_of(v, memory_mb);
   Profiler profiler;
   TimedSolver solver(make_solver(settings.linear, profiler));
-  CoupledSystem system(problem, settings.linear);
-  system.linearize(state, start.residual);
+  const auto system = std::make_shared<const CoupledSystem>(problem, settings.linear, state, start.residual);
   reset_peak_resident();
   json row{{"method", v.method},
            {"formulation", v.formulation},
            {"hexahedra", problem.mesh().all_hexes},
            {"unknowns", unknowns(problem)},
-           {"liquid_entries", liquid_entries(system)}};
-  row["wet_unknowns"] = std::ranges::count_if(system.liquid_columns()[0], [](double g) { return g != 0; });
+           {"liquid_entries", liquid_entries(*system)}};
+  row["wet_unknowns"] = std::ranges::count_if(system->liquid_columns()[0], [](double g) { return g != 0; });
   const Preparation ready = solver.prepare(system);
   row["setup_s"] = solver.setup[0];
   if (ready.factor) add_factor(*ready.factor, row);
   if (!ready.ok) return row["reason"] = ready.reason, row;
-  std::vector<double> x(system.size());
+  std::vector<double> x(system->size());
   const CoupledOperator A(system, ready.augmentation);
   const LinearReport report =
       solver.solve(A, A.right_hand_side(start.residual, start.prescribed), x, tolerance);
@@ -111,7 +110,7 @@ json solved(const Variant& v, Problem& problem, const State& state, const FirstI
   if (v.method == "iterative")
     row["mb"] = row["memory_mb"].value("preconditioner", 0.) + row["memory_mb"].value("Krylov basis", 0.);
   if (!report.ok) return row["reason"] = report.reason, row;
-  const auto u = system.layout().primal(x);
+  const auto u = system->layout().primal(x);
   if (solution.empty()) solution.assign(u.begin(), u.end());
   row["difference"] = largest_difference({u.begin(), u.end()}, solution);
   return row;
@@ -140,10 +139,9 @@ json whole_run(const std::vector<std::string>& words) {
   Profiler profiler;
   auto problem = half_eye(n, comm);
   TimedSolver solver(make_solver(settings.linear, profiler));
-  CoupledSystem system(*problem, settings.linear);
   State state = problem->initial_state();
   MarchObserver nobody;
-  const MarchReport report = march(*problem, system, solver, state, settings, profiler, nobody);
+  const MarchReport report = march(*problem, solver, state, settings, profiler, nobody);
   json row{{"n", n},
            {"method", v.method},
            {"formulation", v.formulation},

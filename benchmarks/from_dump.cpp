@@ -236,18 +236,17 @@ std::string make_dump(int n) {
   auto problem = half_eye(n, comm);
   State state = pressurised(*problem, settings, profiler);
   const auto [r, prescribed] = first_increment(*problem, state);
-  CoupledSystem system(*problem, settings.linear);
-  system.linearize(state, r);
+  const auto system = std::make_shared<const CoupledSystem>(*problem, settings.linear, state, r);
   const CoupledOperator A(system);
   const std::string path =
       std::filesystem::temp_directory_path() / ("bulbus_half_eye_" + std::to_string(n) + ".h5");
   SystemDump dump;
   dump.matrix = assemble(A);
   dump.rhs = A.right_hand_side(r, prescribed);
-  dump.kind = unknown_kinds(system.layout());
-  dump.scaling = system.scaling();
-  dump.coordinates = unknown_coordinates(system);
-  dump.near_null_space = near_null_space(system);
+  dump.kind = unknown_kinds(system->layout());
+  dump.scaling = system->scaling();
+  dump.coordinates = unknown_coordinates(*system);
+  dump.near_null_space = near_null_space(*system);
   dump.attributes = {{"n", n}};
   write_system(path, dump, comm);
   return path;

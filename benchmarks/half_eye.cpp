@@ -44,12 +44,11 @@ std::unique_ptr<Problem> half_eye(int n, const Comm& comm, int refine) {
 }
 
 State pressurised(Problem& problem, const SolverSettings& settings, Profiler& profiler) {
-  CoupledSystem system(problem, settings.linear);
   auto solver =
       make_krylov_solver(settings.linear, make_preconditioner_factory(settings.linear, profiler), profiler);
   State state = problem.initial_state();
   problem.begin_step(0, state);
-  const NewtonReport report = newton(problem, system, *solver, state, 1, settings.newton, profiler);
+  const NewtonReport report = newton(problem, settings.linear, *solver, state, 1, settings.newton, profiler);
   if (report.outcome != Outcome::converged)
     throw std::runtime_error("15 mmHg was not reached: " + report.reason);
   for (const auto& term : problem.terms()) term->commit(state);

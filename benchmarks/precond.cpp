@@ -25,8 +25,7 @@ json solve_by(const std::string& method, Problem& problem, const State& state, c
            {"hexahedra", problem.mesh().all_hexes},
            {"unknowns", unknowns(problem)}};
   Profiler profiler;
-  CoupledSystem system(problem, settings);
-  system.linearize(state, r);
+  const auto system = std::make_shared<const CoupledSystem>(problem, settings, state, r);
   auto solver = make_solver(settings, profiler);
   const double start = cpu_seconds();
   const Preparation ready = solver->prepare(system);
@@ -35,7 +34,7 @@ json solve_by(const std::string& method, Problem& problem, const State& state, c
   if (!ready.ok) return row["reason"] = ready.reason, row;
   const CoupledOperator A(system, ready.augmentation);
   const auto b = A.right_hand_side(r, prescribed);
-  std::vector<double> x(system.size());
+  std::vector<double> x(system->size());
   const LinearReport report = solver->solve(A, b, x, tolerance);
   row["solve_s"] = cpu_seconds() - prepared;
   row["iterations"] = report.iterations;

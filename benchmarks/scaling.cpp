@@ -28,12 +28,11 @@ json solve_one(int n, int refine, const Comm& comm) {
   LinearSettings settings;
   settings.take_mesh(refine);
   Profiler profiler;
-  CoupledSystem system(*problem, settings);
   State state = problem->initial_state();
   problem->begin_step(0, state);
   problem->set_progress(1, state);
   const Residual r = problem->residual(state);
-  system.linearize(state, r);
+  const auto system = std::make_shared<const CoupledSystem>(*problem, settings, state, r);
   auto solver = make_solver(settings, profiler);
   const double linearised = Clock::now();
   const Preparation ready = solver->prepare(system);
@@ -41,7 +40,7 @@ json solve_one(int n, int refine, const Comm& comm) {
   const std::vector<double> prescribed(state.x.size());
   const CoupledOperator A(system, ready.augmentation);
   const auto b = A.right_hand_side(r, prescribed);
-  std::vector<double> x(system.size());
+  std::vector<double> x(system->size());
   const double prepared = Clock::now();
   const Traffic before = traffic();
   const LinearReport report = solver->solve(A, b, x, tolerance);

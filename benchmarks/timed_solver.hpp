@@ -18,9 +18,9 @@ inline SolverSettings settings_of(const std::string& method, double memory_mb) {
 class TimedSolver final : public LinearSolver {
  public:
   explicit TimedSolver(std::unique_ptr<LinearSolver> inner) : inner_(std::move(inner)) {}
-  Preparation prepare(const CoupledSystem& system) override {
+  Preparation prepare(SharedSystem system) override {
     const double start = cpu_seconds();
-    const Preparation prepared = inner_->prepare(system);
+    const Preparation prepared = inner_->prepare(std::move(system));
     setup.push_back(cpu_seconds() - start);
     if (prepared.factor) factor = prepared.factor;
     return prepared;
@@ -34,10 +34,11 @@ class TimedSolver final : public LinearSolver {
     reductions.push_back(report.reduction);
     return report;
   }
+  void release() override { inner_->release(); }
   void forget() override { inner_->forget(); }
   void increment_begins() override { inner_->increment_begins(); }
   void watch(SolveWatcher watcher) override { inner_->watch(std::move(watcher)); }
-  bool counts_pivots(const CoupledSystem& system) override { return inner_->counts_pivots(system); }
+  bool counts_pivots(const Problem& problem) override { return inner_->counts_pivots(problem); }
   int negative_pivots(const CoupledSystem& system) override { return inner_->negative_pivots(system); }
   std::vector<double> setup, solution, reductions;
   std::vector<int> iterations;

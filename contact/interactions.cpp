@@ -18,9 +18,12 @@
 namespace bulbus::inline contact {
 namespace {
 
-constexpr double stiffness_ratio =
-    30;  // default α_A in shear moduli per thickness: penetrations well below 1 % of the layer
-constexpr double part_of_size = 0.03;  // default reach in diagonals of the model
+// Default α_A in shear moduli per thickness: a pressure of a quarter of the modulus lets in 1/120 of the
+// layer.
+constexpr double stiffness_ratio = 30;
+// Default reach in diagonals of the model: a larger one finds triangles that no point comes to, beyond a
+// smaller one more increments have to widen the search.
+constexpr double part_of_size = 0.03;
 constexpr double out_of_sight =
     1e5;  // diagonals of the model: gaps to places beyond lose half of their digits
 constexpr double farthest_gap = 0.25;  // the same of the gaps reported

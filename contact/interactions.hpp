@@ -43,9 +43,6 @@ class Interactions final : public Term {
   const std::vector<int>& bites(const std::string& suture) const { return bites_.at(suture); }
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
-  void linearize(const State&) override {}
-  void add_action(std::span<const double>, std::span<double>) const override {}
-  void visit(const ContributionVisitor&) const override {}
   void begin_step(int step, const State& start) override;
   void set_progress(double s) override;
   void freeze() override;

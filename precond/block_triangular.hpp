@@ -24,10 +24,10 @@ class BlockTriangular final : public CoupledPreconditioner {
  public:
   /// `corrections` and `columns` may be those of an earlier linearisation; where they are empty they are
   /// made. Collective.
-  BlockTriangular(const CoupledSystem& system, std::shared_ptr<const DisplacementPreconditioner> displacement,
+  BlockTriangular(SharedSystem system, std::shared_ptr<const DisplacementPreconditioner> displacement,
                   const PressureSettings& pressures, std::shared_ptr<SchurCorrections> corrections,
                   std::shared_ptr<LiquidColumns> columns);
-  int size() const override { return system_.size(); }
+  int size() const override { return system_->size(); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool is_linear() const override { return displacement_->is_linear(); }
   std::string setup_error() const override { return displacement_->setup_error(); }
@@ -41,7 +41,7 @@ class BlockTriangular final : public CoupledPreconditioner {
  private:
   std::vector<double> liquid_products(std::span<const double> primal) const;
 
-  const CoupledSystem& system_;
+  SharedSystem system_;
   std::shared_ptr<const DisplacementPreconditioner> displacement_;
   PressureSchur inverse_schur_;
   LiquidAugmentation augmentation_;

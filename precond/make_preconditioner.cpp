@@ -9,11 +9,6 @@ std::unique_ptr<PreconditionerFactory> make_preconditioner_factory(const LinearS
   return std::make_unique<PreconditionerCache>(settings, profiler);
 }
 
-LinearSettings system_settings(LinearSettings settings) {
-  if (settings.method == Method::direct) settings.gamma = 0;
-  return settings;
-}
-
 std::unique_ptr<LinearSolver> make_solver(const LinearSettings& settings, Profiler& profiler) {
   if (settings.method == Method::direct) return make_direct_solver(settings, profiler);
   return make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler);

@@ -7,9 +7,6 @@ namespace bulbus::inline precond {
 std::unique_ptr<PreconditionerFactory> make_preconditioner_factory(const LinearSettings& settings,
                                                                    Profiler& profiler);
 
-/// Of the system that is solved: the direct solver factorises it as it is, augmentation would only fill it.
-LinearSettings system_settings(LinearSettings settings);
-
 /// The solver that `method` names, with the preconditioner that the settings name.
 std::unique_ptr<LinearSolver> make_solver(const LinearSettings& settings, Profiler& profiler);
 

@@ -13,12 +13,13 @@ PreconditionerCache::PreconditionerCache(const LinearSettings& settings, Profile
     : settings_(settings), profiler_(profiler), factory_(settings) {}
 
 // Leaves a displacement preconditioner that fits the present tangent. Returns what is of an earlier one.
-Reuse PreconditionerCache::refreshed(const CoupledSystem& system) {
-  const ReuseLimits limits{settings_.reuse, settings_.coarse_change, system.problem().mesh().refinements > 0};
+Reuse PreconditionerCache::refreshed(const SharedSystem& system) {
+  const ReuseLimits limits{settings_.reuse, settings_.coarse_change,
+                           system->problem().mesh().refinements > 0};
   TangentChange change;
   Reuse reuse = reusable(limits, history_, change);
   if (reuse.displacement) {
-    change.largest_eigenvalue = displacement_ ? displacement_->refresh() : without_bounds;
+    change.largest_eigenvalue = displacement_ ? displacement_->refresh(system) : without_bounds;
     reuse = reusable(limits, history_, change);
     if (reuse.displacement) return reuse;
   }
@@ -43,15 +44,21 @@ void PreconditionerCache::improve() {
   forget();
 }
 
-std::unique_ptr<CoupledPreconditioner> PreconditionerCache::make(const CoupledSystem& system) {
+std::unique_ptr<CoupledPreconditioner> PreconditionerCache::make(SharedSystem system) {
   reused_ = refreshed(system);
   if (!reused_.anything()) forget();
   if (!reused_.corrections) corrections_.reset(), columns_.reset();
   profiler_.memory.set("displacement preconditioner", displacement_->bytes());
   if (!corrections_) corrections_ = std::make_shared<SchurCorrections>();
+  corrections_->refresh(system);
   if (!columns_) columns_ = std::make_shared<LiquidColumns>();
-  return std::make_unique<BlockTriangular>(system, displacement_, settings_.pressures, corrections_,
-                                           columns_);
+  return std::make_unique<BlockTriangular>(std::move(system), displacement_, settings_.pressures,
+                                           corrections_, columns_);
+}
+
+void PreconditionerCache::release() {
+  if (displacement_) displacement_->release();
+  if (corrections_) corrections_->release();
 }
 
 }  // namespace bulbus::inline precond

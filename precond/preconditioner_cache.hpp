@@ -14,7 +14,8 @@ namespace bulbus::inline precond {
 class PreconditionerCache final : public PreconditionerFactory {
  public:
   PreconditionerCache(const LinearSettings& settings, Profiler& profiler);
-  std::unique_ptr<CoupledPreconditioner> make(const CoupledSystem& system) override;
+  std::unique_ptr<CoupledPreconditioner> make(SharedSystem system) override;
+  void release() override;
   void record(double iterations_per_digit) override { history_.add(iterations_per_digit); }
   bool can_improve() const override;
   void improve() override;
@@ -23,7 +24,7 @@ class PreconditionerCache final : public PreconditionerFactory {
   const Reuse& reused() const { return reused_; }
 
  private:
-  Reuse refreshed(const CoupledSystem& system);
+  Reuse refreshed(const SharedSystem& system);
 
   LinearSettings settings_;
   Profiler& profiler_;

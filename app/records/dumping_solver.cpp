@@ -19,11 +19,12 @@ class DumpingSolver final : public LinearSolver {
         folder_(folder),
         increment_(std::move(increment)) {}
 
-  Preparation prepare(const CoupledSystem& system) override { return solver_->prepare(system); }
+  Preparation prepare(SharedSystem system) override { return solver_->prepare(std::move(system)); }
+  void release() override { solver_->release(); }
   void forget() override { solver_->forget(); }
   void increment_begins() override { solver_->increment_begins(); }
   void watch(SolveWatcher watcher) override { solver_->watch(std::move(watcher)); }
-  bool counts_pivots(const CoupledSystem& system) override { return solver_->counts_pivots(system); }
+  bool counts_pivots(const Problem& problem) override { return solver_->counts_pivots(problem); }
   int negative_pivots(const CoupledSystem& system) override { return solver_->negative_pivots(system); }
 
   LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,

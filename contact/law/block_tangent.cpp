@@ -4,12 +4,6 @@
 
 namespace bulbus::inline contact {
 
-void BlockTangent::clear() {
-  places_.clear();
-  nodes_.clear();
-  values_.clear();
-}
-
 std::span<double> BlockTangent::block(std::span<const int> nodes) {
   const std::size_t k = nodes.size();
   if (places_.empty() || !std::ranges::equal(nodes, std::span(nodes_).subspan(places_.back().node))) {

@@ -9,7 +9,6 @@ namespace bulbus::inline contact {
 /// A tangent as a list of small dense blocks, each with its local nodes, three rows per node.
 class BlockTangent {
  public:
-  void clear();
   /// The block of these nodes, to be added to: 3k × 3k by rows, zeros at first. The last one again if the
   /// nodes are the same.
   std::span<double> block(std::span<const int> nodes);

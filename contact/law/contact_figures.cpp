@@ -11,7 +11,7 @@ namespace bulbus::inline contact {
 namespace {
 
 // N·n: inside a face nothing presses from there; at nodes on the rim of a slave surface a wall beside it may
-// stand at right angles.
+// stand at right angles: 87 and 60 degrees.
 constexpr double same_side = 0.05, same_side_of_node = 0.5;
 
 }  // namespace

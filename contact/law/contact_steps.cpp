@@ -7,7 +7,7 @@
 namespace bulbus::inline contact {
 namespace {
 
-constexpr int most_updates = 20;
+constexpr int most_updates = 20;    // formulation, section 5.4
 constexpr double most_missed = 10;  // times the tolerance; less is told at the end
 
 }  // namespace
@@ -15,8 +15,8 @@ constexpr double most_missed = 10;  // times the tolerance; less is told at the 
 void ContactTerm::begin_increment() {
   predicted_.assign(current_.triangle.size(), 0);
   releases_.assign(current_.triangle.size(), 0);
-  rates_.clear();
-  linearized_ = retried_ = false;
+  active_.clear();
+  stepped_ = retried_ = false;
   augmentation_ = {};
   found_.key.clear();
 }
@@ -150,11 +150,11 @@ bool ContactTerm::released(const Found& f) {
 // A set of active pairs that the last linear solution was not found with may not be the final one. Tried
 // once.
 bool ContactTerm::set_changed(const Found& f) {
-  if (!linearized_ || retried_) return false;
+  if (!stepped_ || retried_) return false;
   std::vector<int> now;
   for (const Touch& t : f.touches)
     if (pressure(t).slope > 0) now.push_back(t.slot);
-  return retried_ = comm_.any(!std::ranges::equal(now, rates_, {}, {}, &PressureRate::slot));
+  return retried_ = comm_.any(now != active_);
 }
 
 bool ContactTerm::update_multipliers(const State& state) {

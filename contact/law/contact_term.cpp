@@ -9,14 +9,16 @@ namespace bulbus::inline contact {
 namespace {
 
 // Tolerance of a linear solve with the default penalty: its scaled norm weighs gaps by the root of the
-// penalty.
+// penalty (docs/decisions/043).
 constexpr double usual_solve = 1e-3;
 // In shear moduli: an error of pressure that lets no contact open or close; pressures whose geometric
-// stiffness is of no account beside the material's.
+// stiffness is of no account beside the material's (docs/decisions/043 and 038).
 constexpr double noticeable = 0.01, negligible = 0.01;
-// A pressure that differs from the predicted one by no more than this factor has geometric terms.
+// A pressure that differs from the predicted one by no more than this factor has geometric terms
+// (docs/decisions/038).
 constexpr double settling = 2;
-// Radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in.
+// Radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in
+// (docs/decisions/042).
 constexpr double rounding = 0.2;
 
 }  // namespace
@@ -79,9 +81,12 @@ ContactTerm::PairGradient ContactTerm::gradient(const State& state, const Touch&
   return g;
 }
 
-void ContactTerm::predict(std::span<const double> dx) {
+void ContactTerm::predict(const TermTangent& tangent, std::span<const double> dx) {
   std::ranges::fill(predicted_, 0.);
-  for (const PressureRate& r : rates_) {
+  active_.clear();
+  stepped_ = true;
+  for (const PressureRate& r : static_cast<const Tangent&>(tangent).rates) {
+    active_.push_back(r.slot);
     double gap = 0;
     for (int k = 0; k < r.gradient.size; ++k) gap += dot(r.gradient.D[k], at(dx, r.gradient.nodes[k]));
     if (releases_[r.slot] < most_releases) predicted_[r.slot] = r.pressure - r.stiffness * gap;
@@ -101,29 +106,29 @@ void ContactTerm::add_residual(const State& state, std::span<double> force,
   }
 }
 
-void ContactTerm::linearize(const State& state) {
-  tangent_.clear();
-  rates_.clear();
-  linearized_ = true;
-  const MasterSurface master = master_.at(state);
+std::shared_ptr<const TermTangent> ContactTerm::tangent(const std::shared_ptr<const State>& state) const {
+  auto tangent = std::make_shared<Tangent>();
+  const MasterSurface master = master_.at(*state);
   double highest = 0;
-  for (const Touch& t : found(state).touches) {
+  for (const Touch& t : found(*state).touches) {
     const ContactPressure p = pressure(t);
     if (p.slope == 0) continue;
     highest = std::max(highest, p.value);
-    rates_.push_back({t.slot, p.value, penalty_ * p.slope, gradient(state, t)});
+    tangent->rates.push_back({t.slot, p.value, penalty_ * p.slope, gradient(*state, t)});
     if (!points_[t.point].mine) continue;
     const double before = predicted_[t.slot];
     const bool settled = before > 0 && std::max(p.value, before) <= settling * std::min(p.value, before);
     if (settled && t.along && (shear_ == 0 || (p.value > negligible * shear_ && p.value < shear_))) {
-      add_tangent_along(master, t, p);
+      add_tangent_along(master, t, p, tangent->blocks);
       continue;
     }
     // a hollow body's bend stiffens, and without it points that slide along diverge; a bulging one's waits
     const bool bends = master_.rigid() && (before > 0 || trace(t.bend) < 0);
-    add_tangent(t, rates_.back().gradient, area(t) * penalty_ * p.slope, bends ? -area(t) * p.value : 0);
+    add_tangent(t, tangent->rates.back().gradient, area(t) * penalty_ * p.slope,
+                bends ? -area(t) * p.value : 0, tangent->blocks);
   }
-  solve_tolerance_ = needed_tolerance(comm_.max(highest));
+  tangent->tolerance = needed_tolerance(comm_.max(highest));
+  return tangent;
 }
 
 // The scaled norm of a linear system weighs gaps by the root of the penalty. An error of the highest pressure
@@ -136,8 +141,9 @@ double ContactTerm::needed_tolerance(double highest) const {
 
 // a D Dᵀ + b Wᵀ H W: the bend H of a rigid body at the point is shared out to its carriers, which are all
 // nodes then.
-void ContactTerm::add_tangent(const Touch& t, const PairGradient& g, double a, double b) {
-  const auto K = tangent_.block({g.nodes.data(), static_cast<std::size_t>(g.size)});
+void ContactTerm::add_tangent(const Touch& t, const PairGradient& g, double a, double b,
+                              BlockTangent& blocks) const {
+  const auto K = blocks.block({g.nodes.data(), static_cast<std::size_t>(g.size)});
   const auto& weights = points_[t.point].weights;
   const int n = 3 * g.size;
   for (int i = 0; i < n; ++i)
@@ -148,7 +154,8 @@ void ContactTerm::add_tangent(const Touch& t, const PairGradient& g, double a, d
     }
 }
 
-void ContactTerm::add_tangent_along(const MasterSurface& master, const Touch& t, const ContactPressure& p) {
+void ContactTerm::add_tangent_along(const MasterSurface& master, const Touch& t, const ContactPressure& p,
+                                    BlockTangent& blocks) const {
   const SlavePoints::Point& point = points_[t.point];
   std::vector<int> nodes;
   std::vector<ContactColumn> columns;
@@ -165,14 +172,8 @@ void ContactTerm::add_tangent_along(const MasterSurface& master, const Touch& t,
       column(master_.nodes()[s.node]).turns[i] = s.turn;
   }
   bulbus::add_tangent(*t.along, master.normals[t.triangle], columns, {area(t), penalty_ * p.slope, p.value},
-                      tangent_.block(nodes));
+                      blocks.block(nodes));
 }
-
-void ContactTerm::add_action(std::span<const double> dx, std::span<double> force) const {
-  tangent_.add_action(dx, force);
-}
-
-void ContactTerm::visit(const ContributionVisitor& visitor) const { tangent_.visit(visitor); }
 
 double ContactTerm::potential(const State& state) const {
   double sum = 0;

@@ -63,17 +63,14 @@ class ContactTerm final : public Term {
 
   void add_residual(const State& state, std::span<double> force,
                     std::span<double> reference_force) const override;
-  void linearize(const State& state) override;
-  void add_action(std::span<const double> dx, std::span<double> force) const override;
-  void visit(const ContributionVisitor& visitor) const override;
+  std::shared_ptr<const TermTangent> tangent(const std::shared_ptr<const State>& state) const override;
 
   /// The force of a deformable master has no potential.
   bool symmetric() const override { return master_.rigid(); }
   void begin_step(int step, const State& state) override;
   /// Without the search for pairs, which is long and ends in nothing where the step is not solved.
   void pass_step(int step, const State& start) override;
-  double solve_tolerance() const override { return solve_tolerance_; }
-  void predict(std::span<const double> dx) override;
+  void predict(const TermTangent& tangent, std::span<const double> dx) override;
   bool update_multipliers(const State& state) override;
   void set_progress(double s) override;
   void freeze() override;
@@ -137,6 +134,16 @@ class ContactTerm final : public Term {
     double pressure, stiffness;  // MPa, MPa/mm
     PairGradient gradient;
   };
+  struct Tangent final : TermTangent {
+    void add_action(std::span<const double> dx, std::span<double> force) const override {
+      blocks.add_action(dx, force);
+    }
+    void visit(const ContributionVisitor& visitor) const override { blocks.visit(visitor); }
+    double solve_tolerance() const override { return tolerance; }
+    BlockTangent blocks;
+    std::vector<PressureRate> rates;  // of the active pairs
+    double tolerance = 1;             // of linear solves
+  };
   // Where slave points and corners of the master were when the last increment ended; empty: not known.
   struct IncrementStart {
     std::vector<double> points, places;
@@ -148,11 +155,13 @@ class ContactTerm final : public Term {
   SlaveSurface::Shape shape(std::span<const double> x) const;
   std::vector<double> outermost(std::span<const double> x, const SlaveSurface::Shape& shape) const;
   PairGradient gradient(const State& state, const Touch& touch) const;
-  void add_tangent_along(const MasterSurface& master, const Touch& touch, const ContactPressure& pressure);
+  void add_tangent_along(const MasterSurface& master, const Touch& touch, const ContactPressure& pressure,
+                         BlockTangent& blocks) const;
   double area(const Touch& touch) const;
   double area_of_points(const Found& found) const;
   double area_of_faces(const State& state, const Found& found) const;
-  void add_tangent(const Touch& touch, const PairGradient& gradient, double a, double b);
+  void add_tangent(const Touch& touch, const PairGradient& gradient, double a, double b,
+                   BlockTangent& blocks) const;
   enum class Search { whole, with_history, near_last };
   Found find(const State& state, const SearchLimits& limits, Search how) const;
   void add_touches(const MasterSurface& master, const Vec3<double>& x, int point, int slot, int triangle,
@@ -187,17 +196,16 @@ class ContactTerm final : public Term {
   int owned_;
   std::vector<double> area0_;
   double penalty_, stiffness_ /* in defaults */, tolerance_, edge_radius_, shear_, modulus_;
-  double fade_ = 1, solve_tolerance_ = 1;
+  double fade_ = 1;
   mutable IncrementStart start_;
   SearchLimits limits_;
   ContactMemory committed_, current_;
   Augmentation augmentation_;
 
-  std::vector<PressureRate> rates_;  // of the active pairs of the last linearisation
-  std::vector<double> predicted_;    // pressure of every slot after the last Newton step, MPa; 0: not active
-  bool linearized_ = false, retried_ = false;  // in this increment; at convergence, with another active set
-  std::vector<int> releases_;                  // of every slot from tension in this increment
-  BlockTangent tangent_;
+  std::vector<double> predicted_;  // pressure of every slot after the last Newton step, MPa; 0: not active
+  std::vector<int> active_;        // slots with which that step was found
+  bool stepped_ = false, retried_ = false;  // in this increment; at convergence, with another active set
+  std::vector<int> releases_;               // of every slot from tension in this increment
 
   mutable GlobalSearch search_;
   mutable Clearances clearances_;

@@ -8,7 +8,7 @@
 namespace bulbus::inline contact {
 namespace {
 
-constexpr double pressed = 0.25, free = 0.1;  // of the width of a face, its area's root
+constexpr double pressed = 0.25, free = 0.1;  // of the width of a face, its area's root (docs/decisions/035)
 
 ContactSpec of_middles(ContactSpec spec) {
   spec.name += " (middles of faces)";

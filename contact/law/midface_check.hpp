@@ -17,9 +17,6 @@ class MidfaceCheck final : public Term {
                const Comm& comm, const Halo& halo, std::shared_ptr<const ContactTerm> nodes);
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
-  void linearize(const State&) override {}
-  void add_action(std::span<const double>, std::span<double>) const override {}
-  void visit(const ContributionVisitor&) const override {}
   void begin_step(int step, const State& state) override { middles_.begin_step(step, state); }
   void pass_step(int step, const State& start) override { middles_.pass_step(step, start); }
   void set_progress(double s) override { progress_ = s, middles_.set_progress(s); }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double on_edge = 1e-9;  // weights: what is round-off of an edge
 constexpr double away = -1e-6;    // N·n above this: not facing
-constexpr int longest_walk = 20;
+constexpr int longest_walk = 20;  // triangles from the last one: guards against a ring of them
 
 // Differences below round-off do not decide between triangles: the lower number does, it comes first.
 bool nearer(double a, double b, const SearchLimits& limits) { return a < b - 1e-9 * limits.reach; }

@@ -7,8 +7,8 @@
 namespace bulbus::inline contact {
 namespace {
 
-constexpr double beside = 0.05;  // weights: what a crossing may miss a triangle by
-constexpr int longest_path = 64;
+constexpr double beside = 0.05;   // weights: what a crossing may miss a triangle by
+constexpr int longest_path = 64;  // triangles: guards against a ring of them
 
 // Distance to the plane of a triangle times the length of its normal, which is not a unit vector.
 struct Side {

@@ -6,7 +6,8 @@
 
 namespace bulbus::inline contact {
 
-/// Part of a triangle's height, in weights, by which contact reaches past a rim of a deformable master.
+/// Part of a triangle's height, in weights, by which contact reaches past a rim of a deformable master. Less
+/// of it lets the force of a point that slides off end more steeply, more adds contact where no surface is.
 inline constexpr double fading_rim = 0.25;
 
 /// A slave point and its projection on a triangle of a deformable master, along the normals interpolated

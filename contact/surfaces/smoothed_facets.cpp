@@ -8,7 +8,7 @@
 namespace bulbus::inline contact {
 namespace {
 
-constexpr int most_steps = 12;
+constexpr int most_steps = 12;  // of Newton's method, whose error squares with each
 
 }  // namespace
 

@@ -24,8 +24,7 @@ SutureTerm::SutureTerm(const LocalMesh& mesh, const std::vector<SuturePoint>& po
       generator_(spec.generator),
       follow_(spec.follow),
       key_(std::move(key)),
-      strings_(points.size()),
-      stiffness_(points.size()) {
+      strings_(points.size()) {
   std::unordered_map<int, int> local;
   for (int n = 0; n < mesh.nodes(); ++n) local.emplace(mesh.input_node[n], n);
   for (const SuturePoint& p : points) {
@@ -165,48 +164,53 @@ void SutureTerm::add_residual(const State& state, std::span<double> force,
   }
 }
 
-void SutureTerm::linearize(const State& state) {
-  stiffness_.assign(bites_.size(), {});
-  if (!follow_ || now_ == 0) return;
-  const auto S = places(state);
+// Of every point the nodes that hold it, and −∂(F d)/∂S.
+struct SutureTerm::Tangent final : TermTangent {
+  void add_action(std::span<const double> dx, std::span<double> force) const override {
+    for (const auto& [near, K] : points) {
+      Vec3<double> dS{0, 0, 0};
+      for (std::size_t i = 0; i < near.nodes.size(); ++i)
+        for (int c = 0; c < 3; ++c) dS[c] += near.weights[i] * dx[3 * near.nodes[i] + c];
+      for (std::size_t i = 0; i < near.nodes.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+          for (int k = 0; k < 3; ++k) force[3 * near.nodes[i] + c] += near.weights[i] * K(c, k) * dS[k];
+    }
+  }
+  void visit(const ContributionVisitor& visitor) const override {
+    std::vector<double> block;
+    for (const auto& [near, K] : points) {
+      if (near.nodes.empty()) continue;
+      const std::size_t n = 3 * near.nodes.size();
+      block.resize(n * n);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          block[n * i + j] =
+              near.weights[i / 3] * near.weights[j / 3] * K(static_cast<int>(i % 3), static_cast<int>(j % 3));
+      visitor(near.nodes, block);
+    }
+  }
+  struct Point {
+    Patch near;
+    Mat3<double> stiffness;
+  };
+  std::vector<Point> points;
+};
+
+std::shared_ptr<const TermTangent> SutureTerm::tangent(const std::shared_ptr<const State>& state) const {
+  if (!follow_ || now_ == 0) return nullptr;
+  auto tangent = std::make_shared<Tangent>();
+  const auto S = places(*state);
   for (std::size_t b = 0; b < bites_.size(); ++b) {
+    auto& [near, K] = tangent->points.emplace_back(Tangent::Point{bites_[b].near, {}});
     const auto found = pull(S[b]);
     if (!found) continue;
     const Mat3<double> D = turn(S[b], *found);
     const auto& on_plane = bites_[b].on_plane;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        if (!on_plane[i] && !on_plane[j]) stiffness_[b](i, j) = -bites_[b].share * now_ * D(i, j);
+        if (!on_plane[i] && !on_plane[j]) K(i, j) = -bites_[b].share * now_ * D(i, j);
   }
-}
-
-void SutureTerm::add_action(std::span<const double> dx, std::span<double> force) const {
-  if (!follow_ || now_ == 0) return;
-  for (std::size_t b = 0; b < bites_.size(); ++b) {
-    const Patch& near = bites_[b].near;
-    Vec3<double> dS{0, 0, 0};
-    for (std::size_t i = 0; i < near.nodes.size(); ++i)
-      for (int c = 0; c < 3; ++c) dS[c] += near.weights[i] * dx[3 * near.nodes[i] + c];
-    for (std::size_t i = 0; i < near.nodes.size(); ++i)
-      for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < 3; ++k)
-          force[3 * near.nodes[i] + c] += near.weights[i] * stiffness_[b](c, k) * dS[k];
-  }
-}
-
-void SutureTerm::visit(const ContributionVisitor& visitor) const {
-  if (!follow_ || now_ == 0) return;
-  for (std::size_t b = 0; b < bites_.size(); ++b) {
-    const Patch& near = bites_[b].near;
-    if (near.nodes.empty()) continue;
-    const std::size_t n = 3 * near.nodes.size();
-    std::vector<double> K(n * n);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        K[n * i + j] = near.weights[i / 3] * near.weights[j / 3] *
-                       stiffness_[b](static_cast<int>(i % 3), static_cast<int>(j % 3));
-    visitor(near.nodes, K);
-  }
+  return tangent;
 }
 
 }  // namespace bulbus::inline contact

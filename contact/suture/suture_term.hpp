@@ -40,10 +40,7 @@ class SutureTerm final : public Term {
   /// Collective where a suture follows.
   void add_residual(const State& state, std::span<double> force,
                     std::span<double> reference_force) const override;
-  /// Collective where a suture follows.
-  void linearize(const State& state) override;
-  void add_action(std::span<const double> dx, std::span<double> force) const override;
-  void visit(const ContributionVisitor& visitor) const override;
+  std::shared_ptr<const TermTangent> tangent(const std::shared_ptr<const State>& state) const override;
   bool symmetric() const override { return !follow_; }
   /// Throws InputError if the suture pulls and a string has no tangent. Collective.
   void begin_step(int step, const State& state) override;
@@ -64,6 +61,7 @@ class SutureTerm final : public Term {
     std::array<bool, 3> on_plane{};
     double share = 1;
   };
+  struct Tangent;
   // A string from S: where it meets the outline, its direction and the one across it in the plane, the
   // plane's normal (unit vectors), and its free length, mm.
   struct Pull {
@@ -85,7 +83,6 @@ class SutureTerm final : public Term {
   std::string key_;
   std::vector<Bite> bites_;
   std::vector<String> strings_;
-  std::vector<Mat3<double>> stiffness_;
   double start_ = 0, end_ = 0, now_ = 0;
 };
 

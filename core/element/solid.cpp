@@ -1,3 +1,4 @@
+// Solid, and what its tangent does in double precision.
 #include "core/element/solid.hpp"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "core/base/memory.hpp"
 #include "core/element/solid_kernel.hpp"
+#include "core/element/solid_tangent.hpp"
 
 namespace bulbus::inline element {
 namespace {
@@ -26,11 +28,7 @@ Pack volume_of(const ReferenceGradient<Pack>& x) {
 }  // namespace
 
 Solid::Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<SolidRegion> regions)
-    : X_(std::move(X)),
-      regions_(std::move(regions)),
-      V0_(hexes.size()),
-      mu_(hexes.size()),
-      penalty_(hexes.size()) {
+    : X_(std::move(X)), regions_(std::move(regions)), V0_(hexes.size()) {
   for (SolidRegion& r : regions_) {
     auto packs = make_packs<8>(r.count, [&](int e) { return lexicographic(hexes[r.first + e]); });
     r.first_pack = static_cast<int>(packs_.size());
@@ -121,24 +119,21 @@ std::vector<double> Solid::least_jacobians(std::span<const double> x) const {
   return least;
 }
 
-void Solid::linearize(std::span<const double> x, std::span<const double> lambda, double gamma,
-                      StrainSource source) {
-  x_ = x;
-  lambda_ = lambda;
-  gamma_ = gamma;
-  source_ = source;
-  single_.x.clear();
-  single_.tangents.clear();
-  update_moduli();
-  if (source == StrainSource::cache)
-    fill_cache();
-  else
-    decltype(cache_)().swap(cache_);
+SolidTangent::SolidTangent(std::shared_ptr<const Solid> solid, SharedNumbers x, SharedNumbers lambda,
+                           double gamma, StrainSource source)
+    : solid_(std::move(solid)),
+      x_(std::move(x)),
+      lambda_(std::move(lambda)),
+      mu_(solid_->hexes()),
+      penalty_(solid_->hexes()),
+      source_(source) {
+  compute_moduli(gamma);
+  if (source_ == StrainSource::cache) fill_cache();
 }
 
-void Solid::update_moduli() {
+void SolidTangent::compute_moduli(double gamma) {
   constexpr double floor = 0.1;
-  for (const SolidRegion& r : regions_) {
+  for (const SolidRegion& r : solid_->regions_) {
     const double initial = initial_shear_modulus(r.material);
     if (std::holds_alternative<NeoHooke>(r.material))
       std::fill_n(mu_.begin() + r.first, r.count, initial);
@@ -146,10 +141,10 @@ void Solid::update_moduli() {
       std::visit(
           [&](const auto& law) {
             for (int p = 0; p < r.packs; ++p) {
-              const auto& material = on_pack(law, r, p);
-              const auto& pack = packs_[r.first_pack + p];
-              const auto gx = reference_gradient(gather(pack, x_)),
-                         gX = reference_gradient(gather<8>(pack, X_));
+              const auto& material = solid_->on_pack(law, r, p);
+              const auto& pack = solid_->packs_[r.first_pack + p];
+              const auto gx = reference_gradient(gather(pack, *x_)),
+                         gX = reference_gradient(gather<8>(pack, solid_->X_));
               Pack mu(0.);
               for_each_gauss_point([&](int i, int j, int k) {
                 const Mat3<Pack> a = gx.at(i, j, k);
@@ -162,17 +157,17 @@ void Solid::update_moduli() {
           },
           r.material);
   }
-  for (int e : rigid_) mu_[e] = 1;  // any: their pressures stay as they are
-  for (std::size_t e = 0; e < mu_.size(); ++e) penalty_[e] = gamma_ * mu_[e] / V0_[e];
+  for (int e : solid_->rigid_) mu_[e] = 1;  // any: their pressures stay as they are
+  for (std::size_t e = 0; e < mu_.size(); ++e) penalty_[e] = gamma * mu_[e] / solid_->V0_[e];
 }
 
-void Solid::fill_cache() {
+void SolidTangent::fill_cache() {
   constexpr int per_point = cached_floats * lanes;
-  cache_.resize(packs_.size() * pack_floats);
-  for_each_pack([&]<class Material>(const Material& material, int p, int) {
+  cache_.resize(solid_->packs_.size() * pack_floats);
+  solid_->for_each_pack([&]<class Material>(const Material& material, int p, int) {
     if constexpr (!has_fibres<Material>) {  // the strain of fibres is always recomputed
-      const auto gx = reference_gradient(gather(packs_[p], x_)),
-                 gX = reference_gradient(gather<8>(packs_[p], X_));
+      const auto gx = reference_gradient(gather(solid_->packs_[p], *x_)),
+                 gX = reference_gradient(gather<8>(solid_->packs_[p], solid_->X_));
       for_each_gauss_point([&](int i, int j, int k) {
         const Mat3<Pack> a = gx.at(i, j, k);
         const auto s = point_strain(material, a, determinant(a), gX.at(i, j, k));
@@ -184,17 +179,19 @@ void Solid::fill_cache() {
   });
 }
 
-void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
-                  std::span<double> volume_change) const {
-  for_each_pack([&]<class Material>(const Material& material, int p, int first) __attribute__((flatten)) {
-    const auto& pack = packs_[p];
-    const Pack lambda = load_some(lambda_, first, pack.used), penalty = load_some(penalty_, first, pack.used);
+void SolidTangent::apply(std::span<const double> dx, std::span<const double> dlambda, std::span<double> force,
+                         std::span<double> volume_change) const {
+  solid_->for_each_pack([&]<class Material>(const Material& material, int p,
+                                            int first) __attribute__((flatten)) {
+    const auto& pack = solid_->packs_[p];
+    const Pack lambda = load_some(*lambda_, first, pack.used),
+               penalty = load_some(penalty_, first, pack.used);
     const Pack dl = dlambda.empty() ? Pack(0.) : load_some(dlambda, first, pack.used);
     Pack theta;
     const auto add_action = [&](const auto& strain) {
       scatter_add(
           pack,
-          tangent_action(material, strain, gather(pack, x_), gather(pack, dx), lambda, dl, penalty, theta),
+          tangent_action(material, strain, gather(pack, *x_), gather(pack, dx), lambda, dl, penalty, theta),
           force);
     };
     if constexpr (!has_fibres<Material>)
@@ -203,34 +200,35 @@ void Solid::apply(std::span<const double> dx, std::span<const double> dlambda, s
         if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
         return;
       }
-    add_action(recomputed_strain(material, reference_gradient(gather<8>(pack, X_))));
+    add_action(recomputed_strain(material, reference_gradient(gather<8>(pack, solid_->X_))));
     if (!volume_change.empty()) store_some(theta, volume_change, first, pack.used);
   });
 }
 
-void Solid::apply_pressure(std::span<const double> dlambda, std::span<double> force) const {
-  for_each_pack([&](const auto&, int p, int first) {
-    const auto& pack = packs_[p];
+void SolidTangent::apply_pressure(std::span<const double> dlambda, std::span<double> force) const {
+  solid_->for_each_pack([&](const auto&, int p, int first) {
+    const auto& pack = solid_->packs_[p];
     Modes<Pack> f{};
-    add_pressure(volume_gradient(modes(gather(pack, x_))), load_some(dlambda, first, pack.used), f);
+    add_pressure(volume_gradient(modes(gather(pack, *x_))), load_some(dlambda, first, pack.used), f);
     scatter_add(pack, nodal(f), force);
   });
 }
 
-void Solid::volume_change(std::span<const double> dx, std::span<double> volume_change) const {
-  for_each_pack([&](const auto&, int p, int first) {
-    const auto& pack = packs_[p];
+void SolidTangent::volume_change(std::span<const double> dx, std::span<double> volume_change) const {
+  solid_->for_each_pack([&](const auto&, int p, int first) {
+    const auto& pack = solid_->packs_[p];
     const Pack theta =
-        bulbus::volume_change(volume_gradient(modes(gather(pack, x_))), modes(gather(pack, dx)));
+        bulbus::volume_change(volume_gradient(modes(gather(pack, *x_))), modes(gather(pack, dx)));
     store_some(theta, volume_change, first, pack.used);
   });
 }
 
 std::size_t Solid::bytes() const {
-  return bytes_of(X_) + bytes_of(packs_) + bytes_of(fibres_) + bytes_of(V0_) + bytes_of(mu_) +
-         bytes_of(penalty_) + bytes_of(single_.x);
+  return bytes_of(X_) + bytes_of(packs_) + bytes_of(fibres_) + bytes_of(V0_);
 }
 
-std::size_t Solid::cache_bytes() const { return bytes_of(cache_) + bytes_of(single_.tangents); }
+std::size_t SolidTangent::bytes() const { return bytes_of(mu_) + bytes_of(penalty_) + bytes_of(single_.x); }
+
+std::size_t SolidTangent::cache_bytes() const { return bytes_of(cache_) + bytes_of(single_.tangents); }
 
 }  // namespace bulbus::inline element

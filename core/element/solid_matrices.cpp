@@ -1,8 +1,8 @@
 // Element matrices, constraint vectors and stresses: what is asked for once per linearisation or record.
 #include <cmath>
 
-#include "core/element/solid.hpp"
 #include "core/element/solid_kernel.hpp"
+#include "core/element/solid_tangent.hpp"
 
 namespace bulbus::inline element {
 namespace {
@@ -96,17 +96,18 @@ Mat3<Pack> block_between(const MeanTangent<Pack>& C, const double (&m)[3][3]) {
 
 }  // namespace
 
-void Solid::visit_mean(const ContributionVisitor& visitor, double augmentation) const {
+void SolidTangent::visit_mean(const ContributionVisitor& visitor, double augmentation) const {
   static const MeanProducts products;
   std::array<Pack, 24 * 24> K;
   std::array<double, 24 * 24> lane;
-  for_each_pack([&](const auto& material, int p, int first) {
-    const auto& pack = packs_[p];
-    const auto x = gather(pack, x_);
+  solid_->for_each_pack([&](const auto& material, int p, int first) {
+    const auto& pack = solid_->packs_[p];
+    const auto x = gather(pack, *x_);
     const auto gx = reference_gradient(x);
     Pack rest;
-    const auto C = mean_tangent(material, gx, reference_gradient(gather<8>(pack, X_)),
-                                load_some(lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
+    const auto C =
+        mean_tangent(material, gx, reference_gradient(gather<8>(pack, solid_->X_)),
+                     load_some(*lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
     const auto w = any(rest) ? volume_curvature(gx, rest) : std::array<Vec3<Pack>, 64>{};
     const auto b = constraint(x);
     const Pack penalty = augmentation * load_some(penalty_, first, pack.used);
@@ -130,13 +131,14 @@ void Solid::visit_mean(const ContributionVisitor& visitor, double augmentation) 
   });
 }
 
-void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
+void SolidTangent::visit(const ContributionVisitor& visitor, bool augmented) const {
   std::vector<Pack> K(24 * 24);
   std::array<double, 24 * 24> lane;
-  for_each_pack([&](const auto& material, int p, int first) {
-    const auto& pack = packs_[p];
-    const auto gx = reference_gradient(gather(pack, x_)), gX = reference_gradient(gather<8>(pack, X_));
-    const Pack lambda = load_some(lambda_, first, pack.used);
+  solid_->for_each_pack([&](const auto& material, int p, int first) {
+    const auto& pack = solid_->packs_[p];
+    const auto gx = reference_gradient(gather(pack, *x_)),
+               gX = reference_gradient(gather<8>(pack, solid_->X_));
+    const Pack lambda = load_some(*lambda_, first, pack.used);
     std::fill(K.begin(), K.end(), Pack(0.));
     for_each_gauss_point([&](int i, int j, int k) {
       const Mat3<Pack> a = gx.at(i, j, k), cof = cofactor(a);
@@ -145,7 +147,7 @@ void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
                 spatial_gradients(i, j, k, cof, 1. / det), det, lambda, K);
     });
     if (augmented) {
-      const auto b = constraint(gather(pack, x_));
+      const auto b = constraint(gather(pack, *x_));
       const Pack penalty = load_some(penalty_, first, pack.used);
       for (int r = 0; r < 24; ++r)
         for (int c = 0; c < 24; ++c) K[24 * r + c] += penalty * b[r] * b[c];
@@ -157,14 +159,14 @@ void Solid::visit(const ContributionVisitor& visitor, bool augmented) const {
   });
 }
 
-void Solid::visit_constraints(
+void SolidTangent::visit_constraints(
     const std::function<void(int, std::span<const int>, std::span<const double>)>& visitor) const {
   std::array<double, 24> lane;
-  for_each_pack([&](const auto&, int p, int first) {
-    const auto b = constraint(gather(packs_[p], x_));
-    for (int l = 0; l < packs_[p].used; ++l) {
+  solid_->for_each_pack([&](const auto&, int p, int first) {
+    const auto b = constraint(gather(solid_->packs_[p], *x_));
+    for (int l = 0; l < solid_->packs_[p].used; ++l) {
       for (int i = 0; i < 24; ++i) lane[i] = b[i][l];
-      visitor(first + l, nodes_of_lane(packs_[p], l), lane);
+      visitor(first + l, nodes_of_lane(solid_->packs_[p], l), lane);
     }
   });
 }

@@ -1,7 +1,6 @@
-#include "core/element/mean_tangent.hpp"
 #include "core/element/single_packing.hpp"
-#include "core/element/solid.hpp"
 #include "core/element/solid_kernel.hpp"
+#include "core/element/solid_tangent.hpp"
 
 namespace bulbus::inline element {
 namespace {
@@ -29,26 +28,28 @@ __attribute__((flatten)) void add_action(const PackPair& pair, const SingleTange
 
 }  // namespace
 
-void Solid::round_places() const {
+void SolidTangent::round_places() const {
   if (!single_.x.empty()) return;
-  single_.x.resize(x_.size() / 3);
-  for (std::size_t n = 0; n < single_.x.size(); ++n) single_.x[n] = rounded(&x_[3 * n]);
+  const std::vector<double>& x = *x_;
+  single_.x.resize(x.size() / 3);
+  for (std::size_t n = 0; n < single_.x.size(); ++n) single_.x[n] = rounded(&x[3 * n]);
 }
 
-void Solid::fill_tangents() const {
+void SolidTangent::fill_tangents() const {
   std::size_t pairs = 0;
-  for (const SolidRegion& r : regions_) pairs += (r.packs + 1) / 2;
+  for (const SolidRegion& r : solid_->regions_) pairs += (r.packs + 1) / 2;
   single_.tangents.clear();
   single_.tangents.reserve(pairs);
-  for (const SolidRegion& r : regions_) {
+  for (const SolidRegion& r : solid_->regions_) {
     const auto store_all = [&](const auto& law) {
       for (int p = 0; p < r.packs; ++p) {
-        const PackNodes<8>& pack = packs_[r.first_pack + p];
+        const PackNodes<8>& pack = solid_->packs_[r.first_pack + p];
         const int first = r.first + p * lanes, half = p % 2 * lanes;
         Pack rest;
-        const auto C = mean_tangent(
-            on_pack(law, r, p), reference_gradient(gather(pack, x_)), reference_gradient(gather<8>(pack, X_)),
-            load_some(lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
+        const auto C =
+            mean_tangent(solid_->on_pack(law, r, p), reference_gradient(gather(pack, *x_)),
+                         reference_gradient(gather<8>(pack, solid_->X_)),
+                         load_some(*lambda_, first, pack.used), load_some(mu_, first, pack.used), rest);
         if (half == 0) single_.tangents.push_back({});
         SingleTangent& to = single_.tangents.back();
         const auto put = [&](const Pack& from, SinglePack& single) {
@@ -66,23 +67,23 @@ void Solid::fill_tangents() const {
 
 // body(pair, its first hexahedron)
 template <class Body>
-void Solid::for_each_pair(Body body) const {
-  for (const SolidRegion& r : regions_)
+void SolidTangent::for_each_pair(Body body) const {
+  for (const SolidRegion& r : solid_->regions_)
     for (int p = 0; p < r.packs; p += 2) {
-      const PackNodes<8>&low = packs_[r.first_pack + p],
-            &high = packs_[r.first_pack + std::min(p + 1, r.packs - 1)];
+      const PackNodes<8>&low = solid_->packs_[r.first_pack + p],
+            &high = solid_->packs_[r.first_pack + std::min(p + 1, r.packs - 1)];
       body(PackPair{low, high, p + 1 < r.packs ? lanes + high.used : low.used}, r.first + p * lanes);
     }
 }
 
-void Solid::apply_single(std::span<const NodeSingle> dx, std::span<NodeSingle> force) const {
+void SolidTangent::apply_single(std::span<const NodeSingle> dx, std::span<NodeSingle> force) const {
   round_places();
   if (single_.tangents.empty()) fill_tangents();
   auto tangent = single_.tangents.begin();
   for_each_pair([&](const PackPair& pair, int) { add_action(pair, *tangent++, single_.x, dx, force); });
 }
 
-void Solid::apply_pressure_single(std::span<const double> dlambda, std::span<NodeSingle> force) const {
+void SolidTangent::apply_pressure_single(std::span<const double> dlambda, std::span<NodeSingle> force) const {
   round_places();
   for_each_pair([&](const PackPair& pair, int first) __attribute__((flatten)) {
     SinglePack p(0.);
@@ -93,7 +94,8 @@ void Solid::apply_pressure_single(std::span<const double> dlambda, std::span<Nod
   });
 }
 
-void Solid::volume_change_single(std::span<const NodeSingle> dx, std::span<double> volume_change) const {
+void SolidTangent::volume_change_single(std::span<const NodeSingle> dx,
+                                        std::span<double> volume_change) const {
   round_places();
   for_each_pair([&](const PackPair& pair, int first) __attribute__((flatten)) {
     const SinglePack theta =

@@ -10,8 +10,10 @@
 namespace bulbus::inline problem {
 namespace {
 
-constexpr double least_volume = 1e-6;  // of a liquid, relative to what it was enclosed with
-constexpr double tolerance = 1e-5;     // beyond a plane, relative to the mesh's size
+// Of a liquid, relative to what it was enclosed with: ten times what Newton's criterion may miss.
+constexpr double least_volume = 1e-6;
+// Beyond a plane, relative to the mesh's size: what coordinates written with five digits are rounded to.
+constexpr double tolerance = 1e-5;
 
 std::string empty_liquid(const Problem& problem, const State& state) {
   for (const Liquid& liquid : problem.liquids())

@@ -7,7 +7,8 @@
 namespace bulbus::inline problem {
 namespace {
 
-constexpr double least = 0.3;
+constexpr double least = 0.3;  // J (formulation, section 9.4; docs/decisions/015)
+// Each reaches one hexahedron farther; what is inverted then is left as it is.
 constexpr int most_passes = 50;
 
 // Of this rank's nodes, ghosts included: is there a hexahedron around it that is nearly inverted?

@@ -17,7 +17,7 @@ namespace {
 
 using Pair = std::pair<int, int>;  // two nodes, the lower first
 
-constexpr double of_edge = .01;
+constexpr double of_edge = .01;      // of the shortest: no cell lies between nodes so near
 constexpr double least_cell = 1e-6;  // of the mesh's diagonal: 2²⁰ cells fit into 21 bits per axis
 
 double shortest_edge(const Mesh& mesh) {

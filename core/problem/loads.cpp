@@ -5,6 +5,34 @@
 #include "core/element/q1.hpp"
 
 namespace bulbus::inline problem {
+namespace {
+
+struct FollowerTangent final : TermTangent {
+  FollowerTangent(std::shared_ptr<const PressureSurface> s, double p, std::shared_ptr<const State> at)
+      : surface(std::move(s)), pressure(p), state(std::move(at)) {}
+  void add_action(std::span<const double> dx, std::span<double> force) const override {
+    surface->add_stiffness(state->x, -pressure, dx, force);
+  }
+  void visit(const ContributionVisitor& visitor) const override {
+    surface->visit(state->x, -pressure, visitor);
+  }
+  std::shared_ptr<const PressureSurface> surface;
+  double pressure;  // MPa
+  std::shared_ptr<const State> state;
+};
+
+struct BarsTangent final : TermTangent {
+  BarsTangent(std::shared_ptr<const Bars> b, std::shared_ptr<const State> at)
+      : bars(std::move(b)), state(std::move(at)) {}
+  void add_action(std::span<const double> dx, std::span<double> force) const override {
+    bars->add_stiffness(state->x, dx, force);
+  }
+  void visit(const ContributionVisitor& visitor) const override { bars->visit(state->x, visitor); }
+  std::shared_ptr<const Bars> bars;
+  std::shared_ptr<const State> state;
+};
+
+}  // namespace
 
 void add_reference_force(std::span<const double> force, std::span<double> reference_force) {
   for (std::size_t n = 0; n < reference_force.size(); ++n)
@@ -15,17 +43,18 @@ void FollowerPressure::add_residual(const State& state, std::span<double> force,
                                     std::span<double> reference_force) const {
   if (now_ == 0) return;
   std::vector<double> own(force.size());
-  surface_.add_gradient(state.x, -now_, own);  // the body is pushed by + p g
+  surface_->add_gradient(state.x, -now_, own);  // the body is pushed by + p g
   for (std::size_t i = 0; i < own.size(); ++i) force[i] += own[i];
   add_reference_force(own, reference_force);
 }
 
-void FollowerPressure::add_action(std::span<const double> dx, std::span<double> force) const {
-  if (now_ != 0) surface_.add_stiffness(x_, -now_, dx, force);
+std::shared_ptr<const TermTangent> FollowerPressure::tangent(
+    const std::shared_ptr<const State>& state) const {
+  return now_ == 0 ? nullptr : std::make_shared<FollowerTangent>(surface_, now_, state);
 }
 
-void FollowerPressure::visit(const ContributionVisitor& visitor) const {
-  if (now_ != 0) surface_.visit(x_, -now_, visitor);
+std::shared_ptr<const TermTangent> BarsTerm::tangent(const std::shared_ptr<const State>& state) const {
+  return std::make_shared<BarsTangent>(bars_, state);
 }
 
 void DeadLoad::add_residual(const State&, std::span<double> force, std::span<double> reference_force) const {

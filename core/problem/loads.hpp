@@ -30,17 +30,16 @@ class Load : public Term {
 class FollowerPressure final : public Load {
  public:
   FollowerPressure(PressureSurface surface, std::function<double(double)> value, bool symmetric)
-      : Load(std::move(value)), surface_(std::move(surface)), symmetric_(symmetric) {}
+      : Load(std::move(value)),
+        surface_(std::make_shared<PressureSurface>(std::move(surface))),
+        symmetric_(symmetric) {}
   void add_residual(const State& state, std::span<double> force,
                     std::span<double> reference_force) const override;
-  void linearize(const State& state) override { x_ = state.x; }
-  void add_action(std::span<const double> dx, std::span<double> force) const override;
-  void visit(const ContributionVisitor& visitor) const override;
+  std::shared_ptr<const TermTangent> tangent(const std::shared_ptr<const State>& state) const override;
   bool symmetric() const override { return symmetric_; }
 
  private:
-  PressureSurface surface_;
-  std::span<const double> x_;
+  std::shared_ptr<const PressureSurface> surface_;
   bool symmetric_;
 };
 
@@ -53,9 +52,6 @@ class DeadLoad final : public Load {
   /// The forces at the end of the step.
   std::vector<double> at_end() const;
   void add_residual(const State&, std::span<double> force, std::span<double> reference_force) const override;
-  void linearize(const State&) override {}
-  void add_action(std::span<const double>, std::span<double>) const override {}
-  void visit(const ContributionVisitor&) const override {}
 
  private:
   std::vector<double> base_, pattern_;
@@ -64,21 +60,16 @@ class DeadLoad final : public Load {
 /// Bars of one group.
 class BarsTerm final : public Term {
  public:
-  explicit BarsTerm(Bars bars) : bars_(std::move(bars)) {}
-  const Bars& bars() const { return bars_; }
+  explicit BarsTerm(Bars bars) : bars_(std::make_shared<Bars>(std::move(bars))) {}
+  const Bars& bars() const { return *bars_; }
   void add_residual(const State& state, std::span<double> force,
                     std::span<double> reference_force) const override {
-    bars_.add_residual(state.x, force, reference_force);
+    bars_->add_residual(state.x, force, reference_force);
   }
-  void linearize(const State& state) override { x_ = state.x; }
-  void add_action(std::span<const double> dx, std::span<double> force) const override {
-    bars_.add_stiffness(x_, dx, force);
-  }
-  void visit(const ContributionVisitor& visitor) const override { bars_.visit(x_, visitor); }
+  std::shared_ptr<const TermTangent> tangent(const std::shared_ptr<const State>& state) const override;
 
  private:
-  Bars bars_;
-  std::span<const double> x_;
+  std::shared_ptr<const Bars> bars_;
 };
 
 /// reference_force[node] += |force of the node| for a nodal vector.

@@ -50,7 +50,7 @@ std::string words(const StabilityLimit& limit) {
 
 bool is_stable(const Material& material, const std::array<double, 3>& stretches) {
   if (always_stable(material)) return true;
-  constexpr double h = 1e-3;  // of logarithmic stretches
+  constexpr double h = 1e-3;  // of logarithmic stretches: second differences err by h², rounding by 1e-16/h²
   const auto W = [&](double a, double b) {
     const std::array e{std::log(stretches[0]) + a, std::log(stretches[1]) + b,
                        std::log(stretches[2]) - a - b};
@@ -71,7 +71,7 @@ bool is_stable(const Material& material, const std::array<double, 3>& stretches)
 }
 
 std::vector<StabilityLimit> stability_limits(const Material& material) {
-  constexpr int parts = 200;
+  constexpr int parts = 200;  // in which the sign is looked for; limits are found more exactly within one
   std::vector<StabilityLimit> limits;
   for (const Mode& mode : modes())
     for (double end : {largest_stretch, least_stretch}) {

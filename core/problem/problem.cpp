@@ -132,14 +132,10 @@ void Problem::end_step() {
   if (coarser_) coarser_->end_step();
 }
 
-double Problem::solve_tolerance() const {
-  double least = 1;
-  for (const auto& term : terms()) least = std::min(least, term->solve_tolerance());
-  return least;
-}
-
-void Problem::predict(std::span<const double> dx) const {
-  for (const auto& term : terms()) term->predict(dx);
+void Problem::predict(const Linearisation& tangents, std::span<const double> dx) {
+  const auto all = terms();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (tangents.terms[i]) all[i]->predict(*tangents.terms[i], dx);
 }
 
 bool Problem::update_multipliers(const State& state) {
@@ -228,9 +224,22 @@ EquilibriumError Problem::equilibrium_error(const Residual& r) const {
   return b;
 }
 
-void Problem::linearize(const State& state, double gamma, StrainSource source) {
-  solid_->linearize(state.x, state.lambda, gamma, source);
-  for (const auto& term : terms()) term->linearize(state);
+Linearisation Problem::linearise(std::shared_ptr<const State> state, double gamma,
+                                 StrainSource source) const {
+  const auto all = terms();
+  std::vector<std::shared_ptr<const TermTangent>> tangents;
+  for (const auto& term : all) tangents.push_back(term->tangent(state));
+  return {state,
+          SolidTangent(solid_, SharedNumbers(state, &state->x), SharedNumbers(state, &state->lambda), gamma,
+                       source),
+          std::move(tangents), static_cast<int>(all.size() - added_.size())};
+}
+
+double Linearisation::solve_tolerance() const {
+  double least = 1;
+  for (const auto& tangent : terms)
+    if (tangent) least = std::min(least, tangent->solve_tolerance());
+  return least;
 }
 
 }  // namespace bulbus::inline problem

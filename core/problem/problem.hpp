@@ -2,9 +2,9 @@
 #include <memory>
 #include <optional>
 
-#include "core/element/solid.hpp"
 #include "core/mesh/distributed/mesh_levels.hpp"
 #include "core/problem/dof_map.hpp"
+#include "core/problem/linearisation.hpp"
 #include "core/problem/liquid.hpp"
 #include "core/problem/loads.hpp"
 #include "core/problem/model.hpp"
@@ -54,14 +54,13 @@ class Problem {
   const LocalMesh& mesh() const { return mesh_; }
   const Model& model() const { return model_; }
   const Comm& comm() const { return mesh_.comm; }
-  Solid& solid() { return *solid_; }
   const Solid& solid() const { return *solid_; }
   const DofMap& dofs() const { return *dofs_; }
   std::vector<Liquid>& liquids() { return liquids_; }
   const std::vector<Liquid>& liquids() const { return liquids_; }
   /// The same model on the mesh that this one refines, without the terms that were added; null for a mesh
   /// that refines none. It follows this problem through the steps.
-  Problem* coarser() const { return coarser_.get(); }
+  const Problem* coarser() const { return coarser_.get(); }
   const Prolongation& prolongation() const { return *level_.prolongation; }
   /// Nodal places as they are at the coarser nodes, element pressures as means over the children. Collective.
   State coarsened(const State& state) const;
@@ -98,10 +97,9 @@ class Problem {
   /// Goes back to the middle of a step, given its start and what `kept` gives; the problem must be new. `now`
   /// gets the pressures of that progress. Collective.
   void resume(int step, const State& start, double s, State& now, Archive& kept);
-  /// The least of the terms', after linearize(). Collective.
-  double solve_tolerance() const;
-  /// Tells the terms by how much a Newton step moves the local nodes. Collective.
-  void predict(std::span<const double> dx) const;
+  /// Tells the terms by how much a Newton step with these tangents, of the same step, moves the local nodes.
+  /// Collective.
+  void predict(const Linearisation& tangents, std::span<const double> dx);
   /// Asks every term whether Newton, which has converged, has to go on. Collective.
   bool update_multipliers(const State& state);
   /// Why a state that Newton has converged to must not be accepted; empty: it may. Collective.
@@ -111,8 +109,8 @@ class Problem {
   /// Collective.
   Residual residual(const State& state) const;
   EquilibriumError equilibrium_error(const Residual& r) const;
-  /// Fixes the state of the tangent of every term; `state` must stay where it is.
-  void linearize(const State& state, double gamma, StrainSource source);
+  /// `gamma` and `source`: see SolidTangent. Collective.
+  Linearisation linearise(std::shared_ptr<const State> state, double gamma, StrainSource source) const;
 
  private:
   void begin(int step, const State& start, void (Term::*begin_term)(int, const State&));
@@ -137,7 +135,7 @@ class Problem {
   const LocalMesh& mesh_;  // of level_
   std::unique_ptr<Problem> coarser_;
   bool follows_ = false;  // a finer problem, which has been checked
-  std::unique_ptr<Solid> solid_;
+  std::shared_ptr<const Solid> solid_;
   std::unique_ptr<DofMap> dofs_;
   std::shared_ptr<const EnclosedParts> enclosed_;
   std::vector<std::string> warnings_;

@@ -110,7 +110,7 @@ void Problem::build_bodies_and_solid() {
     }
     bodies.emplace_back(name, nodes, center_of(mesh_, nodes, planes), free_motions(planes));
   }
-  solid_ = std::make_unique<Solid>(mesh_.X, mesh_.hexes, regions);
+  solid_ = std::make_shared<const Solid>(mesh_.X, mesh_.hexes, regions);
   dofs_ = std::make_unique<DofMap>(mesh_, std::move(bodies));
   for (const SolidRegion& r : solid_->regions()) {
     std::vector<int> nodes =

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <string>
 
@@ -6,6 +7,18 @@
 #include "core/problem/state.hpp"
 
 namespace bulbus::inline problem {
+
+/// The derivative of a term's residual in one state, a value: it shares all that it is applied with.
+class TermTangent {
+ public:
+  virtual ~TermTangent() = default;
+  /// force += tangent · dx
+  virtual void add_action(std::span<const double> dx, std::span<double> force) const = 0;
+  virtual void visit(const ContributionVisitor& visitor) const = 0;
+  /// Relative residual to which a linear solve with it must come at least: stiff terms may need a better one
+  /// than Newton's method asks for. The same on every rank.
+  virtual double solve_tolerance() const { return 1; }
+};
 
 /// One addend of the equilibrium that acts on nodal displacements alone. Nodal vectors have 3 numbers per
 /// local node and are added to; forces are internal minus external (zero in sum at equilibrium).
@@ -17,11 +30,10 @@ class Term {
   /// of the balance.
   virtual void add_residual(const State& state, std::span<double> force,
                             std::span<double> reference_force) const = 0;
-  /// Fixes the state of the tangent until the next call.
-  virtual void linearize(const State& state) = 0;
-  /// force += tangent · dx
-  virtual void add_action(std::span<const double> dx, std::span<double> force) const = 0;
-  virtual void visit(const ContributionVisitor& visitor) const = 0;
+  /// The tangent at a state; null where the residual is the same in all of them. Collective.
+  virtual std::shared_ptr<const TermTangent> tangent(const std::shared_ptr<const State>&) const {
+    return nullptr;
+  }
   /// Is the tangent symmetric on the free unknowns?
   virtual bool symmetric() const { return true; }
 
@@ -29,12 +41,9 @@ class Term {
   virtual void begin_step(int, const State&) {}
   /// A step begins that is not solved: in a rehearsal, or on the way back to a later one. Collective.
   virtual void pass_step(int step, const State& start) { begin_step(step, start); }
-  /// Relative residual to which the next linear solve must come at least: stiff terms may need a better one
-  /// than Newton's method asks for. After linearize(). Collective.
-  virtual double solve_tolerance() const { return 1; }
-  /// Newton's method moves the local nodes by dx, which it found with the tangent of the last linearize().
-  /// What is active may depend on what that predicts. Collective.
-  virtual void predict(std::span<const double> /*dx*/) {}
+  /// Newton's method moves the local nodes by dx, which it found with `tangent`, of this term. What is active
+  /// may depend on what that predicts. Collective.
+  virtual void predict(const TermTangent& /*tangent*/, std::span<const double> /*dx*/) {}
   /// Newton has converged for what the term holds fixed meanwhile (multipliers, active set): true if that has
   /// to change first, so that Newton goes on. Collective.
   virtual bool update_multipliers(const State&) { return false; }

@@ -214,7 +214,7 @@ void add_liquids(const CoupledSystem& system, const CoupledOperator* augmented, 
 Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented, Triangles part) {
   const Numbering number(system);
   const Layout& layout = system.layout();
-  Collector out(global_size(system), part);
+  Collector out(global_size(system.problem()), part);
   add_contributions(system, augmented ? Matrices::augmented : Matrices::plain, number, out);
   visit_held(system, [&](int n, const std::array<double, 9>& block) {
     for (int i = 0; i < 9; ++i) out.add(number.dof(3 * n + i / 3), number.dof(3 * n + i % 3), block[i]);
@@ -226,15 +226,14 @@ Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented,
   }
   std::vector<int> dofs;
   std::vector<double> values;
-  system.problem().solid().visit_constraints(
-      [&](int hex, std::span<const int> nodes, std::span<const double> b) {
-        reduce_vector(system.problem(), system.state(), nodes, b, dofs, values);
-        for (std::size_t i = 0; i < dofs.size(); ++i) {
-          out.add(number.dof(dofs[i]), number.hex(hex), values[i]);
-          out.add(number.hex(hex), number.dof(dofs[i]), values[i]);
-        }
-        out.add(number.hex(hex), number.hex(hex), -system.problem().enclosed().compliance(hex));
-      });
+  system.solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
+    reduce_vector(system.problem(), system.state(), nodes, b, dofs, values);
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+      out.add(number.dof(dofs[i]), number.hex(hex), values[i]);
+      out.add(number.hex(hex), number.dof(dofs[i]), values[i]);
+    }
+    out.add(number.hex(hex), number.hex(hex), -system.problem().enclosed().compliance(hex));
+  });
   for (int e : system.problem().solid().rigid_hexes())
     out.add(number.hex(e), number.hex(e), -system.rigid_compliance(e));
   add_liquids(system, augmented, number, out);
@@ -243,8 +242,8 @@ Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented,
 
 }  // namespace
 
-long long global_size(const CoupledSystem& system) {
-  const long long n = system.problem().comm().sum(static_cast<long long>(system.size()));
+long long global_size(const Problem& problem) {
+  const long long n = problem.comm().sum(static_cast<long long>(layout_of(problem).size()));
   if (n > 2147483647LL)
     throw input_error("more than 2^31 unknowns cannot be assembled",
                       "Use the iterative solver, or a coarser mesh.");

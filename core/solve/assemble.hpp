@@ -23,7 +23,7 @@ long long liquid_entries(const CoupledSystem& system, Triangles part = Triangles
 Triplets assemble_displacement(const CoupledSystem& system, Triangles part = Triangles::both);
 
 /// Unknowns of all ranks. Collective.
-long long global_size(const CoupledSystem& system);
+long long global_size(const Problem& problem);
 
 /// Kind of each of this rank's unknowns.
 std::vector<UnknownKind> unknown_kinds(const Layout& layout);

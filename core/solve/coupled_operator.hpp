@@ -25,10 +25,10 @@ struct LiquidAugmentation {
 class CoupledOperator final : public LinearOperator {
  public:
   /// Where pressures are eliminated ω is K/V_i, whatever `augmentation` says.
-  explicit CoupledOperator(const CoupledSystem& system, const LiquidAugmentation& augmentation = {});
+  explicit CoupledOperator(SharedSystem system, const LiquidAugmentation& augmentation = {});
 
-  const CoupledSystem& system() const { return system_; }
-  int size() const override { return system_.layout().size(); }
+  const CoupledSystem& system() const { return *system_; }
+  int size() const override { return system_->layout().size(); }
   void apply(std::span<const double> x, std::span<double> y) const override;
   /// −residual − tangent · ū, for prescribed increments ū still to be made (3 per local node), with the
   /// augmentation's part. Collective.
@@ -40,10 +40,10 @@ class CoupledOperator final : public LinearOperator {
   std::span<const double> omega() const { return omega_; }
   /// What a liquid's column and row keep of −g: 1 − ω V_i/K and 1, or nothing.
   double column_part(int liquid) const;
-  double row_part() const { return system_.eliminated() ? 0 : 1; }
+  double row_part() const { return system_->eliminated() ? 0 : 1; }
 
  private:
-  const CoupledSystem& system_;
+  SharedSystem system_;
   std::vector<double> omega_;
 };
 

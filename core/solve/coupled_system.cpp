@@ -8,33 +8,46 @@
 #include "core/solve/reduced.hpp"
 
 namespace bulbus::inline solve {
-CoupledSystem::CoupledSystem(Problem& problem, const LinearSettings& settings,
-                             std::vector<std::shared_ptr<const Term>> further)
-    : problem_(problem), settings_(settings), further_(std::move(further)) {
-  const LocalMesh& mesh = problem.mesh();
-  layout_ = {3 * mesh.owned, problem.dofs().tail_size(), static_cast<int>(mesh.hexes.size()),
-             mesh.comm.rank() == 0 ? static_cast<int>(problem.liquids().size()) : 0};
+namespace {
+
+StrainSource strain_source(TangentStorage op) {
+  return op == TangentStorage::cache ? StrainSource::cache : StrainSource::recompute;
 }
 
-void CoupledSystem::linearize(State given, const Residual& r) {
-  state_ = std::move(given);
-  const State& state = state_;
-  const bool cache = settings_.op == TangentStorage::cache;
-  problem_.linearize(state, settings_.gamma, cache ? StrainSource::cache : StrainSource::recompute);
-  body_geometry_.clear();
-  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    Mat3<double> G =
-        problem_.dofs().bodies()[b].geometric(state.bodies[b], state.x, r.force, problem_.mesh().owned);
-    problem_.comm().sum(std::span(&G(0, 0), 9));
-    body_geometry_.push_back(G);
-  }
+}  // namespace
+
+Layout layout_of(const Problem& problem) {
+  const LocalMesh& mesh = problem.mesh();
+  return {3 * mesh.owned, problem.dofs().tail_size(), static_cast<int>(mesh.hexes.size()),
+          mesh.comm.rank() == 0 ? static_cast<int>(problem.liquids().size()) : 0};
+}
+
+CoupledSystem::CoupledSystem(const Problem& problem, const LinearSettings& settings, State state,
+                             const Residual& r, std::vector<std::shared_ptr<const TermTangent>> further)
+    : problem_(problem),
+      settings_(settings),
+      tangents_(problem.linearise(std::make_shared<const State>(std::move(state)), settings.gamma,
+                                  strain_source(settings.op))),
+      further_(std::move(further)),
+      layout_(layout_of(problem)) {
+  for (const Liquid& liquid : problem.liquids()) compliance_.push_back(liquid.compliance());
+  compute_body_geometry(r);
   compute_liquid_columns();
   if (settings_.op == TangentStorage::assembled)
-    assembled_ = std::make_unique<BlockCsr>(problem_.mesh().nodes(), [&](const ContributionVisitor& v) {
-      problem_.solid().visit(v, true);
+    assembled_ = std::make_unique<BlockCsr>(problem.mesh().nodes(), [&](const ContributionVisitor& v) {
+      solid().visit(v, true);
       visit_surface(v);
     });
   compute_blocks();
+}
+
+void CoupledSystem::compute_body_geometry(const Residual& r) {
+  for (std::size_t b = 0; b < state().bodies.size(); ++b) {
+    Mat3<double> G =
+        problem_.dofs().bodies()[b].geometric(state().bodies[b], state().x, r.force, problem_.mesh().owned);
+    problem_.comm().sum(std::span(&G(0, 0), 9));
+    body_geometry_.push_back(G);
+  }
 }
 
 void CoupledSystem::compute_liquid_columns() {
@@ -42,11 +55,11 @@ void CoupledSystem::compute_liquid_columns() {
   g_.assign(liquids.size(), {});
   for (std::size_t i = 0; i < liquids.size(); ++i) {
     if (!liquids[i].coupled()) continue;
-    std::vector<double> local(state_.x.size());
-    liquids[i].surface().add_gradient(state_.x, 1, local);
+    std::vector<double> local(state().x.size());
+    liquids[i].surface().add_gradient(state().x, 1, local);
     problem_.mesh().halo.accumulate_ghosts(local);
     g_[i].resize(layout_.primal());
-    problem_.dofs().reduce(state_, local, g_[i]);
+    problem_.dofs().reduce(state(), local, g_[i]);
   }
 }
 
@@ -57,24 +70,29 @@ std::vector<double> CoupledSystem::liquid_fluxes(std::span<const double> primal)
   return flux;
 }
 
+template <class Use>
+void CoupledSystem::for_each_term(Use use) const {
+  for (const auto& tangent : tangents_.terms)
+    if (tangent) use(*tangent);
+  for (const auto& tangent : further_) use(*tangent);
+}
+
 void CoupledSystem::add_surface_action(std::span<const double> dx, std::span<double> force) const {
-  for (const auto& term : problem_.terms()) term->add_action(dx, force);
-  for (const auto& term : further_) term->add_action(dx, force);
-  for (std::size_t i = 0; i < state_.P.size(); ++i)
-    if (state_.P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state_.x, -state_.P[i], dx, force);
+  for_each_term([&](const TermTangent& tangent) { tangent.add_action(dx, force); });
+  for (std::size_t i = 0; i < state().P.size(); ++i)
+    if (state().P[i] != 0) problem_.liquids()[i].surface().add_stiffness(state().x, -state().P[i], dx, force);
 }
 
 std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::span<const double> dlambda,
                                               std::span<double> volume) const {
   auto& force = workspace_.force;
   force.assign(dx.size(), 0);
-  const Solid& solid = problem_.solid();
   if (assembled_) {
     assembled_->apply(dx, force);
-    if (!dlambda.empty()) solid.apply_pressure(dlambda, force);
-    if (!volume.empty()) solid.volume_change(dx, volume);
+    if (!dlambda.empty()) solid().apply_pressure(dlambda, force);
+    if (!volume.empty()) solid().volume_change(dx, volume);
   } else {
-    solid.apply(dx, dlambda, force, volume);
+    solid().apply(dx, dlambda, force, volume);
     add_surface_action(dx, force);
   }
   problem_.mesh().halo.accumulate_ghosts(force);
@@ -82,10 +100,15 @@ std::span<double> CoupledSystem::nodal_action(std::span<const double> dx, std::s
 }
 
 void CoupledSystem::visit_surface(const ContributionVisitor& visitor) const {
-  for (const auto& term : problem_.terms()) term->visit(visitor);
-  for (const auto& term : further_) term->visit(visitor);
-  for (std::size_t i = 0; i < state_.P.size(); ++i)
-    if (state_.P[i] != 0) problem_.liquids()[i].surface().visit(state_.x, -state_.P[i], visitor);
+  for_each_term([&](const TermTangent& tangent) { tangent.visit(visitor); });
+  for (std::size_t i = 0; i < state().P.size(); ++i)
+    if (state().P[i] != 0) problem_.liquids()[i].surface().visit(state().x, -state().P[i], visitor);
+}
+
+void CoupledSystem::visit_added(const ContributionVisitor& visitor) const {
+  for (const auto& tangent : std::span(tangents_.terms).subspan(tangents_.added))
+    if (tangent) tangent->visit(visitor);
+  for (const auto& tangent : further_) tangent->visit(visitor);
 }
 
 void CoupledSystem::add_body_geometry(std::span<const double> x, std::span<double> y) const {
@@ -113,9 +136,9 @@ std::vector<CoupledSystem::Entry> CoupledSystem::body_extra() const {
 void CoupledSystem::apply_displacement(std::span<const double> x, std::span<double> y) const {
   const DofMap& dofs = problem_.dofs();
   auto& dx = workspace_.increment;
-  dx.resize(state_.x.size());
-  dofs.expand(state_, x, dx);
-  dofs.reduce(state_, nodal_action(dx, {}, {}), y);
+  dx.resize(state().x.size());
+  dofs.expand(state(), x, dx);
+  dofs.reduce(state(), nodal_action(dx, {}, {}), y);
   dofs.add_constrained(x, constrained_diagonal_, y);
   add_body_geometry(x.subspan(layout_.nodal), y.subspan(layout_.nodal));
 }
@@ -124,9 +147,9 @@ void CoupledSystem::apply_tissue(std::span<const double> xu, std::span<const dou
                                  std::span<double> yl) const {
   const DofMap& dofs = problem_.dofs();
   auto& dx = workspace_.increment;
-  dx.resize(state_.x.size());
-  dofs.expand(state_, xu, dx);
-  dofs.reduce(state_, nodal_action(dx, xl, yl), yu);
+  dx.resize(state().x.size());
+  dofs.expand(state(), xu, dx);
+  dofs.reduce(state(), nodal_action(dx, xl, yl), yu);
   for (int e : problem_.solid().rigid_hexes()) yl[e] = -rigid_compliance(e) * xl[e];
   dofs.add_constrained(xu, constrained_diagonal_, yu);
   add_body_geometry(xu.subspan(layout_.nodal), yu.subspan(layout_.nodal));
@@ -137,7 +160,7 @@ std::vector<double> CoupledSystem::prescribed_fluxes(std::span<const double> inc
   for (std::size_t i = 0; i < g_.size(); ++i)
     if (problem_.liquids()[i].coupled()) {
       std::vector<double> g(increments.size());
-      problem_.liquids()[i].surface().add_gradient(state_.x, 1, g);
+      problem_.liquids()[i].surface().add_gradient(state().x, 1, g);
       flux[i] = local_inner_product(g, increments);  // this rank's faces; increments are known on ghosts
     }
   problem_.comm().sum(flux);
@@ -147,23 +170,22 @@ std::vector<double> CoupledSystem::prescribed_fluxes(std::span<const double> inc
 void CoupledSystem::add_pressure_force(std::span<const double> lambda, double factor,
                                        std::span<double> primal) const {
   auto& force = workspace_.force;
-  force.assign(state_.x.size(), 0);
-  problem_.solid().apply_pressure(lambda, force);
+  force.assign(state().x.size(), 0);
+  solid().apply_pressure(lambda, force);
   problem_.mesh().halo.accumulate_ghosts(force);
   auto& projected = workspace_.increment;
   projected.resize(std::max<std::size_t>(force.size(), layout_.primal()));
   const auto reduced = std::span(projected).first(layout_.primal());
-  problem_.dofs().reduce(state_, force, reduced);
+  problem_.dofs().reduce(state(), force, reduced);
   add_scaled(reduced, factor, primal);
 }
 
 double CoupledSystem::rigid_compliance(int hex) const {
-  const Solid& solid = problem_.solid();
-  return solid.reference_volumes()[hex] / ((1 + settings_.gamma) * solid.shear_moduli()[hex]);
+  return problem_.solid().reference_volumes()[hex] / ((1 + settings_.gamma) * solid().shear_moduli()[hex]);
 }
 
 std::vector<double> CoupledSystem::inverse_pressure_schur() const {
-  const auto V0 = problem_.solid().reference_volumes(), mu = problem_.solid().shear_moduli();
+  const auto V0 = problem_.solid().reference_volumes(), mu = solid().shear_moduli();
   std::vector<double> s(V0.size());
   for (std::size_t e = 0; e < s.size(); ++e) s[e] = (1 + settings_.gamma) * mu[e] / V0[e];
   return s;
@@ -173,7 +195,7 @@ std::vector<double> CoupledSystem::inverse_pressure_schur() const {
 std::vector<double> CoupledSystem::sum_blocks(std::vector<std::array<double, 36>>& bodies) const {
   const LocalMesh& mesh = problem_.mesh();
   std::vector<double> blocks(9 * static_cast<std::size_t>(mesh.nodes()));
-  bodies.assign(state_.bodies.size(), {});
+  bodies.assign(state().bodies.size(), {});
   for_each_condensed_matrix(*this, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) {
                               const std::size_t n = d.size();
@@ -237,12 +259,13 @@ void CoupledSystem::compute_blocks() {
 }
 
 void CoupledSystem::compute_scaling(const std::vector<double>& blocks) {
+  constexpr double least = 1e-3;  // of a node's mean: no direction is scaled up by more than 30 times as much
   scaling_.assign(layout_.size(), 1);
   for (int n = 0; n < problem_.mesh().owned; ++n) {
     const double* B = &blocks[9 * static_cast<std::size_t>(n)];
     const double mean = (std::abs(B[0]) + std::abs(B[4]) + std::abs(B[8])) / 3;
     for (int c = 0; c < 3; ++c)
-      scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[4 * c]), 1e-3 * mean));
+      scaling_[3 * n + c] = 1 / std::sqrt(std::max(std::abs(B[4 * c]), least * mean));
   }
   for (int i = 0; i < layout_.bodies; ++i)
     scaling_[layout_.nodal + i] = 1 / std::sqrt(std::max(std::abs(body_blocks_[i / 6][7 * (i % 6)]), 1e-300));

@@ -15,23 +15,27 @@ struct NodalWorkspace {
   std::vector<double> increment, force;
 };
 
-/// The tangent of the coupled problem in one state, with the elements' augmentation γ B W Bᵀ, and what
-/// solvers and preconditioners need of it: liquids' columns, bodies' geometry, diagonal blocks, scaling.
+/// The unknowns of a problem on this rank.
+Layout layout_of(const Problem& problem);
+
+/// The tangent of the coupled problem in one state, a value, with the elements' augmentation γ B W Bᵀ and
+/// what solvers and preconditioners need of it: liquids' columns, bodies' geometry, diagonal blocks, scaling.
+/// Who keeps it shares it (SharedSystem); operators and preconditioners never change it or its problem. Of
+/// the problem it takes mesh, constraints and liquids as they are in one step.
 /// CoupledOperator is the matrix that it makes with an augmentation of the liquids.
 class CoupledSystem {
  public:
-  /// `further` terms add their tangents to the problem's: on a coarser mesh, what only the finer one has.
-  CoupledSystem(Problem& problem, const LinearSettings& settings,
-                std::vector<std::shared_ptr<const Term>> further = {});
-
-  /// Takes the tangent at a state, of which it keeps a copy. `r` is its residual. Collective.
-  void linearize(State state, const Residual& r);
+  /// At a state of which `r` is the residual. `further` tangents are added to the problem's: on a coarser
+  /// mesh, of what only the finer one has. Collective.
+  CoupledSystem(const Problem& problem, const LinearSettings& settings, State state, const Residual& r,
+                std::vector<std::shared_ptr<const TermTangent>> further = {});
 
   const Problem& problem() const { return problem_; }
-  /// On the next coarser mesh; its tangents are at the disposal of this system's preconditioner.
-  Problem* coarser_problem() const { return problem_.coarser(); }
-  std::span<const std::shared_ptr<const Term>> further_terms() const { return further_; }
-  const State& state() const { return state_; }
+  const SolidTangent& solid() const { return tangents_.solid; }
+  const Linearisation& tangents() const { return tangents_; }
+  /// visit() of what a coarser mesh does not make by itself: terms from floors above, and further tangents.
+  void visit_added(const ContributionVisitor& visitor) const;
+  const State& state() const { return *tangents_.state; }
   const Layout& layout() const { return layout_; }
   int size() const { return layout_.size(); }
 
@@ -41,8 +45,8 @@ class CoupledSystem {
                     std::span<double> yl) const;
   /// y = (K + γ B W Bᵀ) x on primal vectors. Collective.
   void apply_displacement(std::span<const double> x, std::span<double> y) const;
-  /// force += what acts besides the solid: terms, and the liquids' pressures as followers. 3 numbers per
-  /// local node.
+  /// force += what acts besides the solid: tangents of terms, and the liquids' pressures as followers. 3
+  /// numbers per local node.
   void add_surface_action(std::span<const double> dx, std::span<double> force) const;
   /// The contributions of the same to the tangent.
   void visit_surface(const ContributionVisitor& visitor) const;
@@ -54,13 +58,13 @@ class CoupledSystem {
   /// may be empty. Collective.
   std::span<double> nodal_action(std::span<const double> dx, std::span<const double> dlambda,
                                  std::span<double> volume) const;
-  /// What all that applies this tangent shares, one after the other.
+  /// What all that applies this tangent shares, one after the other: not a part of the value.
   NodalWorkspace& workspace() const { return workspace_; }
   /// primal += factor · B λ
   void add_pressure_force(std::span<const double> lambda, double factor, std::span<double> primal) const;
   /// g of each liquid in primal form (empty where its pressure is given).
   const std::vector<std::vector<double>>& liquid_columns() const { return g_; }
-  double compliance(int liquid) const { return problem_.liquids()[liquid].compliance(); }
+  double compliance(int liquid) const { return compliance_[liquid]; }
   /// Are the liquids' pressures eliminated?
   bool eliminated() const { return settings_.formulation == Formulation::eliminated; }
   /// gᵀ Δu of every liquid. Collective.
@@ -98,16 +102,20 @@ class CoupledSystem {
   std::size_t bytes() const;
 
  private:
+  template <class Use>
+  void for_each_term(Use use) const;
+  void compute_body_geometry(const Residual& r);
   void compute_liquid_columns();
   std::vector<double> sum_blocks(std::vector<std::array<double, 36>>& bodies) const;
   void compute_blocks();
   void compute_scaling(const std::vector<double>& blocks);
 
-  Problem& problem_;
+  const Problem& problem_;
   LinearSettings settings_;
-  std::vector<std::shared_ptr<const Term>> further_;
+  Linearisation tangents_;
+  std::vector<std::shared_ptr<const TermTangent>> further_;
   Layout layout_;
-  State state_;
+  std::vector<double> compliance_;  // of every liquid
   std::vector<std::vector<double>> g_;
   std::vector<double> scaling_;
   std::vector<std::array<double, 36>> body_blocks_;
@@ -116,5 +124,8 @@ class CoupledSystem {
   std::unique_ptr<BlockCsr> assembled_;
   mutable NodalWorkspace workspace_;
 };
+
+/// How operators and preconditioners keep a linearisation.
+using SharedSystem = std::shared_ptr<const CoupledSystem>;
 
 }  // namespace bulbus::inline solve

@@ -22,7 +22,9 @@ class CycleDetector {
   }
 
  private:
-  static constexpr std::size_t seen = 4;  // returns in a row
+  static constexpr std::size_t seen = 4;  // returns in a row (docs/decisions/049)
+  // Relative differences of the equilibrium error: a converging iteration does not come back to a hundredth
+  // four times, and one that creeps does not go to and fro by half.
   static constexpr double alike = 1e-2, apart = 0.5;
   std::vector<double> forces_;
 };

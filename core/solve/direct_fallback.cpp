@@ -11,8 +11,10 @@
 namespace bulbus::inline solve {
 namespace {
 
-constexpr int refinements = 3;
-// A factorisation then takes some hundredths of a second, as much as a few dozen Krylov iterations.
+constexpr int refinements =
+    3;  // each gains the digits that the factors hold, and the loop ends where none does
+// A factorisation then takes some hundredths of a second, as much as a few dozen Krylov iterations
+// (docs/decisions/017).
 constexpr long long few_unknowns = 2000;
 
 // Right-hand side of the system without augmentation: γ B W times the hexahedra's rows and ω g times the
@@ -21,7 +23,7 @@ std::vector<double> without_augmentation(const CoupledOperator& A, std::span<con
   const CoupledSystem& system = A.system();
   std::vector<double> plain(b.begin(), b.end());
   const auto primal = system.layout().primal(std::span(plain));
-  const auto penalty = system.problem().solid().penalties();
+  const auto penalty = system.solid().penalties();
   const auto hexes = system.layout().lambda(b);
   std::vector<double> bound(hexes.size());
   for (std::size_t e = 0; e < bound.size(); ++e) bound[e] = penalty[e] * hexes[e];
@@ -50,34 +52,33 @@ DirectFallback::DirectFallback(const LinearSettings& settings, Profiler& profile
       limit_mb_(settings.allowed_mb()),
       profiler_(profiler) {}
 
-double DirectFallback::available_mb(const CoupledSystem& system) const {
-  return system.problem().comm().min(limit_mb_) -
-         1e-6 * system.problem().comm().sum(static_cast<double>(resident_bytes()));
+double DirectFallback::available_mb(const Comm& comm) const {
+  return comm.min(limit_mb_) - 1e-6 * comm.sum(static_cast<double>(resident_bytes()));
 }
 
-bool DirectFallback::available(const CoupledSystem& system) {
+bool DirectFallback::available(const Problem& problem) {
   if (!allowed_) return false;
   if (!fits_) {
-    const auto& problem = system.problem();
     const double hexes = static_cast<double>(problem.mesh().all_hexes),
-                 unknowns = static_cast<double>(global_size(system));
+                 unknowns = static_cast<double>(global_size(problem));
     fits_ = 1e-6 * (direct_matrix_bytes(hexes, problem.symmetric()) +
                     direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes),
                                         problem.comm().size(), problem.symmetric())) <
-            available_mb(system);
+            available_mb(problem.comm());
   }
   return *fits_;
 }
 
-bool DirectFallback::cheap(const CoupledSystem& system) const {
-  return allowed_ && global_size(system) <= few_unknowns;
+bool DirectFallback::cheap(const Problem& problem) const {
+  return allowed_ && global_size(problem) <= few_unknowns;
 }
 
 FactorReport DirectFallback::factorise(const CoupledSystem& system, Mumps& mumps) {
   const auto scope = profiler_.clock.measure("factorisation");
   const bool symmetric = system.problem().symmetric();
-  const FactorReport factor = mumps.factorise(
-      assemble_plain(system, symmetric ? Triangles::upper : Triangles::both), global_size(system), symmetric);
+  const FactorReport factor =
+      mumps.factorise(assemble_plain(system, symmetric ? Triangles::upper : Triangles::both),
+                      global_size(system.problem()), symmetric);
   if (factor.too_large) fits_ = false;
   profiler_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
   return factor;
@@ -86,7 +87,7 @@ FactorReport DirectFallback::factorise(const CoupledSystem& system, Mumps& mumps
 LinearReport DirectFallback::solve(const CoupledOperator& A, std::span<const double> b, std::span<double> x,
                                    double tolerance) {
   const CoupledSystem& system = A.system();
-  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system)});
+  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system.problem().comm())});
   const FactorReport factor = factorise(system, mumps);
   LinearReport report{.negative_pivots = system.problem().symmetric() ? factor.negative_pivots : -1,
                       .factor = factor};
@@ -112,8 +113,8 @@ LinearReport DirectFallback::solve(const CoupledOperator& A, std::span<const dou
 }
 
 int DirectFallback::negative_pivots(const CoupledSystem& system) {
-  if (!system.problem().symmetric() || !available(system)) return -1;
-  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system)});
+  if (!system.problem().symmetric() || !available(system.problem())) return -1;
+  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system.problem().comm())});
   const FactorReport factor = factorise(system, mumps);
   return factor.ok ? factor.negative_pivots : -1;
 }

@@ -12,7 +12,7 @@ class DirectFallback {
   DirectFallback(const LinearSettings& settings, Profiler& profiler);
 
   /// Is it allowed, and will it fit into memory beside what is resident now?
-  bool available(const CoupledSystem& system);
+  bool available(const Problem& problem);
   /// Solution of A x = b, refined to the tolerance in the scaled norm where rounding lets it. Not ok
   /// where MUMPS fails or refuses by its own estimate; it is not available any more then, if it was for want
   /// of memory.
@@ -21,11 +21,11 @@ class DirectFallback {
   /// Negative eigenvalues of a symmetric system, from its factors; -1 if they cannot be made.
   int negative_pivots(const CoupledSystem& system);
   /// Is factorising so cheap that it is not worth while to try anything else?
-  bool cheap(const CoupledSystem& system) const;
+  bool cheap(const Problem& problem) const;
 
  private:
   FactorReport factorise(const CoupledSystem& system, Mumps& mumps);
-  double available_mb(const CoupledSystem& system) const;
+  double available_mb(const Comm& comm) const;
 
   bool allowed_;
   double limit_mb_;

@@ -18,7 +18,7 @@ class DirectSolver final : public LinearSolver {
   DirectSolver(const LinearSettings& settings, Profiler& profiler)
       : limit_mb_(settings.allowed_mb()), profiler_(profiler) {}
 
-  Preparation prepare(const CoupledSystem& system) override {
+  Preparation prepare(SharedSystem system) override {
     const auto scope = profiler_.clock.measure("factorisation");
     factor_ = factorised(system);
     profiler_.memory.set("factor", static_cast<std::size_t>(factor_.memory_max_mb * 1e6));
@@ -41,10 +41,11 @@ class DirectSolver final : public LinearSolver {
   }
 
  private:
-  FactorReport factorised(const CoupledSystem& system) {
-    symmetric_ = system.problem().symmetric();
+  FactorReport factorised(const SharedSystem& system) {
+    const Comm& comm = system->problem().comm();
+    symmetric_ = system->problem().symmetric();
     const Triangles part = symmetric_ ? Triangles::upper : Triangles::both;
-    const double entries = static_cast<double>(liquid_entries(system, part)),
+    const double entries = static_cast<double>(liquid_entries(*system, part)),
                  dense_mb = 1e-6 * bytes_per_entry * entries;
     if (dense_mb > limit_mb_)
       return {.reason = fmt::format(
@@ -53,10 +54,9 @@ class DirectSolver final : public LinearSolver {
               .too_large = true,
               .matrix_entries = entries,
               .estimated_mb = dense_mb};
-    if (!mumps_)
-      mumps_ = std::make_unique<Mumps>(
-          system.problem().comm(), MumpsOptions{.memory_limit_mb = system.problem().comm().min(limit_mb_)});
-    return mumps_->factorise(assemble(CoupledOperator(system), part), global_size(system), symmetric_);
+    if (!mumps_) mumps_ = std::make_unique<Mumps>(comm, MumpsOptions{.memory_limit_mb = comm.min(limit_mb_)});
+    return mumps_->factorise(assemble(CoupledOperator(system), part), global_size(system->problem()),
+                             symmetric_);
   }
   int negative_pivots() const { return symmetric_ ? factor_.negative_pivots : -1; }
 

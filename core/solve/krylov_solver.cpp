@@ -62,16 +62,17 @@ std::array<double, 3> block_norms(const LinearOperator& A, const CoupledSystem& 
   return sums;
 }
 
-// Krylov iterations that a digit costs where solves are easy.
+// Krylov iterations that a digit costs where solves are easy. With fewer, solves that need the correction
+// begin without it, and up to `pressures.after` iterations are made in vain; with more, easy ones pay for it.
 constexpr double per_digit = 1.5;
 
-// And where a small system is better left to MUMPS.
+// And where a small system is better left to MUMPS (docs/decisions/017).
 constexpr double slow_per_digit = 10;
 
 // Does it take more than `most` iterations, at the pace of the last many, until the residual is down to the
 // tolerance?
 bool stagnates(const std::vector<double>& residuals, double tolerance, int most) {
-  constexpr std::size_t many = 60;
+  constexpr std::size_t many = 60;  // docs/decisions/017
   const std::size_t done = residuals.size();
   if (done <= many) return false;
   const double per_iteration = std::log(residuals[done - 1 - many] / residuals.back()) / many;
@@ -117,7 +118,7 @@ class KrylovSolver final : public LinearSolver {
         profiler_(profiler),
         fallback_(settings, profiler) {}
 
-  Preparation prepare(const CoupledSystem& system) override {
+  Preparation prepare(SharedSystem system) override {
     if (given_up_) return {.ok = true};
     const auto scope = profiler_.clock.measure("preconditioner set-up");
     preconditioner_.reset();
@@ -126,7 +127,7 @@ class KrylovSolver final : public LinearSolver {
     const std::string error = preconditioner_->setup_error();
     Preparation prepared{
         .ok = error.empty(), .reason = error, .augmentation = preconditioner_->augmentation()};
-    if (prepared.ok || !fallback_.available(system)) return prepared;
+    if (prepared.ok || !fallback_.available(system->problem())) return prepared;
     give_up();
     prepared.ok = true;
     return prepared;
@@ -146,7 +147,7 @@ class KrylovSolver final : public LinearSolver {
       factory_->improve();
     else
       factory_->record(r.iterations / -std::log10(tolerance));
-    if (r.ok || r.retry || !fallback_.available(system)) return r;
+    if (r.ok || r.retry || !fallback_.available(system.problem())) return r;
     LinearReport direct = fallback_.solve(A, b, x, tolerance);
     direct.iterations = r.iterations, direct.history = std::move(r.history),
     direct.blocks = std::move(r.blocks);
@@ -154,15 +155,19 @@ class KrylovSolver final : public LinearSolver {
       direct.reason = r.reason + "; " + direct.reason;
     else
       direct.reason = r.reason;
-    if (direct.ok && fallback_.cheap(system)) give_up();
+    if (direct.ok && fallback_.cheap(system.problem())) give_up();
     return direct;
   }
 
+  void release() override {
+    preconditioner_.reset();
+    factory_->release();
+  }
   void forget() override { factory_->forget(); }
   void increment_begins() override { slow_ = given_up_ = false; }
   void watch(SolveWatcher watcher) override { watcher_ = std::move(watcher); }
-  bool counts_pivots(const CoupledSystem& system) override {
-    return system.problem().symmetric() && fallback_.cheap(system);
+  bool counts_pivots(const Problem& problem) override {
+    return problem.symmetric() && fallback_.cheap(problem);
   }
   int negative_pivots(const CoupledSystem& system) override { return fallback_.negative_pivots(system); }
 
@@ -213,13 +218,13 @@ class KrylovSolver final : public LinearSolver {
                                const KrylovObserver& observer) {
     const Comm& comm = system.problem().comm();
     const double scale = norm(b, comm);
-    const bool other_way = factory_->can_improve() || fallback_.available(system);
+    const bool other_way = factory_->can_improve() || fallback_.available(system.problem());
     KrylovReport report;
     bool flexible = !M.is_linear() || tolerance < least_of_plain_method, stagnant = false, slow = false;
     // A system so small is factorised in less time; and a residual that falls so slowly says little of the
     // error.
-    const bool cheap = fallback_.cheap(system);
-    const double enough = std::max(30., -slow_per_digit * std::log10(tolerance));
+    const bool cheap = fallback_.cheap(system.problem());
+    const double enough = slow_per_digit * std::max(3., -std::log10(tolerance));  // a slow start is none yet
     std::vector<double> residuals;
     const auto goes_on = [&](int, double residual) {
       residuals.push_back(residual / scale);

@@ -205,4 +205,11 @@ void LinearSettings::describe_records(V& v) {
     of_gmres(About{"write eigenvalue estimates of every preconditioned system to krylov.csv"}.debug()));
 }
 
+/// Of the tangent that is solved with: the direct solver factorises it as it is, augmentation would only
+/// fill it.
+inline LinearSettings system_settings(LinearSettings settings) {
+  if (settings.method == Method::direct) settings.gamma = 0;
+  return settings;
+}
+
 }  // namespace bulbus::inline solve

@@ -63,20 +63,23 @@ struct Profiler {
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  /// After CoupledSystem::linearize.
-  virtual Preparation prepare(const CoupledSystem& system) = 0;
+  virtual Preparation prepare(SharedSystem system) = 0;
   /// Solution of A x = b to the relative tolerance in the scaled norm; A: of the system and the augmentation
   /// of the last prepare().
   virtual LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                              double tolerance) = 0;
+  /// Gives up the linearisation that it was prepared for, whose memory the next one needs, but nothing that
+  /// the next prepare() may take over.
+  virtual void release() {}
   /// The next prepare() takes nothing over from earlier linearisations.
   virtual void forget() {}
   /// The next solve is an increment's first: nothing is known of it from those before.
   virtual void increment_begins() {}
   /// Calls `watcher` after every Krylov iteration of every solve.
   virtual void watch(SolveWatcher /*watcher*/) {}
-  /// Is it cheap to count the negative pivots of a system whose solution has not told them? Collective.
-  virtual bool counts_pivots(const CoupledSystem& /*system*/) { return false; }
+  /// Is it cheap to count the negative pivots of a problem's systems whose solution has not told them?
+  /// Collective.
+  virtual bool counts_pivots(const Problem& /*problem*/) { return false; }
   /// -1 if they cannot be counted. Collective.
   virtual int negative_pivots(const CoupledSystem& /*system*/) { return -1; }
 };
@@ -99,9 +102,10 @@ class CoupledPreconditioner : public Preconditioner {
 class PreconditionerFactory {
  public:
   virtual ~PreconditionerFactory() = default;
-  /// Of the present linearisation. The one before it should be gone: two would need the memory of both.
-  /// Collective.
-  virtual std::unique_ptr<CoupledPreconditioner> make(const CoupledSystem& system) = 0;
+  /// The one before it should be gone: two would need the memory of both. Collective.
+  virtual std::unique_ptr<CoupledPreconditioner> make(SharedSystem system) = 0;
+  /// What is kept for later gives up the linearisation that it was made for.
+  virtual void release() = 0;
   /// A solve took so many Krylov iterations per digit; the same on every rank.
   virtual void record(double iterations_per_digit) = 0;
   /// May another preconditioner of the same linearisation do better: one that takes nothing over, or one that

@@ -23,7 +23,7 @@ class Increments {
   double size() const { return size_; }
   double next(double from) const {
     const double to = from + size_;
-    return to > 1 - 0.01 * size_ ? 1 : to;
+    return to > 1 - 0.01 * size_ ? 1 : to;  // a hundredth of an increment is none of its own
   }
   bool cut() {
     size_ /= 2;
@@ -44,7 +44,7 @@ class Increments {
   }
 
  private:
-  static constexpr double shortest_cycle = 0.125;  // of a whole increment
+  static constexpr double shortest_cycle = 0.125;  // of a whole increment (docs/decisions/049)
   SteppingSettings settings_;
   double largest_, size_;
   int leaps_ = 0;
@@ -52,7 +52,7 @@ class Increments {
 
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
-// iterations. First steps that are too long for the mesh are so with exact solves, too.
+// iterations (docs/decisions/017). First steps that are too long for the mesh are so with exact solves, too.
 constexpr double careful_eta = 1e-8;
 
 bool by_loose_solves(const NewtonReport& failed) {
@@ -104,9 +104,8 @@ void MarchProgress::serialize(Archive& archive) {
                   report.krylov_iterations);
 }
 
-MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
-                  const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
-                  MarchProgress place) {
+MarchReport march(Problem& problem, LinearSolver& solver, State& state, const SolverSettings& settings,
+                  Profiler& profiler, MarchObserver& observer, MarchProgress place) {
   MarchReport& report = place.report;
   double& done = place.done;
   const auto& steps = problem.model().steps;
@@ -135,7 +134,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
       State trial = expected ? *expected : state;
       if (place.last > 0) extrapolate(problem, place.previous, (to - done) / place.last, trial);
       NewtonReport newton = within_memory(problem.comm(), [&] {
-        return bulbus::newton(problem, system, solver, trial, to,
+        return bulbus::newton(problem, settings.linear, solver, trial, to,
                               tolerances_at(to, place.careful, settings.newton), profiler,
                               [&](const NewtonIteration& i) { observer.newton_iteration(i); });
       });
@@ -149,7 +148,7 @@ MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver,
         place.last = 0;
         observer.increment_cut(newton, done, to);
         // a small system costs nothing
-        const bool again = !place.careful && solver.counts_pivots(system);
+        const bool again = !place.careful && solver.counts_pivots(problem);
         place.careful = place.careful || again || by_loose_solves(newton);
         if (again) continue;
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments

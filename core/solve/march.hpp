@@ -71,8 +71,7 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings);
 /// ones are tried before the march ends: surfaces that snap have no equilibrium near by. On return `state` is
 /// the last good one: so it is where an interrupt ends it. A `place` in the middle is one to which problem
 /// and state have been brought. Collective.
-MarchReport march(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
-                  const SolverSettings& settings, Profiler& profiler, MarchObserver& observer,
-                  MarchProgress place = {});
+MarchReport march(Problem& problem, LinearSolver& solver, State& state, const SolverSettings& settings,
+                  Profiler& profiler, MarchObserver& observer, MarchProgress place = {});
 
 }  // namespace bulbus::inline solve

@@ -18,7 +18,7 @@ namespace bulbus::inline solve {
 namespace {
 
 // Of the first Newton steps together: two increments of half the length cost less than what is to come.
-// Later a few short steps are allowed.
+// Later a few short steps are allowed (docs/decisions/033).
 constexpr double least_length = 1.0 / 8;
 constexpr int most_shortened = 8;
 
@@ -42,15 +42,15 @@ NewtonSettings tightened(NewtonSettings s) {
 // Newton's method from one state to equilibrium, iteration by iteration.
 class Iteration {
  public:
-  Iteration(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
+  Iteration(Problem& problem, const LinearSettings& linear, LinearSolver& solver, State& state,
             const NewtonSettings& settings, Profiler& profiler)
       : problem_(problem),
-        system_(system),
+        linear_(system_settings(linear)),
         solver_(solver),
         state_(state),
         profiler_(profiler),
         forcing_(settings.eta_max),
-        solution_(system.size()) {
+        solution_(layout_of(problem).size()) {
     double size = 0;
     for (double v : problem.mesh().X) size = std::max(size, std::abs(v));
     negligible_ = 1e-12 * problem.comm().max(size);
@@ -64,9 +64,12 @@ class Iteration {
   }
   bool prescribed_done(const NewtonIteration& now) const { return now.prescribed <= negligible_; }
 
+  // The linearisation before leaves its memory to this one.
   void linearise() {
     const auto scope = profiler_.clock.measure("linearisation");
-    system_.linearize(state_, *residual_);
+    solver_.release();
+    system_.reset();
+    system_ = std::make_shared<const CoupledSystem>(problem_, linear_, state_, *residual_);
   }
 
   // `excess`: by how much the criteria are missed.
@@ -85,18 +88,19 @@ class Iteration {
       const CoupledOperator A(system_, augmentation_);
       std::vector<double> b = right_hand_side(A);
       if (!tolerance)
-        tolerance = std::min(forcing_.next(scaled_norm(system_, b), excess, prescribed_done(now)),
-                             problem_.solve_tolerance());
+        tolerance = std::min(forcing_.next(scaled_norm(*system_, b), excess, prescribed_done(now)),
+                             system_->tangents().solve_tolerance());
       now.tolerance = *tolerance;
       report = solver_.solve(A, std::move(b), solution_, *tolerance);
       report.iterations = iterations += report.iterations;
     } while (report.retry);
+    measure_memory();
     return report;
   }
 
   // Moves the state by the solution, as far as no element inverts. Returns the part of the step taken.
   double step() {
-    const Layout& layout = system_.layout();
+    const Layout& layout = system_->layout();
     const std::span<const double> solution(solution_);
     StateIncrement step{std::vector<double>(state_.x.size()), layout.primal(solution),
                         layout.lambda(solution),
@@ -106,15 +110,21 @@ class Iteration {
     for (std::size_t i = 0; i < prescribed_.size(); ++i) step.dx[i] += prescribed_[i];
     const double length = move_without_inversion(problem_, step, state_);
     for (double& v : step.dx) v *= length;
-    problem_.predict(step.dx);
+    problem_.predict(system_->tangents(), step.dx);
     problem_.enclosed().settle(state_.lambda);
     return length;
   }
 
   // Of the last linearisation; -1 where counting them would be expensive.
-  int negative_pivots() { return solver_.counts_pivots(system_) ? solver_.negative_pivots(system_) : -1; }
+  int negative_pivots() { return solver_.counts_pivots(problem_) ? solver_.negative_pivots(*system_) : -1; }
 
  private:
+  void measure_memory() {
+    const SolidTangent& solid = system_->solid();
+    profiler_.memory.set("solid", solid.solid().bytes() + solid.bytes());
+    profiler_.memory.set("operator cache", solid.cache_bytes());
+    profiler_.memory.set("coupled system", system_->bytes());
+  }
   void compute_residual() {
     const auto scope = profiler_.clock.measure("residual");
     residual_ = problem_.residual(state_);
@@ -134,12 +144,13 @@ class Iteration {
   }
 
   Problem& problem_;
-  CoupledSystem& system_;
+  LinearSettings linear_;
   LinearSolver& solver_;
   State& state_;
   Profiler& profiler_;
   ForcingTerm forcing_;
   double negligible_ = 0;  // prescribed increment, mm
+  SharedSystem system_;
   std::optional<Residual> residual_;
   LiquidAugmentation augmentation_;
   std::vector<double> prescribed_, solution_;
@@ -185,7 +196,7 @@ std::string describe(Outcome outcome) {
   return "";
 }
 
-NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solver, State& state,
+NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver& solver, State& state,
                     double progress, const NewtonSettings& settings, Profiler& profiler,
                     const NewtonObserver& observer) {
   NewtonReport report;
@@ -199,7 +210,7 @@ NewtonReport newton(Problem& problem, CoupledSystem& system, LinearSolver& solve
   const auto observe = [&](const NewtonIteration& now) {
     if (observer) observer(now);
   };
-  Iteration iteration(problem, system, solver, state, settings, profiler);
+  Iteration iteration(problem, linear, solver, state, settings, profiler);
   CycleDetector cycle;
   NewtonSettings criteria = settings;
   int last = settings.max_iterations;

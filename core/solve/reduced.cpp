@@ -70,13 +70,13 @@ void for_each_condensed_matrix(const CoupledSystem& system, Matrices matrices,
   };
   switch (matrices) {
     case Matrices::mean:
-      problem.solid().visit_mean(reduce);
+      system.solid().visit_mean(reduce);
       break;
     case Matrices::reduced_augmentation:
-      problem.solid().visit_mean(reduce, .1);
+      system.solid().visit_mean(reduce, .1);
       break;
     default:
-      problem.solid().visit(reduce, matrices == Matrices::augmented);
+      system.solid().visit(reduce, matrices == Matrices::augmented);
   }
   system.visit_surface(reduce);
 }

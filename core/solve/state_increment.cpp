@@ -5,9 +5,10 @@
 namespace bulbus::inline solve {
 namespace {
 
+// Six halvings; newton.cpp gives an increment up long before, by the length of several steps together.
 constexpr double shortest_step = 1.0 / 64;
-constexpr double least_volume =
-    0.05;  // J of a Gauss point relative to where the step starts from: a guard, not a model
+// J of a Gauss point relative to where the step starts from: a guard, not a model (docs/decisions/033).
+constexpr double least_volume = 0.05;
 
 void move(const Problem& problem, const StateIncrement& increment, double length, State& state) {
   problem.dofs().move(state, increment.dx, increment.primal, length);

@@ -12,14 +12,18 @@
 namespace bulbus::inline solve {
 namespace {
 
-constexpr double least_part = 1.0 / 16;  // of the loads, at a time
-constexpr double intermediate = 1e-2;    // of the first distance: enough before all of the loads act
+// Parts of the loads, and of an element's volume from one reference to the next: formulation, section 4.3.
+constexpr double least_part = 1.0 / 16, least_jacobian = 0.1;
+// Of the first distance: enough before all of the loads act. Whatever is left is made good by the iterations
+// of the next part; a larger one begins farther away, a smaller one takes iterations that are thrown away.
+constexpr double intermediate = 1e-2;
 // Of the linear solves. A lens in its zonules hardly counts in the residual: looser solves leave it where it
 // is, so that distances come out too small one time and too large the next.
 constexpr double eta = 1e-5;
-constexpr int most_without_progress = 12;  // iterations in which the least distance does not fall
-constexpr double least_length = 1.0 / 8;   // of a step of the reference
-constexpr double least_jacobian = 0.1;     // from one reference to the next
+// Iterations in which the least distance does not fall: more than the eight that the acceleration combines by
+// default, so that all of those came after the best one.
+constexpr int most_without_progress = 12;
+constexpr double least_length = 1.0 / 8;  // of a step of the reference: that of Newton's (docs/decisions/033)
 
 // What an iteration begins with, besides the drawn places, where the nodes are in all of them.
 struct Iterate {
@@ -103,9 +107,8 @@ class Search {
     State state = problem.initial_state();
     problem.begin_step(0, state);
     place(problem, iterate, state);
-    CoupledSystem system(problem, solver_.system);
     const auto solver = solver_.make();
-    newton_ = newton(problem, system, *solver, state, load, single_step(), solver_.profiler);
+    newton_ = newton(problem, solver_.linear, *solver, state, load, single_step(), solver_.profiler);
     if (newton_.outcome == Outcome::interrupted) report_.signal = interrupt(problem.comm());
     if (!usable(newton_)) return fail(newton_.reason), std::nullopt;
     const double length = newton_.iterations.empty() ? 1 : newton_.iterations[0].step;

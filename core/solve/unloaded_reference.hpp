@@ -36,7 +36,7 @@ struct UnloadedReport {
 
 /// What the search solves with: a solver for every iteration.
 struct UnloadedSolver {
-  LinearSettings system;
+  LinearSettings linear;
   std::function<std::unique_ptr<LinearSolver>()> make;
   Profiler& profiler;
 };

@@ -26,11 +26,9 @@ int main(int argc, char** argv) {
   bulbus::SolverSettings settings;
   bulbus::Profiler profiler;
   bulbus::MarchObserver observer;
-  bulbus::CoupledSystem system(problem, settings.linear);
   const auto solver = bulbus::make_krylov_solver(
       settings.linear, bulbus::make_preconditioner_factory(settings.linear, profiler), profiler);
-  const bulbus::MarchReport report =
-      bulbus::march(problem, system, *solver, state, settings, profiler, observer);
+  const bulbus::MarchReport report = bulbus::march(problem, *solver, state, settings, profiler, observer);
 
   const int node = problem.mesh().local(bulbus::nodes_of(mesh, "outer")).front();
   const double* x = &state.x[3 * node];

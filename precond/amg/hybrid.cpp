@@ -8,20 +8,20 @@
 
 namespace bulbus::inline precond {
 
-Hybrid::Hybrid(const CoupledSystem& system, int degree, double lowest, std::shared_ptr<RigidPlan> rigid,
+Hybrid::Hybrid(const SharedSystem& system, int degree, double lowest, std::shared_ptr<RigidPlan> rigid,
                Precision smoothing)
     : block_(displacement_block(system, smoothing)),
-      jacobi_(std::make_shared<BlockJacobi>(system)),
-      smoother_(block_, jacobi_, degree, lowest, system.problem().comm()),
-      amg_(std::make_unique<ScalarAmg>(system, scalar_matrices(system), *jacobi_)),
+      jacobi_(std::make_shared<BlockJacobi>(*system)),
+      smoother_(block_, jacobi_, degree, lowest, system->problem().comm()),
+      amg_(std::make_unique<ScalarAmg>(*system, scalar_matrices(*system), *jacobi_)),
       residual_(block_->size()),
       correction_(block_->size()) {
   if (!rigid) return;
-  coarse_ = std::make_unique<RigidCoarse>(system, std::move(rigid));
+  coarse_ = std::make_unique<RigidCoarse>(*system, std::move(rigid));
   for_each_condensed_matrix(
-      system, matrices_of(smoothing),
+      *system, matrices_of(smoothing),
       [&](std::span<const int> dofs, std::span<const double> K) { coarse_->add(dofs, K); });
-  coarse_->factorise({});
+  coarse_->factorise(*system, {});
 }
 
 void Hybrid::apply(std::span<const double> b, std::span<double> x) const {

@@ -13,19 +13,23 @@ namespace bulbus::inline precond {
 class Hybrid final : public DisplacementPreconditioner {
  public:
   /// `rigid`: none without the rigid motions. Collective.
-  Hybrid(const CoupledSystem& system, int degree, double lowest, std::shared_ptr<RigidPlan> rigid,
+  Hybrid(const SharedSystem& system, int degree, double lowest, std::shared_ptr<RigidPlan> rigid,
          Precision smoothing);
   int size() const override { return block_->size(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool is_linear() const override { return true; }
-  double refresh() override { return smoother_.refresh(); }
+  double refresh(SharedSystem system) override {
+    block_->refresh(std::move(system));
+    return smoother_.refresh();
+  }
+  void release() override { block_->release(); }
   std::string setup_error() const override {
     return amg_->setup_error() + (coarse_ ? coarse_->setup_error() : "");
   }
   std::size_t bytes() const override;
 
  private:
-  std::shared_ptr<const LinearOperator> block_;
+  std::shared_ptr<TangentBlock> block_;
   std::shared_ptr<const BlockJacobi> jacobi_;
   Chebyshev smoother_;
   std::unique_ptr<ScalarAmg> amg_;

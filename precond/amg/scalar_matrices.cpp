@@ -25,8 +25,8 @@ Pattern find_pattern(const CoupledSystem& system) {
   };
   for (const SolidRegion& r : problem.solid().regions())
     for (int h = r.first; h < r.first + r.count; ++h) couple(mesh.hexes[h]);
-  for (const auto& term : problem.terms())
-    term->visit([&](std::span<const int> nodes, std::span<const double>) { couple(nodes); });
+  for (const auto& tangent : system.tangents().terms)
+    if (tangent) tangent->visit([&](std::span<const int> nodes, std::span<const double>) { couple(nodes); });
   Pattern p{{0}, {}};
   for (int n = 0; n < mesh.nodes(); ++n) {
     auto& row = rows[n];

@@ -10,12 +10,12 @@ AggregationPlan::AggregationPlan(const CoupledSystem& system, const AggregationS
     : lines(std::make_shared<Lines>(find_lines(system.problem()))),
       rigid(std::make_shared<RigidPlan>(system, settings.nodes, precision, settings.factorised)) {}
 
-Aggregation::Aggregation(const CoupledSystem& system, std::shared_ptr<const AggregationPlan> plan,
+Aggregation::Aggregation(SharedSystem system, std::shared_ptr<const AggregationPlan> plan,
                          const AggregationSettings& settings, Precision smoothing, const KeepFactors& keep)
-    : coarse_(system, plan->rigid),
-      jacobi_(set_up(system, plan->lines, smoothing, keep)),
+    : coarse_(*system, plan->rigid),
+      jacobi_(set_up(*system, plan->lines, smoothing, keep)),
       smoother_(make_smoother(system, jacobi_, settings, smoothing)),
-      correction_(system.layout().primal()) {}
+      correction_(system->layout().primal()) {}
 
 // One sweep over everything that contributes, for lines and coarse matrix.
 std::shared_ptr<const LineJacobi> Aggregation::set_up(const CoupledSystem& system,
@@ -27,7 +27,7 @@ std::shared_ptr<const LineJacobi> Aggregation::set_up(const CoupledSystem& syste
                               blocks.add(dofs, K);
                               coarse_.add(dofs, K);
                             });
-  coarse_.factorise(keep);
+  coarse_.factorise(system, keep);
   blocks.complete();
   return std::make_shared<LineJacobi>(system, lines, blocks);
 }

@@ -22,13 +22,14 @@ struct AggregationPlan {
 class Aggregation final : public DisplacementPreconditioner {
  public:
   /// Collective.
-  Aggregation(const CoupledSystem& system, std::shared_ptr<const AggregationPlan> plan,
+  Aggregation(SharedSystem system, std::shared_ptr<const AggregationPlan> plan,
               const AggregationSettings& settings, Precision smoothing = Precision::single,
               const KeepFactors& keep = {});
   int size() const override { return static_cast<int>(correction_.size()); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool is_linear() const override { return true; }
-  double refresh() override { return smoother_->refresh(); }
+  double refresh(SharedSystem system) override { return smoother_->refresh(std::move(system)); }
+  void release() override { smoother_->release(); }
   bool keeps_factors() const override { return coarse_.keeps_factors(); }
   bool could_be_factorised() const override { return coarse_.could_be_factorised(); }
   std::string setup_error() const override { return coarse_.setup_error(); }

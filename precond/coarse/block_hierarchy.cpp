@@ -22,8 +22,9 @@ constexpr int lanczos_steps = 10;
 // least would be too weak on all the rest. Outside of its interval it grows without bounds: where there are
 // negative eigenvalues, or some beyond the farthest, the cycle stands alone.
 constexpr double below = 0.7, least = 0.02, most = 0.5, farthest = 1.5;
-constexpr double unstable =
-    100;  // eigenvalue of a cycle times its matrix: a sweep along many rows may make it so
+// Eigenvalue of a cycle times its matrix, which ends at 1 where sweeps are stable: along many rows one may
+// blow up by orders of magnitude.
+constexpr double unstable = 100;
 
 Triplets triplets_of(const DistributedBlocks& blocks) {
   Triplets t;

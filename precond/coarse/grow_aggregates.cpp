@@ -48,7 +48,7 @@ std::vector<int> grow_groups(const Graph& neighbours, int size, const std::vecto
 
 // Small aggregates join a neighbour; numbers without gaps again.
 void join_small_aggregates(std::vector<int>& of, const Graph& neighbours) {
-  constexpr int least = 4;
+  constexpr int least = 4;  // three nodes may lie on a line, which has but five rigid motions
   std::vector<int> members(of.size());
   for (int a : of)
     if (a >= 0) ++members[a];

@@ -3,84 +3,109 @@
 #include "core/base/memory.hpp"
 #include "precond/amg/assembled.hpp"
 #include "precond/operators/correct.hpp"
+#include "precond/operators/projected_tangent.hpp"
 
 namespace bulbus::inline precond {
 
-MultigridPlan::MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings)
-    : base_(std::make_shared<Mumps>(
-          finest.problem().comm(),
-          MumpsOptions{.precision = settings.smoothing, .block = 3, .joined = true})) {
-  for (const CoupledSystem* fine = &finest; Problem* coarser = fine->coarser_problem();
-       fine = levels_.back().coarser.get()) {
-    auto projected = std::make_shared<ProjectedTerm>();
-    levels_.push_back({std::make_shared<Lines>(find_lines(fine->problem())), projected,
-                       std::make_unique<CoupledSystem>(*coarser, settings,
-                                                       std::vector<std::shared_ptr<const Term>>{projected})});
-  }
+MultigridPlan::MultigridPlan(const Problem& finest, const LinearSettings& settings)
+    : settings_(settings),
+      base_(std::make_shared<Mumps>(
+          finest.comm(), MumpsOptions{.precision = settings.smoothing, .block = 3, .joined = true})) {
+  for (const Problem* fine = &finest; fine->coarser(); fine = fine->coarser())
+    levels_.push_back({std::make_shared<Lines>(find_lines(*fine)), nullptr});
 }
 
-Multigrid::Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan> plan,
+namespace {
+
+// Shear moduli of the coarser hexahedra as of the linearisation before; at first all alike.
+std::vector<double> stiffness_of(const MultigridPlan::Level& level, const Problem& coarser) {
+  if (!level.coarser) return std::vector<double>(coarser.mesh().hexes.size());
+  const auto moduli = level.coarser->solid().shear_moduli();
+  return {moduli.begin(), moduli.end()};
+}
+
+// Leaves the next coarser linearisation in `level`, and takes back the memory of the one before first.
+Interpolation coarsen(const CoupledSystem& fine, const LinearSettings& settings,
+                      MultigridPlan::Level& level) {
+  const Problem &problem = fine.problem(), &coarser = *problem.coarser();
+  State state = problem.coarsened(fine.state());
+  Interpolation P = problem.prolongation().at(state.x, fine.state().x, stiffness_of(level, coarser));
+  level.coarser.reset();
+  auto projected = std::make_shared<const ProjectedTangent>(fine, P);
+  // only the geometry of rigid bodies asks for the residual
+  const Residual r = problem.dofs().bodies().empty() ? Residual{} : coarser.residual(state);
+  level.coarser = std::make_shared<const CoupledSystem>(
+      coarser, settings, std::move(state), r,
+      std::vector<std::shared_ptr<const TermTangent>>{std::move(projected)});
+  return P;
+}
+
+}  // namespace
+
+Multigrid::Multigrid(SharedSystem finest, std::shared_ptr<MultigridPlan> plan,
                      const MultigridSettings& settings, Precision smoothing, const KeepFactors& keep)
     : cycle_(settings.cycle), plan_(std::move(plan)) {
   std::vector<Interpolation> interpolations;
-  const CoupledSystem* fine = &finest;
+  SharedSystem fine = finest;
   for (auto& level : plan_->levels()) {
-    const Problem& problem = fine->problem();
-    State state = problem.coarsened(fine->state());
-    Interpolation P =
-        problem.prolongation().at(state.x, fine->state().x, problem.coarser()->solid().shear_moduli());
-    level.projected->project(*fine, P);
-    // only the geometry of rigid bodies asks for the residual
-    const bool bodies = !problem.dofs().bodies().empty();
-    const Residual r = bodies ? problem.coarser()->residual(state) : Residual{};
-    level.coarser->linearize(std::move(state), r);
-    interpolations.push_back(std::move(P));
-    fine = level.coarser.get();
-    coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->problem().solid().cache_bytes() +
-                     fine->problem().mesh().bytes();
+    interpolations.push_back(coarsen(*fine, plan_->settings(), level));
+    fine = level.coarser;
+    coarse_bytes_ += fine->bytes() + fine->problem().solid().bytes() + fine->solid().bytes() +
+                     fine->solid().cache_bytes() + fine->problem().mesh().bytes();
   }
   base_ = std::make_unique<ExactBlock>(*fine, plan_->base(), keep);
-  fine = &finest;
+  fine = std::move(finest);
   for (std::size_t i = 0; i < interpolations.size(); ++i) {
     auto& level = plan_->levels()[i];
     if (!keeps_factors()) level.largest_eigenvalue = 0;
     levels_.push_back(
-        std::make_unique<Level>(*fine, level, std::move(interpolations[i]), settings, smoothing));
+        std::make_unique<Level>(fine, level, std::move(interpolations[i]), settings, smoothing));
     level.largest_eigenvalue = levels_.back()->smoother->largest_eigenvalue();
-    fine = level.coarser.get();
+    fine = level.coarser;
   }
 }
 
-Multigrid::Level::Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation given,
+Multigrid::Level::Level(const SharedSystem& fine, MultigridPlan::Level& plan, Interpolation given,
                         const MultigridSettings& settings, Precision smoothing)
-    : fine(fine),
-      coarse(*plan.coarser),
+    : problem(fine->problem()),
+      layout(fine->layout()),
+      coarse(plan.coarser),
       P(std::move(given)),
       block(fine),
-      jacobi(std::make_shared<LineJacobi>(fine, plan.lines, matrices_of(smoothing))),
+      jacobi(std::make_shared<LineJacobi>(*fine, plan.lines, matrices_of(smoothing))),
       smoother(make_smoother(fine, jacobi, settings, smoothing, plan.largest_eigenvalue)),
-      correction(fine.layout().primal()),
-      coarse_residual(coarse.layout().primal()),
-      coarse_correction(coarse.layout().primal()),
-      coarse_nodal(coarse.state().x.size()) {}
+      correction(layout.primal()),
+      coarse_residual(coarse->layout().primal()),
+      coarse_correction(coarse->layout().primal()),
+      coarse_nodal(coarse->state().x.size()) {}
+
+double Multigrid::refresh(SharedSystem system) {
+  levels_.front()->block.refresh(system);
+  return levels_.front()->smoother->refresh(std::move(system));
+}
+
+void Multigrid::release() {
+  levels_.front()->block.release();
+  levels_.front()->smoother->release();
+}
 
 // Tᵀ Pᵀ r without constrained directions, r: what `correction` holds; bodies are the same on both levels.
 void Multigrid::Level::restrict_residual() {
-  const auto nodal = std::span(correction).first(fine.layout().nodal);
-  fine.problem().dofs().project(nodal);
+  const auto nodal = std::span(correction).first(layout.nodal);
+  problem.dofs().project(nodal);
   P.apply_transposed(nodal, coarse_nodal);
-  coarse.problem().dofs().reduce(coarse.state(), coarse_nodal, coarse_residual);
-  for (int i = 0; i < fine.layout().bodies; ++i)
-    coarse_residual[coarse.layout().nodal + i] += correction[fine.layout().nodal + i];
+  coarse->problem().dofs().reduce(coarse->state(), coarse_nodal, coarse_residual);
+  for (int i = 0; i < layout.bodies; ++i)
+    coarse_residual[coarse->layout().nodal + i] += correction[layout.nodal + i];
 }
 
 void Multigrid::Level::prolong() {
-  coarse.problem().dofs().expand(coarse.state(), coarse_correction, coarse_nodal);
-  const auto nodal = std::span(correction).first(fine.layout().nodal);
+  coarse->problem().dofs().expand(coarse->state(), coarse_correction, coarse_nodal);
+  const auto nodal = std::span(correction).first(layout.nodal);
   P.apply(coarse_nodal, nodal);
-  fine.problem().dofs().project(nodal);
-  for (int i = 0; i < fine.layout().bodies; ++i)
-    correction[fine.layout().nodal + i] = coarse_correction[coarse.layout().nodal + i];
+  problem.dofs().project(nodal);
+  for (int i = 0; i < layout.bodies; ++i)
+    correction[layout.nodal + i] = coarse_correction[coarse->layout().nodal + i];
 }
 
 // The cycle from a level on, as a preconditioner of its block.
@@ -118,7 +143,7 @@ std::size_t Multigrid::bytes() const {
   for (const auto& l : levels_)
     total += l->jacobi->bytes() + l->smoother->bytes() + bytes_of(l->correction) +
              bytes_of(l->coarse_residual) + bytes_of(l->coarse_correction) + bytes_of(l->coarse_nodal) +
-             l->P.bytes() + l->fine.problem().prolongation().bytes();
+             l->P.bytes() + l->problem.prolongation().bytes();
   return total;
 }
 

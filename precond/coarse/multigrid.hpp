@@ -6,31 +6,31 @@
 #include "core/solve/mumps.hpp"
 #include "core/solve/settings.hpp"
 #include "precond/operators/displacement.hpp"
-#include "precond/operators/projected_term.hpp"
 #include "precond/smoothers/line_jacobi.hpp"
 #include "precond/smoothers/smoother.hpp"
 
 namespace bulbus::inline precond {
 
-/// What multigrid keeps from one linearisation to the next: the coarser problems' systems, the lines of every
-/// refined level, the base matrix's analysis, and as long as its factors are kept the smoothers' largest
-/// eigenvalues: what changes these changes the matrix, too.
+/// What multigrid keeps from one linearisation to the next: the lines of every refined level, the base
+/// matrix's analysis, and as long as its factors are kept the smoothers' largest eigenvalues: what changes
+/// these changes the matrix, too.
 class MultigridPlan {
  public:
-  /// Collective.
-  MultigridPlan(const CoupledSystem& finest, const LinearSettings& settings);
+  /// `settings`: of the coarser systems, too. Collective.
+  MultigridPlan(const Problem& finest, const LinearSettings& settings);
 
   struct Level {
     std::shared_ptr<const Lines> lines;
-    std::shared_ptr<ProjectedTerm> projected;  ///< of this level's added terms, on the next coarser one
-    std::unique_ptr<CoupledSystem> coarser;
+    SharedSystem coarser;  ///< the last linearisation on the next coarser mesh; null before the first
     double largest_eigenvalue = 0;  ///< of the smoother
   };
+  const LinearSettings& settings() const { return settings_; }
   std::vector<Level>& levels() { return levels_; }
   /// Of the base level.
   std::shared_ptr<Mumps> base() const { return base_; }
 
  private:
+  LinearSettings settings_;
   std::vector<Level> levels_;  // finest first; without the base
   std::shared_ptr<Mumps> base_;
 };
@@ -40,14 +40,15 @@ class MultigridPlan {
 /// base mesh is solved directly. A fixed linear map, symmetric.
 class Multigrid final : public DisplacementPreconditioner {
  public:
-  /// Takes the tangents of all levels. Collective.
-  Multigrid(const CoupledSystem& finest, std::shared_ptr<MultigridPlan> plan,
-            const MultigridSettings& settings, Precision smoothing = Precision::single,
-            const KeepFactors& keep = {});
-  int size() const override { return levels_.front()->block.size(); }
+  /// Linearises the coarser problems, too. Collective.
+  Multigrid(SharedSystem finest, std::shared_ptr<MultigridPlan> plan, const MultigridSettings& settings,
+            Precision smoothing = Precision::single, const KeepFactors& keep = {});
+  int size() const override { return levels_.front()->layout.primal(); }
   void apply(std::span<const double> b, std::span<double> x) const override { cycle(0, b, x); }
   bool is_linear() const override { return true; }
-  double refresh() override { return levels_.front()->smoother->refresh(); }
+  /// Of the finest level; the coarser ones stay.
+  double refresh(SharedSystem system) override;
+  void release() override;
   bool keeps_factors() const override { return base_->keeps_factors(); }
   std::string setup_error() const override { return base_->setup_error(); }
   std::size_t bytes() const override;
@@ -56,13 +57,14 @@ class Multigrid final : public DisplacementPreconditioner {
 
  private:
   struct Level {
-    Level(const CoupledSystem& fine, MultigridPlan::Level& plan, Interpolation P,
+    Level(const SharedSystem& fine, MultigridPlan::Level& plan, Interpolation P,
           const MultigridSettings& settings, Precision smoothing);
     void restrict_residual();
     void prolong();
 
-    const CoupledSystem& fine;
-    const CoupledSystem& coarse;
+    const Problem& problem;
+    Layout layout;
+    SharedSystem coarse;
     Interpolation P;
     DisplacementBlock block;
     std::shared_ptr<const LineJacobi> jacobi;
@@ -73,7 +75,7 @@ class Multigrid final : public DisplacementPreconditioner {
   void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
 
   Cycle cycle_;
-  std::shared_ptr<MultigridPlan> plan_;  // has the coarser systems
+  std::shared_ptr<MultigridPlan> plan_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::unique_ptr<DisplacementPreconditioner> base_;
   std::size_t coarse_bytes_ = 0;

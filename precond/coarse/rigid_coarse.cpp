@@ -24,22 +24,22 @@ RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision
 }
 
 RigidCoarse::RigidCoarse(const CoupledSystem& system, std::shared_ptr<RigidPlan> plan)
-    : system_(system), plan_(std::move(plan)), modes_(rigid_modes(system, plan_->groups)) {
+    : layout_(system.layout()), plan_(std::move(plan)), modes_(rigid_modes(system, plan_->groups)) {
   plan_->matrix.clear();
   const int bodies = system.problem().comm().rank() == 0 ? plan_->groups.bodies : 0;
   coarse_.resize(6 * (bodies + plan_->groups.mine));
 }
 
-void RigidCoarse::factorise(const KeepFactors& keep) {
-  if (system_.problem().comm().rank() == 0)
-    for (const auto& e : system_.body_extra())
-      if (!system_.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
-  for (int k : modes_.missing) plan_->matrix.add(k, k, system_.constrained_diagonal());
+void RigidCoarse::factorise(const CoupledSystem& system, const KeepFactors& keep) {
+  if (system.problem().comm().rank() == 0)
+    for (const auto& e : system.body_extra())
+      if (!system.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
+  for (int k : modes_.missing) plan_->matrix.add(k, k, system.constrained_diagonal());
   plan_->matrix.shrink();
   const auto frames = std::exchange(modes_.frames, {});
-  if (plan_->levels && make_levels(frames)) return;
+  if (plan_->levels && make_levels(system, frames)) return;
   const FactorReport f =
-      plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), system_.problem().symmetric(), keep);
+      plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), system.problem().symmetric(), keep);
   keeps_factors_ = f.kept;
   if (!f.ok) setup_error_ = "rigid motions of aggregates: " + f.reason;
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);
@@ -48,15 +48,15 @@ void RigidCoarse::factorise(const KeepFactors& keep) {
 bool RigidCoarse::could_be_factorised() const { return levels_ && coarse_size() <= most_factorised; }
 
 // Returns false where they are of no use.
-bool RigidCoarse::make_levels(const std::vector<RigidFrame>& frames) {
+bool RigidCoarse::make_levels(const CoupledSystem& system, const std::vector<RigidFrame>& frames) {
   const Aggregates& groups = plan_->groups;
-  const Comm& comm = system_.problem().comm();
+  const Comm& comm = system.problem().comm();
   const int bodies = comm.rank() == 0 ? groups.bodies : 0, first = groups.first - bodies,
             mine = bodies + groups.mine;
   levels_ = std::make_unique<BlockHierarchy>(
       assemble_blocks(comm, mine, [&](const BlockVisitor& visit) { plan_->matrix.visit(visit); }),
       std::vector(frames.begin() + first, frames.begin() + first + mine), bodies,
-      system_.constrained_diagonal(), plan_->levels);
+      system.constrained_diagonal(), plan_->levels);
   if (!levels_->stable()) levels_.reset();
   if (!levels_) return false;
   setup_error_ = levels_->setup_error();
@@ -65,8 +65,8 @@ bool RigidCoarse::make_levels(const std::vector<RigidFrame>& frames) {
 }
 
 void RigidCoarse::apply(std::span<const double> b, std::span<double> x) const {
-  const int owned = system_.problem().mesh().owned;
-  const int bodies = system_.layout().bodies;  // six numbers each, on rank 0
+  const int owned = layout_.nodal / 3;
+  const int bodies = layout_.bodies;  // six numbers each, on rank 0
   const auto part = [&](int n) { return bodies + 6 * (plan_->groups.of[n] - plan_->groups.first); };
   std::ranges::fill(coarse_, 0);
   std::copy_n(&b[3 * owned], bodies, coarse_.begin());

@@ -32,13 +32,13 @@ class RigidCoarse final : public Preconditioner {
   void add(std::span<const int> dofs, std::span<const double> K) {
     plan_->matrix.add(plan_->groups, modes_.of, dofs, K);
   }
-  /// Collective.
-  void factorise(const KeepFactors& keep);
+  /// `system`: the same. Collective.
+  void factorise(const CoupledSystem& system, const KeepFactors& keep);
   /// Are the factors those of an earlier linearisation?
   bool keeps_factors() const { return keeps_factors_; }
   /// Are there levels of a matrix that is small enough for MUMPS?
   bool could_be_factorised() const;
-  int size() const override { return system_.layout().primal(); }
+  int size() const override { return layout_.primal(); }
   void apply(std::span<const double> b, std::span<double> x) const override;
   bool is_linear() const override { return true; }
   std::string setup_error() const override { return setup_error_; }
@@ -47,9 +47,9 @@ class RigidCoarse final : public Preconditioner {
   int coarse_size() const { return 6 * plan_->groups.total; }
 
  private:
-  bool make_levels(const std::vector<RigidFrame>& frames);
+  bool make_levels(const CoupledSystem& system, const std::vector<RigidFrame>& frames);
 
-  const CoupledSystem& system_;
+  Layout layout_;
   std::shared_ptr<RigidPlan> plan_;
   RigidModes modes_;
   mutable std::vector<double> coarse_;

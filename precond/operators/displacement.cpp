@@ -33,7 +33,7 @@ class ScalarAmgAlone final : public DisplacementPreconditioner {
 };
 
 // Floats hold a displacement to 6e-8: a contact much stiffer than the hexahedra around it would make noise of
-// what they feel.
+// what they feel, 6e-4 of it where they have 1e-4 of a node's stiffness (docs/decisions/006).
 Precision fitting_precision(const CoupledSystem& system, const LinearSettings& settings) {
   constexpr double most = 1 - 1e-4;  // of a node's stiffness
   const Problem& problem = system.problem();
@@ -51,9 +51,9 @@ Precision fitting_precision(const CoupledSystem& system, const LinearSettings& s
 
 }  // namespace
 
-std::unique_ptr<LinearOperator> displacement_block(const CoupledSystem& system, Precision precision) {
-  if (precision == Precision::single) return std::make_unique<SingleBlock>(system);
-  return std::make_unique<DisplacementBlock>(system);
+std::unique_ptr<TangentBlock> displacement_block(SharedSystem system, Precision precision) {
+  if (precision == Precision::single) return std::make_unique<SingleBlock>(std::move(system));
+  return std::make_unique<DisplacementBlock>(std::move(system));
 }
 
 struct DisplacementFactory::Plans {
@@ -66,22 +66,22 @@ struct DisplacementFactory::Plans {
 DisplacementFactory::DisplacementFactory(const LinearSettings& settings) : settings_(settings) {}
 DisplacementFactory::~DisplacementFactory() = default;
 
-std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const CoupledSystem& system,
+std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(SharedSystem system,
                                                                       const KeepFactors& keep) {
-  const Problem& problem = system.problem();
+  const Problem& problem = system->problem();
   if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const Displacement name = settings_.displacement_on(problem.coarser());
-  const Precision smoothing = fitting_precision(system, settings_);
-  if (name == Displacement::jacobi) return std::make_unique<BlockJacobi>(system);
-  if (name == Displacement::scalar_amg) return std::make_unique<ScalarAmgAlone>(system);
+  const Precision smoothing = fitting_precision(*system, settings_);
+  if (name == Displacement::jacobi) return std::make_unique<BlockJacobi>(*system);
+  if (name == Displacement::scalar_amg) return std::make_unique<ScalarAmgAlone>(*system);
   if (name == Displacement::boomeramg || name == Displacement::boomeramg_nodal)
-    return std::make_unique<AssembledAmg>(system, name == Displacement::boomeramg_nodal);
-  if (name == Displacement::exact) return std::make_unique<ExactBlock>(system);
+    return std::make_unique<AssembledAmg>(*system, name == Displacement::boomeramg_nodal);
+  if (name == Displacement::exact) return std::make_unique<ExactBlock>(*system);
   if (name == Displacement::multigrid) {
     if (!problem.coarser())
       throw scene_error("solver.linear.displacement", "multigrid needs a refined mesh",
                         "Give mesh.refine, or take 'aggregation'.");
-    if (!plans_->multigrid) plans_->multigrid = std::make_shared<MultigridPlan>(system, settings_);
+    if (!plans_->multigrid) plans_->multigrid = std::make_shared<MultigridPlan>(problem, settings_);
     return std::make_unique<Multigrid>(system, plans_->multigrid, settings_.multigrid, smoothing, keep);
   }
   if (name == Displacement::hybrid) {
@@ -89,12 +89,12 @@ std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(const Coup
                           ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates))
                           : 0;
     if (nodes > 0 && !plans_->rigid)
-      plans_->rigid = std::make_shared<RigidPlan>(system, nodes, smoothing, std::numeric_limits<int>::max());
+      plans_->rigid = std::make_shared<RigidPlan>(*system, nodes, smoothing, std::numeric_limits<int>::max());
     return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothing_range, plans_->rigid,
                                     smoothing);
   }
   if (!plans_->aggregation)
-    plans_->aggregation = std::make_shared<AggregationPlan>(system, settings_.aggregation, smoothing);
+    plans_->aggregation = std::make_shared<AggregationPlan>(*system, settings_.aggregation, smoothing);
   return std::make_unique<Aggregation>(system, plans_->aggregation, settings_.aggregation, smoothing, keep);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "core/solve/coupled_system.hpp"
 #include "core/solve/linear_operator.hpp"
 
 namespace bulbus::inline precond {
@@ -16,10 +17,12 @@ class DisplacementPreconditioner : public Preconditioner {
   virtual bool keeps_factors() const { return false; }
   /// Does it approximate a coarsest matrix that MUMPS could factorise?
   virtual bool could_be_factorised() const { return false; }
-  /// The block that it was made for has another tangent: what it applies on the fly is the present one, all
-  /// else stays. Returns by how much the largest eigenvalue that it damps has grown since it was made; 1
-  /// where it damps none. Collective.
-  virtual double refresh() { return 1; }
+  /// What it applies on the fly is the tangent of this linearisation from now on, all else stays. Returns by
+  /// how much the largest eigenvalue that it damps has grown since it was made; 1 where it damps none.
+  /// Collective.
+  virtual double refresh(SharedSystem /*system*/) { return 1; }
+  /// Gives up the linearisation that it was made for; of no use until it is refreshed.
+  virtual void release() {}
 };
 
 }  // namespace bulbus::inline precond

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "core/solve/coupled_system.hpp"
-#include "core/solve/linear_operator.hpp"
+#include "precond/operators/displacement.hpp"
 
 namespace bulbus::inline precond {
 
@@ -18,10 +18,10 @@ struct NodalSingle {
 
 /// The augmented displacement block as smoothers apply it: hexahedra by their mean tangents in single
 /// precision, what acts on few nodes (terms, liquids' pressures, rigid bodies) as it is.
-class SingleBlock final : public LinearOperator {
+class SingleBlock final : public TangentBlock {
  public:
-  explicit SingleBlock(const CoupledSystem& system);
-  int size() const override { return system_.layout().primal(); }
+  explicit SingleBlock(SharedSystem system);
+  int size() const override { return size_; }
   /// On primal vectors; constrained directions are identity rows times constrained_diagonal(). A translation
   /// of everything costs no accuracy. Collective.
   void apply(std::span<const double> x, std::span<double> y) const override;
@@ -35,15 +35,16 @@ class SingleBlock final : public LinearOperator {
   /// z += A x of a primal vector without constrained directions. d is used. Collective.
   void apply_to(std::span<const double> x) const;
 
-  /// The system has another tangent.
-  void refresh();
-  const CoupledSystem& system() const { return system_; }
+  void refresh(SharedSystem system) override;
+  void release() override { system_.reset(); }
+  const CoupledSystem& system() const { return *system_; }
   std::size_t bytes() const;
 
  private:
   void act(std::span<const double> dx) const;
 
-  const CoupledSystem& system_;
+  int size_;
+  SharedSystem system_;
   const DofMap& dofs_;
   int free_ = 0;  // the first owned node no direction of which is constrained; behind them if there is none
   std::vector<int> touched_;  // local nodes that not only hexahedra act on

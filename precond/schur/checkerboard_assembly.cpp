@@ -6,16 +6,16 @@
 #include <numeric>
 
 namespace bulbus::inline precond {
-CheckerboardMatrix::Assembly::Assembly(const Problem& problem, CheckerboardMatrix& to)
-    : problem_(problem),
+CheckerboardMatrix::Assembly::Assembly(const CoupledSystem& system, CheckerboardMatrix& to)
+    : problem_(system.problem()),
       to_(to),
       count_(to.modes_->count()),
       coarser_(to.modes_->coarser()),
-      corners_(problem.mesh().hexes, problem.mesh().nodes()),
-      constraints_(problem.mesh().hexes.size()) {
-  problem.solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
+      corners_(problem_.mesh().hexes, problem_.mesh().nodes()),
+      constraints_(problem_.mesh().hexes.size()) {
+  system.solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
     for (int corner = 0; corner < 8; ++corner) {
-      const auto at = 3 * (std::ranges::find(nodes, problem.mesh().hexes[hex][corner]) - nodes.begin());
+      const auto at = 3 * (std::ranges::find(nodes, problem_.mesh().hexes[hex][corner]) - nodes.begin());
       for (int i = 0; i < 3; ++i) constraints_[hex][3 * corner + i] = static_cast<float>(b[at + i]);
     }
   });

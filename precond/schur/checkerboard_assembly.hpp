@@ -9,7 +9,7 @@ class CheckerboardMatrix::Assembly {
  public:
   /// Tells the owners of nodes what hexahedra of this rank do to them; coarser hexahedra of other ranks
   /// become ghosts. Collective.
-  Assembly(const Problem& problem, CheckerboardMatrix& to);
+  Assembly(const CoupledSystem& system, CheckerboardMatrix& to);
   /// All lines. A first pass finds what they couple, so that no block is ever moved.
   void add_lines(const LineJacobi& lines);
   /// Of this rank, and ghosts.

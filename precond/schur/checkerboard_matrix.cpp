@@ -21,10 +21,11 @@ Vector load_vector(const float* from) {
 
 }  // namespace
 
-CheckerboardMatrix::CheckerboardMatrix(const Problem& problem, std::shared_ptr<const CheckerboardModes> modes,
+CheckerboardMatrix::CheckerboardMatrix(const CoupledSystem& system,
+                                       std::shared_ptr<const CheckerboardModes> modes,
                                        const LineJacobi& lines)
     : modes_(std::move(modes)) {
-  Assembly assembly(problem, *this);
+  Assembly assembly(system, *this);
   assembly.add_lines(lines);
   in_.resize(assembly.coarser());
   out_.resize(assembly.coarser());

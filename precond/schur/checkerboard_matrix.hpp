@@ -13,8 +13,8 @@ namespace bulbus::inline precond {
 /// Pᵀ K P, blocks of pairs of coarser hexahedra; stored in single precision.
 class CheckerboardMatrix final : public LinearOperator {
  public:
-  /// Keeps nothing of `problem` and `lines`. Collective.
-  CheckerboardMatrix(const Problem& problem, std::shared_ptr<const CheckerboardModes> modes,
+  /// Keeps nothing of `system` and `lines`. Collective.
+  CheckerboardMatrix(const CoupledSystem& system, std::shared_ptr<const CheckerboardModes> modes,
                      const LineJacobi& lines);
   int size() const override { return modes_->size(); }
   /// Collective.

@@ -6,12 +6,14 @@
 
 namespace bulbus::inline precond {
 
-LinePressureStiffness::LinePressureStiffness(const CoupledSystem& system,
-                                             std::shared_ptr<const LineJacobi> lines)
-    : problem_(system.problem()), lines_(std::move(lines)), nodal_(problem_.mesh().nodes()) {}
+LinePressureStiffness::LinePressureStiffness(SharedSystem system, std::shared_ptr<const LineJacobi> lines)
+    : problem_(system->problem()),
+      system_(std::move(system)),
+      lines_(std::move(lines)),
+      nodal_(problem_.mesh().nodes()) {}
 
 void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q) const {
-  const Solid& solid = problem_.solid();
+  const SolidTangent& solid = system_->solid();
   const Halo& halo = problem_.mesh().halo;
   std::ranges::fill(nodal_, NodeSingle{});
   solid.apply_pressure_single(p, nodal_);
@@ -20,7 +22,7 @@ void LinePressureStiffness::apply(std::span<const double> p, std::span<double> q
   lines_->apply(nodal_);
   halo.update_ghosts(nodal_);
   solid.volume_change_single(nodal_, q);
-  for (int h : solid.rigid_hexes()) q[h] = 0;
+  for (int h : problem_.solid().rigid_hexes()) q[h] = 0;
 }
 
 std::size_t LinePressureStiffness::bytes() const { return bytes_of(nodal_); }

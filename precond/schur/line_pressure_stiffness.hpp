@@ -12,14 +12,19 @@ namespace bulbus::inline precond {
 /// still does not change its volume.
 class LinePressureStiffness final : public LinearOperator {
  public:
-  LinePressureStiffness(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines);
+  LinePressureStiffness(SharedSystem system, std::shared_ptr<const LineJacobi> lines);
   int size() const override { return static_cast<int>(problem_.mesh().hexes.size()); }
   /// Collective.
   void apply(std::span<const double> p, std::span<double> q) const override;
+  /// B is that of another linearisation from now on, L stays.
+  void refresh(SharedSystem system) { system_ = std::move(system); }
+  /// Gives the linearisation up; of no use until it is refreshed.
+  void release() { system_.reset(); }
   std::size_t bytes() const;
 
  private:
   const Problem& problem_;
+  SharedSystem system_;
   std::shared_ptr<const LineJacobi> lines_;
   mutable std::vector<NodeSingle> nodal_;
 };

@@ -8,7 +8,8 @@ namespace bulbus::inline precond {
 namespace {
 
 // u·A u over u·L u: in a film neighbours move along, and add what they have in common with a line to the 4/9
-// of it that is the line's own; in a bulk they help to carry and leave less than 1.
+// of it that is the line's own, 9/4 together; in a bulk they help to carry and leave less than 1. Between
+// both (docs/decisions/009).
 constexpr double film = 1.5;
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 namespace bulbus::inline precond {
 
-PressureSchur::PressureSchur(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+PressureSchur::PressureSchur(SharedSystem system, std::shared_ptr<const LineJacobi> lines,
                              const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections)
-    : system_(system),
+    : system_(std::move(system)),
       lines_(std::move(lines)),
       settings_(settings),
-      diagonal_(system.inverse_pressure_schur()),
+      diagonal_(system_->inverse_pressure_schur()),
       corrections_(std::move(corrections)) {}
 
 void PressureSchur::enable_deferred_component() {
@@ -20,16 +20,16 @@ void PressureSchur::enable_deferred_component() {
   corrected_ = true;
   auto& [reduced, K, parts] = *corrections_;
   if (!parts.empty()) return;
-  const int refinements = system_.problem().mesh().refinements;
+  const int refinements = system_->problem().mesh().refinements;
   if (refinements > 0)
-    reduced = std::make_shared<const LineJacobi>(system_, lines_->lines(), Matrices::reduced_augmentation);
+    reduced = std::make_shared<const LineJacobi>(*system_, lines_->lines(), Matrices::reduced_augmentation);
   const auto lines = reduced ? reduced : lines_;
-  if (refinements != 1) K = std::make_shared<const LinePressureStiffness>(system_, lines);
-  if (refinements == 0) parts.push_back(oscillation_correction(system_, *lines, K, settings_.degree));
-  if (refinements > 1) parts.push_back(fine_checkerboard_correction(system_, K, settings_.degree));
+  if (refinements != 1) K = std::make_shared<LinePressureStiffness>(system_, lines);
+  if (refinements == 0) parts.push_back(oscillation_correction(*system_, *lines, K, settings_.degree));
+  if (refinements > 1) parts.push_back(fine_checkerboard_correction(*system_, K, settings_.degree));
   if (refinements > 0)
     parts.push_back(
-        coarse_checkerboard_correction(system_, *lines, refinements > 1 ? std::nullopt : settings_.degree));
+        coarse_checkerboard_correction(*system_, *lines, refinements > 1 ? std::nullopt : settings_.degree));
   if (!K) reduced.reset();
 }
 
@@ -40,6 +40,14 @@ void PressureSchur::apply(std::span<const double> r, std::span<double> z) const 
 }
 
 std::size_t PressureSchur::bytes() const { return bytes_of(diagonal_) + corrections_->bytes(); }
+
+void SchurCorrections::refresh(const SharedSystem& system) {
+  if (K) K->refresh(system);
+}
+
+void SchurCorrections::release() {
+  if (K) K->release();
+}
 
 std::size_t SchurCorrections::bytes() const {
   std::size_t total = (reduced ? reduced->bytes() : 0) + (K ? K->bytes() : 0);

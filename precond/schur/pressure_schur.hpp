@@ -10,8 +10,11 @@ namespace bulbus::inline precond {
 /// The corrections of PressureSchur and what they are made of; empty until they are taken up.
 struct SchurCorrections {
   std::shared_ptr<const LineJacobi> reduced;  ///< these two where a correction needs them
-  std::shared_ptr<const LinePressureStiffness> K;
+  std::shared_ptr<LinePressureStiffness> K;
   std::vector<std::unique_ptr<SchurCorrection>> parts;
+  /// See LinePressureStiffness.
+  void refresh(const SharedSystem& system);
+  void release();
   std::size_t bytes() const;
 };
 
@@ -31,7 +34,7 @@ class PressureSchur final : public Preconditioner {
  public:
   /// `lines` may be null: then there is the first part only. `corrections` are made when they are first taken
   /// up, unless they are there, of an earlier linearisation.
-  PressureSchur(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+  PressureSchur(SharedSystem system, std::shared_ptr<const LineJacobi> lines,
                 const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections);
   bool has_deferred_component() const { return lines_ && !corrected_; }
   /// Takes up the other parts, and makes them if they are not there. Collective.
@@ -42,7 +45,7 @@ class PressureSchur final : public Preconditioner {
   std::size_t bytes() const override;
 
  private:
-  const CoupledSystem& system_;
+  SharedSystem system_;
   std::shared_ptr<const LineJacobi> lines_;
   PressureSettings settings_;
   std::vector<double> diagonal_;

@@ -149,7 +149,7 @@ std::unique_ptr<SchurCorrection> coarse_checkerboard_correction(const CoupledSys
   return std::make_unique<CheckerboardCorrection<CheckerboardMatrix, CheckerboardJacobi>>(
       problem, refinements, degree.value_or(degree_for(hexes, 2)),
       [&](const auto& P) {
-        auto matrix = std::make_shared<CheckerboardMatrix>(problem, P, lines);
+        auto matrix = std::make_shared<CheckerboardMatrix>(system, P, lines);
         matrix->drop(negligible);
         return matrix;
       },

@@ -57,8 +57,10 @@ DampedSpectrum::DampedSpectrum(std::shared_ptr<const LinearOperator> A,
 }
 
 double DampedSpectrum::refresh() {
-  const double estimate = lanczos(*A_, *D_, 10, comm_).largest;
-  largest_ = 1.1 * (estimate > 0 ? estimate : 1);
+  constexpr int steps = 10;
+  constexpr double reserve = 1.1;  // what lies above the interval is amplified (docs/decisions/012)
+  const double estimate = lanczos(*A_, *D_, steps, comm_).largest;
+  largest_ = reserve * (estimate > 0 ? estimate : 1);
   return largest_ / own_;
 }
 

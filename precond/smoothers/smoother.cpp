@@ -13,10 +13,10 @@ namespace {
 
 class FullSmoother final : public Smoother {
  public:
-  FullSmoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
-               const SmootherSettings& s, double largest)
+  FullSmoother(const SharedSystem& system, std::shared_ptr<const LineJacobi> lines, const SmootherSettings& s,
+               double largest)
       : A_(std::make_shared<DisplacementBlock>(system)),
-        S_(A_, std::move(lines), s.degree, s.smoothing_range, system.problem().comm(), largest),
+        S_(A_, std::move(lines), s.degree, s.smoothing_range, system->problem().comm(), largest),
         rest_(A_->size()),
         correction_(A_->size()) {}
 
@@ -36,12 +36,16 @@ class FullSmoother final : public Smoother {
     std::ranges::fill(x, 0);
     after(e, x);
   }
-  double refresh() override { return S_.refresh(); }
+  double refresh(SharedSystem system) override {
+    A_->refresh(std::move(system));
+    return S_.refresh();
+  }
+  void release() override { A_->release(); }
   double largest_eigenvalue() const override { return S_.largest_eigenvalue(); }
   std::size_t bytes() const override { return S_.bytes() + bytes_of(rest_) + bytes_of(correction_); }
 
  private:
-  std::shared_ptr<const DisplacementBlock> A_;
+  std::shared_ptr<DisplacementBlock> A_;
   Chebyshev S_;
   mutable std::vector<double> rest_, correction_;
 };
@@ -49,14 +53,14 @@ class FullSmoother final : public Smoother {
 // Held directions are taken out first and solved for as what they are, identity rows.
 class SingleSmoother final : public Smoother {
  public:
-  SingleSmoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+  SingleSmoother(const SharedSystem& system, std::shared_ptr<const LineJacobi> lines,
                  const SmootherSettings& s, double largest)
       : A_(std::make_shared<SingleBlock>(system)),
         lines_(std::move(lines)),
         degree_(s.degree),
-        spectrum_(A_, lines_, s.smoothing_range, system.problem().comm(), largest),
-        r_(system),
-        x_(system) {}
+        spectrum_(A_, lines_, s.smoothing_range, system->problem().comm(), largest),
+        r_(*system),
+        x_(*system) {}
 
   void before(std::span<const double> b, std::span<double> x, std::span<double> r) const override {
     load(b);
@@ -83,10 +87,11 @@ class SingleSmoother final : public Smoother {
     after(e, x);
     dofs().add_constrained(b, 1 / A_->system().constrained_diagonal(), x);
   }
-  double refresh() override {
-    A_->refresh();
+  double refresh(SharedSystem system) override {
+    A_->refresh(std::move(system));
     return spectrum_.refresh();
   }
+  void release() override { A_->release(); }
   double largest_eigenvalue() const override { return spectrum_.largest_eigenvalue(); }
   std::size_t bytes() const override { return A_->bytes() + r_.bytes() + x_.bytes(); }
 
@@ -150,7 +155,7 @@ class SingleSmoother final : public Smoother {
 
 }  // namespace
 
-std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+std::unique_ptr<Smoother> make_smoother(SharedSystem system, std::shared_ptr<const LineJacobi> lines,
                                         const SmootherSettings& settings, Precision precision,
                                         double largest_eigenvalue) {
   if (precision == Precision::single)

@@ -21,14 +21,15 @@ class Smoother {
   /// x = e + S (b − A e). Collective.
   virtual void improve(std::span<const double> b, std::span<const double> e, std::span<double> x) const = 0;
   /// See DisplacementPreconditioner. Collective.
-  virtual double refresh() = 0;
+  virtual double refresh(SharedSystem system) = 0;
+  virtual void release() = 0;
   /// See DampedSpectrum.
   virtual double largest_eigenvalue() const = 0;
   virtual std::size_t bytes() const = 0;
 };
 
-/// Of the present linearisation of `system`. `largest_eigenvalue`: 0 if it is not known. Collective.
-std::unique_ptr<Smoother> make_smoother(const CoupledSystem& system, std::shared_ptr<const LineJacobi> lines,
+/// `largest_eigenvalue`: 0 if it is not known. Collective.
+std::unique_ptr<Smoother> make_smoother(SharedSystem system, std::shared_ptr<const LineJacobi> lines,
                                         const SmootherSettings& settings, Precision precision,
                                         double largest_eigenvalue = 0);
 

@@ -23,7 +23,7 @@ void expect_product(const Scene& scene, int refinements) {
   const WithLines l(scene, refinements, 0);
   const auto K = std::make_shared<LinePressureStiffness>(l.system, l.jacobi);
   const auto modes = std::make_shared<CheckerboardModes>(l.problem, refinements);
-  const CheckerboardMatrix matrix(l.problem, modes, *l.jacobi);
+  const CheckerboardMatrix matrix(*l.system, modes, *l.jacobi);
   const CheckerboardProduct product(modes, K);
   const auto c = noise(*modes);
   std::vector<double> found(c.size(), std::nan("")), expected(c.size());
@@ -79,7 +79,7 @@ TEST(OscillationFilter, KeepsAChessboard) {
 
 TEST(CarriedByLines, AFilmIsOnAnyNumberOfRanks) {
   const WithLines l(glued_slab(50, false), 0, 0);
-  const auto carried = carried_by_lines(l.system, *l.jacobi);
+  const auto carried = carried_by_lines(*l.system, *l.jacobi);
   EXPECT_EQ(std::ranges::count(carried, 1), std::ssize(carried));
 }
 
@@ -96,7 +96,7 @@ TEST(CheckerboardMatrix, IsTheProductOfTheHalfEye) { expect_product(small_eye(8)
 TEST(CheckerboardMatrix, DropsWhatHardlyCouples) {
   const WithLines l(small_eye(8), 1, 0);
   const auto modes = std::make_shared<CheckerboardModes>(l.problem, 1);
-  CheckerboardMatrix matrix(l.problem, modes, *l.jacobi);
+  CheckerboardMatrix matrix(*l.system, modes, *l.jacobi);
   const auto c = noise(*modes);
   std::vector<double> whole(c.size()), kept(c.size()), back(c.size());
   matrix.apply(c, whole);

@@ -20,19 +20,18 @@ Solved solve(const Scene& scene, int refine, const Comm& comm) {
   problem.set_progress(.5, state);
   LinearSettings settings;
   settings.aggregation.factorised = 100;
-  CoupledSystem system(problem, settings);
   const Residual r = problem.residual(state);
-  system.linearize(state, r);
+  const auto system = std::make_shared<const CoupledSystem>(problem, settings, state, r);
   Profiler profiler;
   auto solver = make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler);
   const Preparation prepared = solver->prepare(system);
   EXPECT_TRUE(prepared.ok);
   const CoupledOperator A(system, prepared.augmentation);
-  std::vector<double> prescribed(state.x.size()), x(system.size()), dx(state.x.size());
+  std::vector<double> prescribed(state.x.size()), x(system->size()), dx(state.x.size());
   problem.dofs().prescribed_increment(state, .5, prescribed);
   const LinearReport report = solver->solve(A, A.right_hand_side(r, prescribed), x, 1e-8);
   EXPECT_TRUE(report.ok) << report.reason;
-  problem.dofs().expand(state, system.layout().primal(std::span<const double>(x)), dx);
+  problem.dofs().expand(state, system->layout().primal(std::span<const double>(x)), dx);
   const LocalMesh& mesh = problem.mesh();
   Solved s{std::vector<double>(3 * mesh.all_nodes), report.iterations};
   for (int n = 0; n < mesh.owned; ++n)

@@ -6,6 +6,7 @@
 #include "core/mesh/distributed/partition.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "tests/support/numbers.hpp"
+#include "tests/support/term_tangent.hpp"
 
 namespace bulbus {
 namespace {
@@ -25,7 +26,6 @@ struct Ranks {
     term.sew(.1);
     term.begin_step(0, state);
     term.set_progress(1);
-    term.linearize(state);
   }
   std::vector<double> by_mesh_node(std::span<const double> v, std::size_t nodes) const {
     std::vector<double> all(3 * nodes);
@@ -40,11 +40,10 @@ struct Ranks {
     return by_mesh_node(f, nodes);
   }
   std::vector<double> action(std::size_t nodes) const {
-    std::vector<double> f(state.x.size()), dx(f.size());
+    std::vector<double> dx(state.x.size());
     for (int n = 0; n < local.nodes(); ++n)
       for (int c = 0; c < 3; ++c) dx[3 * n + c] = noise(4, 3 * local.input_node[n] + c);
-    term.add_action(dx, f);
-    return by_mesh_node(f, nodes);
+    return by_mesh_node(bulbus::action(term, state, dx), nodes);
   }
 };
 

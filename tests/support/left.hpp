@@ -42,12 +42,13 @@ inline void run_and_leave(const Scene& scene, const std::string& folder, const C
   results.claim({log_file});
   const Log log(folder + "/run.log", comm, Log::Screen::silent);
   Recorder recorder(prepared, scene, results, log, profiler);
-  CoupledSystem system(*prepared.problem, LinearSettings{.gamma = 0});
   const auto solver = make_direct_solver(scene.solver.linear, profiler);
+  SolverSettings settings = scene.solver;
+  settings.linear.gamma = 0;
   State state = prepared.problem->initial_state();
   Leaving leaving(recorder, rested);
   try {
-    march(*prepared.problem, system, *solver, state, scene.solver, profiler, leaving);
+    march(*prepared.problem, *solver, state, settings, profiler, leaving);
   } catch (const Left&) {
   }
 }

@@ -13,16 +13,20 @@ struct Linearised {
   Problem problem;
   State state;
   LinearSettings settings;
-  CoupledSystem system;
+  SharedSystem system;
   Linearised(const Scene& scene, int refine, double shake)
       : problem(refined(scene.mesh, refine), scene.model, Comm()),
         state(problem.initial_state()),
-        settings(defaults(refine)),
-        system(problem, settings) {
+        settings(defaults(refine)) {
     problem.begin_step(0, state);
     problem.set_progress(.1, state);
     if (shake > 0) state = shaken(problem, state, shake, 7);
-    system.linearize(state, problem.residual(state));
+    linearise();
+  }
+  /// At the present state.
+  void linearise() {
+    system.reset();
+    system = std::make_shared<const CoupledSystem>(problem, settings, state, problem.residual(state));
   }
 
  private:
@@ -36,7 +40,7 @@ struct Linearised {
 // With the lines of its displacement block.
 struct WithLines : Linearised {
   std::shared_ptr<const LineJacobi> jacobi =
-      std::make_shared<LineJacobi>(system, std::make_shared<Lines>(find_lines(problem)));
+      std::make_shared<LineJacobi>(*system, std::make_shared<Lines>(find_lines(problem)));
   WithLines(const Scene& scene, int refine, double shake) : Linearised(scene, refine, shake) {}
 };
 
@@ -66,7 +70,7 @@ inline int iterations(const Scene& scene, int refine, Displacement displacement,
   const Preparation prepared = solver->prepare(l.system);
   EXPECT_TRUE(prepared.ok);
   const CoupledOperator A(l.system, prepared.augmentation);
-  std::vector<double> prescribed(l.state.x.size()), x(l.system.size());
+  std::vector<double> prescribed(l.state.x.size()), x(l.system->size());
   l.problem.dofs().prescribed_increment(l.state, .1, prescribed);
   const LinearReport report = solver->solve(A, A.right_hand_side(r, prescribed), x, 1e-6);
   EXPECT_TRUE(report.ok) << report.reason;

@@ -20,8 +20,7 @@ struct MarchTrial : MarchObserver {
   }
   void increment_done(const Increment& i, const State&) override { increments.push_back(i); }
   void march_with(std::unique_ptr<LinearSolver> solver) {
-    CoupledSystem system(problem, settings.linear);
-    report = march(problem, system, *solver, state, settings, profiler, *this);
+    report = march(problem, *solver, state, settings, profiler, *this);
   }
   /// Local nodes (ghosts included) of a set of nodes of the mesh, in use by the model or not.
   std::vector<int> nodes(const Mesh& mesh, const std::string& set) const {

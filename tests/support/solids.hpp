@@ -1,5 +1,7 @@
 #pragma once
-#include "core/element/solid.hpp"
+#include <optional>
+
+#include "core/element/solid_tangent.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "tests/support/numbers.hpp"
 
@@ -33,6 +35,16 @@ inline std::vector<double> deformed(std::span<const double> X, int seed, double 
   return x;
 }
 
+/// Of a solid that outlives it.
+inline SolidTangent tangent_of(const Solid& solid, std::span<const double> x, std::span<const double> lambda,
+                               double gamma, StrainSource source = StrainSource::recompute) {
+  const auto shared = [](std::span<const double> v) {
+    return std::make_shared<const std::vector<double>>(v.begin(), v.end());
+  };
+  return {std::shared_ptr<const Solid>(std::shared_ptr<void>(), &solid), shared(x), shared(lambda), gamma,
+          source};
+}
+
 /// A row of n neo-Hookean hexahedra, deformed: packs that are not full.
 struct Row {
   int n;
@@ -53,7 +65,13 @@ struct ThreeTissues {
                {"b", make_material({{1, 0, .5}, {0, 1, .4}}), 10, 9},
                {"c", make_material({{1, 0, .7}, {0, 1, .2}, {2, 0, .3}, {1, 1, .1}, {0, 2, .2}, {3, 0, .1}}),
                 19, 8}}};
+  std::optional<SolidTangent> tangent;  ///< after linearise()
   int size() const { return static_cast<int>(X.size()); }
+
+  void linearise(std::span<const double> at, std::span<const double> pressures, double gamma,
+                 StrainSource source = StrainSource::recompute) {
+    tangent.emplace(tangent_of(solid, at, pressures, gamma, source));
+  }
 
   std::vector<double> force(std::span<const double> at, std::span<const double> pressures) const {
     std::vector<double> f(X.size()), v(27);

@@ -28,25 +28,25 @@ Scene shell(const Parts& parts) {
 struct Linearised {
   Problem problem;
   State state;
-  CoupledSystem system;
+  SharedSystem system;
   std::optional<CoupledOperator> A;
   std::vector<double> x, y;
 
   explicit Linearised(const Scene& scene)
-      : problem(scene.mesh, scene.model, Comm()), state(problem.initial_state()), system(problem, {}) {
+      : problem(scene.mesh, scene.model, Comm()), state(problem.initial_state()) {
     for (int k = 0; k < static_cast<int>(scene.model.steps.size()); ++k) {
       if (k > 0) problem.end_step();
       problem.begin_step(k, state), problem.set_progress(1, state);
     }
-    system.linearize(state, problem.residual(state));
-    x.assign(system.size(), 1e-3), y.assign(system.size(), 0);
+    system = std::make_shared<const CoupledSystem>(problem, LinearSettings{}, state, problem.residual(state));
+    x.assign(system->size(), 1e-3), y.assign(system->size(), 0);
     A.emplace(system);
     apply(), apply_displacement();  // work space is made once
   }
   void apply() { A->apply(x, y); }
   void apply_displacement() {
-    const int primal = system.layout().primal();
-    system.apply_displacement(std::span(x).first(primal), std::span(y).first(primal));
+    const int primal = system->layout().primal();
+    system->apply_displacement(std::span(x).first(primal), std::span(y).first(primal));
   }
   long long in_kernels() const {
     long long count = 0;
@@ -69,11 +69,11 @@ TEST(OnlyRequired, PartsLeftOutLeaveNothingBehind) {
   EXPECT_TRUE(no_bars.problem.terms().empty());
   EXPECT_EQ(all.problem.liquids().size(), 1u);
   EXPECT_TRUE(no_liquid.problem.liquids().empty());
-  EXPECT_TRUE(no_liquid.system.liquid_columns().empty());
-  EXPECT_EQ(no_liquid.system.layout().liquids, 0);
-  EXPECT_EQ(all.system.layout().bodies, 6);
-  EXPECT_EQ(no_cap.system.layout().bodies, 0);
-  EXPECT_LT(no_liquid.system.bytes(), all.system.bytes());
+  EXPECT_TRUE(no_liquid.system->liquid_columns().empty());
+  EXPECT_EQ(no_liquid.system->layout().liquids, 0);
+  EXPECT_EQ(all.system->layout().bodies, 6);
+  EXPECT_EQ(no_cap.system->layout().bodies, 0);
+  EXPECT_LT(no_liquid.system->bytes(), all.system->bytes());
 }
 
 TEST(OnlyRequired, ApplyAllocatesForTheLiquidOnlyWhereThereIsOne) {

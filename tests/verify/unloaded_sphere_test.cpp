@@ -81,10 +81,9 @@ TEST(UnloadedSphere, IsLoadedBackToWhereItIsDrawn) {
   SolverSettings settings{.newton = tight()};
   settings.linear.method = Method::direct;
   settings.linear.gamma = 0;
-  CoupledSystem system(problem, settings.linear);
   MarchObserver silent;
   const auto solver = make_direct_solver(settings.linear, profiler);
-  ASSERT_TRUE(march(problem, system, *solver, state, settings, profiler, silent).converged);
+  ASSERT_TRUE(march(problem, *solver, state, settings, profiler, silent).converged);
   EXPECT_LE(largest_distance(problem.mesh(), state.x, problem.mesh().drawn), 1e-8);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/problem/rigid_body.hpp"
 #include "tests/support/sheets.hpp"
+#include "tests/support/term_tangent.hpp"
 
 namespace bulbus {
 namespace {
@@ -34,12 +35,8 @@ struct OnABentSheet : testing::Test {
   }
   /// Once the pressures are the predicted ones.
   std::vector<double> action(std::span<const double> d) {
-    term.linearize(state);
-    term.predict(std::vector<double>(d.size()));
-    term.linearize(state);
-    std::vector<double> f(d.size());
-    term.add_action(d, f);
-    return f;
+    step_from(state, std::vector<double>(d.size()), term);
+    return bulbus::action(term, state, d);
   }
   double error_of_tangent() {
     const auto d = noise_vector(state.x.size(), 4);

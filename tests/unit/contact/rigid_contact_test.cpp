@@ -5,6 +5,7 @@
 #include "contact/surfaces/meridians.hpp"
 #include "tests/support/not_empty.hpp"
 #include "tests/support/sheets.hpp"
+#include "tests/support/term_tangent.hpp"
 
 namespace bulbus {
 namespace {
@@ -120,9 +121,8 @@ struct OnABox : testing::Test {
 };
 
 TEST_F(OnABox, VisitsOneNodePerPair) {
-  term.linearize(state);
   int pairs = 0;
-  term.visit([&](std::span<const int> nodes, std::span<const double> K) {
+  tangent_at(term, state)->visit([&](std::span<const int> nodes, std::span<const double> K) {
     ++pairs;
     ASSERT_EQ(nodes.size(), 1u);
     ASSERT_EQ(K.size(), 9u);
@@ -134,9 +134,7 @@ TEST_F(OnABox, VisitsOneNodePerPair) {
 
 TEST_F(OnABox, ActionIsTheDerivativeOfTheForce) {
   const auto d = noise_vector(state.x.size(), 3);
-  term.linearize(state);
-  std::vector<double> f(d.size());
-  term.add_action(d, f);
+  const auto f = action(term, state, d);
   const auto exact = derivative(
       [&](std::span<const double> x) {
         std::vector<double> r(x.size());

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "tests/support/sheets.hpp"
+#include "tests/support/term_tangent.hpp"
 
 namespace bulbus {
 namespace {
@@ -54,9 +55,9 @@ struct Sliding : testing::Test {
       const auto r = residual();
       history.push_back(largest(r));
       if (history.back() < 1e-12) break;
-      term.linearize(state);
+      const auto tangent = tangent_at(term, state);
       Eigen::MatrixXd K = sheet_stiffness;
-      term.visit([&](std::span<const int> nodes, std::span<const double> M) {
+      tangent->visit([&](std::span<const int> nodes, std::span<const double> M) {
         const std::size_t n = 3 * nodes.size();
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t b = 0; b < n; ++b)
@@ -65,7 +66,7 @@ struct Sliding : testing::Test {
       const Eigen::VectorXd dx =
           -K.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(r.data(), r.size()));
       for (std::size_t j = 0; j < state.x.size(); ++j) state.x[j] += dx[j];
-      term.predict({dx.data(), static_cast<std::size_t>(dx.size())});
+      term.predict(*tangent, {dx.data(), static_cast<std::size_t>(dx.size())});
     }
     return history;
   }

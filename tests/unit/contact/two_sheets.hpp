@@ -1,5 +1,6 @@
 #pragma once
 #include "tests/support/sheets.hpp"
+#include "tests/support/term_tangent.hpp"
 
 namespace bulbus {
 
@@ -31,17 +32,9 @@ inline std::vector<double> force(const ContactTerm& term, const State& state) {
   return f;
 }
 
-inline std::vector<double> action(const ContactTerm& term, std::span<const double> d) {
-  std::vector<double> f(d.size());
-  term.add_action(d, f);
-  return f;
-}
-
 /// As after a Newton step that found the pressures of this state.
 inline void settle(ContactTerm& term, const State& state) {
-  term.linearize(state);
-  term.predict(std::vector<double>(state.x.size()));
-  term.linearize(state);
+  step_from(state, std::vector<double>(state.x.size()), term);
 }
 
 }  // namespace bulbus

@@ -104,20 +104,20 @@ TEST_F(PressureSurfaceTest, FluxThroughAHexahedronsFacesIsItsVolume) {
   const std::vector<double> lambda(18);
   std::vector<double> f(X.size()), volume_error(18);
   solid.residual(x, lambda, f, volume_error);
-  solid.linearize(x, lambda, 0, StrainSource::recompute);
-  solid.visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
-    std::vector<Quad> faces;
-    for (const auto& local : hex_faces) {
-      Quad q;
-      for (int i = 0; i < 4; ++i) q[i] = mesh.hexes[hex][local[i]];
-      faces.push_back(q);
-    }
-    const PressureSurface boundary(faces);
-    EXPECT_NEAR(-boundary.volume(x, origin), volume_error[hex] + solid.reference_volumes()[hex], 1e-13);
-    std::vector<double> g(X.size());
-    boundary.add_gradient(x, -1, g);
-    for (int i = 0; i < 24; ++i) EXPECT_NEAR(g[3 * nodes[i / 3] + i % 3], b[i], 1e-14);
-  });
+  tangent_of(solid, x, lambda, 0)
+      .visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
+        std::vector<Quad> faces;
+        for (const auto& local : hex_faces) {
+          Quad q;
+          for (int i = 0; i < 4; ++i) q[i] = mesh.hexes[hex][local[i]];
+          faces.push_back(q);
+        }
+        const PressureSurface boundary(faces);
+        EXPECT_NEAR(-boundary.volume(x, origin), volume_error[hex] + solid.reference_volumes()[hex], 1e-13);
+        std::vector<double> g(X.size());
+        boundary.add_gradient(x, -1, g);
+        for (int i = 0; i < 24; ++i) EXPECT_NEAR(g[3 * nodes[i / 3] + i % 3], b[i], 1e-14);
+      });
 }
 
 // Mean stress −P everywhere balances the pressure P of the fluid around, on any shape, as far as shear is

@@ -22,7 +22,7 @@ AggregationSettings aggregates_of(int nodes, int factorised = 100000) {
 TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
   Linearised l(small_eye(8), 0, 0);
   for (int nodes : {15, 40}) {
-    const Aggregates groups = aggregate(l.system, nodes);
+    const Aggregates groups = aggregate(*l.system, nodes);
     std::vector<int> members(groups.total);
     const DofMap& dofs = l.problem.dofs();
     for (int n = 0; n < l.problem.mesh().owned; ++n) {
@@ -40,17 +40,17 @@ TEST(Aggregates, HoldEveryFreeNodeOnceInGroupsOfTheAskedSize) {
 TEST(CoarseMatrix, IsTheGalerkinProjection) {
   for (const Scene& scene : {thin_plate(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, .001);
-    const auto plan = std::make_shared<RigidPlan>(l.system, 20, Precision::full, 100000);
-    const RigidModes modes = rigid_modes(l.system, plan->groups);
+    const auto plan = std::make_shared<RigidPlan>(*l.system, 20, Precision::full, 100000);
+    const RigidModes modes = rigid_modes(*l.system, plan->groups);
     plan->matrix.clear();
-    for_each_condensed_matrix(l.system, Matrices::augmented,
+    for_each_condensed_matrix(*l.system, Matrices::augmented,
                               [&](std::span<const int> d, std::span<const double> K) {
                                 plan->matrix.add(plan->groups, modes.of, d, K);
                               });
     const int size = 6 * plan->groups.total, owned = l.problem.mesh().owned;
-    std::vector<double> c = noise_vector(size, 3), got(size), want(size), fine(l.system.layout().primal()),
+    std::vector<double> c = noise_vector(size, 3), got(size), want(size), fine(l.system->layout().primal()),
                         Af(fine);
-    const int bodies = l.system.layout().bodies;
+    const int bodies = l.system->layout().bodies;
     const auto each = [&](auto visit) {
       for (int i = 0; i < bodies; ++i) visit(3 * owned + i, i, 1);
       for (int n = 0; n < owned; ++n)
@@ -59,9 +59,9 @@ TEST(CoarseMatrix, IsTheGalerkinProjection) {
             for (int k = 0; k < 6; ++k) visit(3 * n + i, 6 * plan->groups.of[n] + k, modes.of[n][i][k]);
     };
     each([&](int i, int k, double Z) { fine[i] += Z * c[k]; });
-    l.system.apply_displacement(fine, Af);
+    l.system->apply_displacement(fine, Af);
     each([&](int i, int k, double Z) { want[k] += Z * Af[i]; });
-    for (const auto& e : l.system.body_extra()) got[e.row] += e.value * c[e.column];
+    for (const auto& e : l.system->body_extra()) got[e.row] += e.value * c[e.column];
     const Triplets t = plan->matrix.triplets();
     for (std::size_t e = 0; e < t.row.size(); ++e) {
       got[t.row[e]] += t.value[e] * c[t.col[e]];
@@ -74,8 +74,8 @@ TEST(CoarseMatrix, IsTheGalerkinProjection) {
 
 TEST(RigidModes, AreOrthonormalInEveryAggregate) {
   Linearised l(small_eye(8), 0, 0);
-  const Aggregates groups = aggregate(l.system, 30);
-  const RigidModes modes = rigid_modes(l.system, groups);
+  const Aggregates groups = aggregate(*l.system, 30);
+  const RigidModes modes = rigid_modes(*l.system, groups);
   std::vector<std::array<double, 36>> gram(groups.total);
   for (int n = 0; n < l.problem.mesh().owned; ++n)
     if (groups.of[n] >= 0)
@@ -92,7 +92,7 @@ TEST(RigidModes, AreOrthonormalInEveryAggregate) {
 TEST(Aggregation, IsOneLinearMap) {
   for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant"), small_eye(8)}) {
     Linearised l(scene, 0, 0);
-    const auto plan = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
+    const auto plan = std::make_shared<AggregationPlan>(*l.system, aggregates_of(20), Precision::single);
     const Aggregation M(l.system, plan, {});
     EXPECT_EQ(M.setup_error(), "");
     EXPECT_TRUE(M.is_linear());
@@ -108,10 +108,10 @@ TEST(Aggregation, IsOneLinearMap) {
 // M A takes the rigid motions that the aggregates have, and all that is rough, for what they are.
 TEST(Aggregation, InvertsOnTheCoarseSpace) {
   Linearised l(thin_plate(), 0, 0);
-  const auto plan = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
+  const auto plan = std::make_shared<AggregationPlan>(*l.system, aggregates_of(20), Precision::single);
   const Aggregation M(l.system, plan, {});
-  const RigidModes modes = rigid_modes(l.system, plan->rigid->groups);
-  std::vector<double> rigid(l.system.layout().primal()), A(rigid), MA(rigid);
+  const RigidModes modes = rigid_modes(*l.system, plan->rigid->groups);
+  std::vector<double> rigid(l.system->layout().primal()), A(rigid), MA(rigid);
   for (int n = 0; n < l.problem.mesh().owned; ++n)
     if (plan->rigid->groups.of[n] >= 0)
       for (int i = 0; i < 3; ++i)
@@ -125,14 +125,14 @@ TEST(Aggregation, InvertsOnTheCoarseSpace) {
 // What a new linearisation makes with an old plan is what it makes with its own.
 TEST(Aggregation, PlansServeEveryLinearisation) {
   Linearised l(filled_shell("octant"), 0, 0);
-  const auto plan = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
+  const auto plan = std::make_shared<AggregationPlan>(*l.system, aggregates_of(20), Precision::single);
   { const Aggregation first(l.system, plan, {}); }
   l.state = shaken(l.problem, l.state, .001, 7);
-  l.system.linearize(l.state, l.problem.residual(l.state));
+  l.linearise();
   const auto b = noise_primal(l.problem, 1);
   std::vector<double> old(b.size()), own(b.size());
   Aggregation(l.system, plan, {}).apply(b, old);
-  const auto fresh = std::make_shared<AggregationPlan>(l.system, aggregates_of(20), Precision::single);
+  const auto fresh = std::make_shared<AggregationPlan>(*l.system, aggregates_of(20), Precision::single);
   fresh->rigid->groups = plan->rigid->groups;
   Aggregation(l.system, fresh, {}).apply(b, own);
   EXPECT_LT(relative_difference(old, own), 1e-5);

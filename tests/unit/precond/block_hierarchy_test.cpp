@@ -24,18 +24,19 @@ struct Coarse : Linearised {
   const BlockMatrix& A = blocks.A;
   explicit Coarse(const Scene& scene)
       : Linearised(scene, 0, .001),
-        plan(system, 8, Precision::single, 1000000),
-        modes(rigid_modes(system, plan.groups)),
+        plan(*system, 8, Precision::single, 1000000),
+        modes(rigid_modes(*system, plan.groups)),
         blocks(assembled()) {}
 
  private:
   DistributedBlocks assembled() {
-    for_each_condensed_matrix(system, Matrices::mean, [&](std::span<const int> d, std::span<const double> K) {
-      plan.matrix.add(plan.groups, modes.of, d, K);
-    });
-    for (const auto& e : system.body_extra())
+    for_each_condensed_matrix(*system, Matrices::mean,
+                              [&](std::span<const int> d, std::span<const double> K) {
+                                plan.matrix.add(plan.groups, modes.of, d, K);
+                              });
+    for (const auto& e : system->body_extra())
       if (!problem.symmetric() || e.row <= e.column) plan.matrix.add(e.row, e.column, e.value);
-    for (int k : modes.missing) plan.matrix.add(k, k, system.constrained_diagonal());
+    for (int k : modes.missing) plan.matrix.add(k, k, system->constrained_diagonal());
     return assemble_blocks(problem.comm(), plan.groups.total,
                            [&](const BlockVisitor& visit) { plan.matrix.visit(visit); });
   }
@@ -150,7 +151,7 @@ TEST(GalerkinProduct, IsThatOfTheModes) {
 /// What is left, in the energy of D, of an error that is noise.
 double remaining_error(const Coarse& c, const Eigen::MatrixXd& D) {
   const auto plan = std::make_shared<HierarchyPlan>(Comm(MPI_COMM_SELF), 60);
-  const BlockHierarchy M(c.blocks, c.modes.frames, c.plan.groups.bodies, c.system.constrained_diagonal(),
+  const BlockHierarchy M(c.blocks, c.modes.frames, c.plan.groups.bodies, c.system->constrained_diagonal(),
                          plan);
   EXPECT_EQ(M.setup_error(), "");
   EXPECT_GT(M.levels(), 1);
@@ -174,14 +175,14 @@ TEST(BlockHierarchy, LeavesWhatIsIndefiniteToAFactorisation) {
   Coarse c(small_eye(6));
   EXPECT_LT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense(c.A)).eigenvalues()[0], -.1);
   const auto plan = std::make_shared<HierarchyPlan>(Comm(MPI_COMM_SELF), 60);
-  const BlockHierarchy M(c.blocks, c.modes.frames, 0, c.system.constrained_diagonal(), plan);
+  const BlockHierarchy M(c.blocks, c.modes.frames, 0, c.system->constrained_diagonal(), plan);
   EXPECT_FALSE(M.stable());
   const auto b = noise_primal(c.problem, 1);
   std::vector<double> levels(b.size()), factors(b.size());
   AggregationSettings settings;
   for (auto* x : {&levels, &factors}) {
     settings.factorised = x == &levels ? 100 : 1000000;
-    const auto aggregation = std::make_shared<AggregationPlan>(c.system, settings, Precision::single);
+    const auto aggregation = std::make_shared<AggregationPlan>(*c.system, settings, Precision::single);
     EXPECT_EQ(aggregation->rigid->levels != nullptr, x == &levels);
     Aggregation(c.system, aggregation, settings).apply(b, *x);
   }

@@ -37,10 +37,10 @@ TEST(CheckerboardModes, PushNoNodeWithinTheHexahedron) {
     const auto& X = l.problem.mesh().X;
     for (int k = 0; k < modes.count(); ++k) {
       std::vector<double> c(modes.size()), p(l.problem.mesh().hexes.size()),
-          force(l.system.layout().primal());
+          force(l.system->layout().primal());
       c[k] = 1;
       modes.add_prolonged(c, 1, p);
-      l.system.add_pressure_force(p, 1, force);
+      l.system->add_pressure_force(p, 1, force);
       double within = 0, all = 0;
       for (int n = 0; n < l.problem.mesh().owned; ++n) {
         const bool inner = X[3 * n] > .1 && X[3 * n] < .9 && X[3 * n + 1] > .1 && X[3 * n + 1] < 1.9 &&
@@ -68,7 +68,7 @@ TEST(CheckerboardModes, AreNoneOfRigidHexahedra) {
 TEST(CheckerboardJacobi, InvertsDiagonalBlocks) {
   const WithLines l(one_hexahedron(), 2, 0);
   const auto modes = std::make_shared<CheckerboardModes>(l.problem, 2);
-  const CheckerboardMatrix matrix(l.problem, modes, *l.jacobi);
+  const CheckerboardMatrix matrix(*l.system, modes, *l.jacobi);
   const CheckerboardJacobi inverse(matrix);
   std::vector<double> c(modes->size(), 1), r(c.size()), back(c.size());
   matrix.apply(c, r);

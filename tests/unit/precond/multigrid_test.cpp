@@ -7,6 +7,7 @@
 
 #include "core/solve/assemble.hpp"
 #include "precond/operators/displacement.hpp"
+#include "precond/operators/projected_tangent.hpp"
 #include "precond/smoothers/chebyshev.hpp"
 #include "tests/support/linearised.hpp"
 #include "tests/support/small_eye.hpp"
@@ -57,7 +58,7 @@ TEST(Lines, HoldEveryNodeOfTheEyeOnceAndCoupleNeighboursOnly) {
 TEST(LineJacobi, InvertsTheBlockOfEveryLine) {
   const Linearised l(thin_plate(), 0, .01);
   const Lines lines = find_lines(l.problem);
-  const LineJacobi D(l.system, std::make_shared<Lines>(lines));
+  const LineJacobi D(*l.system, std::make_shared<Lines>(lines));
   const DisplacementBlock A(l.system);
   std::vector<double> r(D.size()), y(r), z(r);
   for (int k : {0, 7, 24}) {
@@ -74,7 +75,7 @@ TEST(LineJacobi, InvertsTheBlockOfEveryLine) {
 TEST(Multigrid, IsSymmetricAndPositive) {
   for (const Scene& scene : {thin_plate(), cylinder(), filled_shell("octant")}) {
     Linearised l(scene, 1, .002);
-    const auto plan = std::make_shared<MultigridPlan>(l.system, l.settings);
+    const auto plan = std::make_shared<MultigridPlan>(l.problem, l.settings);
     const Multigrid M(l.system, plan, {});
     const auto a = noise_primal(l.problem, 1), b = noise_primal(l.problem, 2);
     std::vector<double> Ma(a.size(), std::nan("")), Mb(a.size(), std::nan(""));
@@ -90,7 +91,7 @@ TEST(Multigrid, BringsTheSpectrumTogether) {
   for (const Scene& scene : {thin_plate(), cylinder()})
     for (int refine : {1, 2}) {
       Linearised l(scene, refine, 0);
-      const auto plan = std::make_shared<MultigridPlan>(l.system, l.settings);
+      const auto plan = std::make_shared<MultigridPlan>(l.problem, l.settings);
       const Multigrid M(l.system, plan, {});
       const Spectrum s = lanczos(DisplacementBlock(l.system), M, 30, Comm());
       EXPECT_GT(s.smallest, .3) << refine;
@@ -102,15 +103,14 @@ TEST(Multigrid, BringsTheSpectrumTogether) {
 TEST(Multigrid, CoarseLevelsAreRediscretised) {
   const Scene scene = filled_shell("half");
   Linearised l(scene, 1, .002);
-  const auto plan = std::make_shared<MultigridPlan>(l.system, l.settings);
+  const auto plan = std::make_shared<MultigridPlan>(l.problem, l.settings);
   const Multigrid M(l.system, plan, {});
   Problem base(scene.mesh, scene.model, Comm());
   State state = l.problem.coarsened(l.state);
   base.begin_step(0, base.initial_state());
   State progress = base.initial_state();
   base.set_progress(.1, progress);
-  CoupledSystem system(base, l.settings);
-  system.linearize(state, base.residual(state));
+  const CoupledSystem system(base, l.settings, state, base.residual(state));
   const auto x = noise_primal(base, 3);
   std::vector<double> y(x.size()), z(x.size());
   system.apply_displacement(x, y);
@@ -119,11 +119,9 @@ TEST(Multigrid, CoarseLevelsAreRediscretised) {
 }
 
 // K = sum of s_i u uᵀ on some nodes.
-struct Springs final : Term {
+struct SpringTangent final : TermTangent {
   std::vector<int> nodes;
   double stiffness = 1;
-  void add_residual(const State&, std::span<double>, std::span<double>) const override {}
-  void linearize(const State&) override {}
   void add_action(std::span<const double> dx, std::span<double> force) const override {
     for (int n : nodes)
       for (int c = 0; c < 3; ++c) force[3 * n + c] += stiffness * (1 + c) * dx[3 * n + c];
@@ -135,22 +133,30 @@ struct Springs final : Term {
   }
 };
 
-TEST(ProjectedTerm, IsTheGalerkinProjection) {
+struct Springs final : Term {
+  SpringTangent K;
+  void add_residual(const State&, std::span<double>, std::span<double>) const override {}
+  std::shared_ptr<const TermTangent> tangent(const std::shared_ptr<const State>&) const override {
+    return std::make_shared<SpringTangent>(K);
+  }
+};
+
+TEST(ProjectedTangent, IsTheGalerkinProjection) {
   const Scene scene = thin_plate();
   Problem problem(refined(scene.mesh, 1), scene.model, Comm());
   auto springs = std::make_shared<Springs>();
-  springs->nodes = problem.nodes_of("zmax");
+  springs->K.nodes = problem.nodes_of("zmax");
   problem.add(springs);
   const auto& coarse = *problem.coarser();
   const Interpolation P =
       problem.prolongation().at(coarse.mesh().X, problem.mesh().X, coarse.solid().reference_volumes());
-  ProjectedTerm projected;
-  projected.project(CoupledSystem(problem, {}), P);
+  const State state = problem.initial_state();
+  const ProjectedTangent projected(CoupledSystem(problem, {}, state, problem.residual(state)), P);
   std::vector<double> x(problem.coarser()->mesh().X.size()), Px(problem.mesh().X.size()), KPx(Px), want(x),
       got(x), visited(x);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = noise(1, static_cast<int>(i));
   P.apply(x, Px);
-  springs->add_action(Px, KPx);
+  springs->K.add_action(Px, KPx);
   P.apply_transposed(KPx, want);
   std::fill(got.begin(), got.end(), 0);
   projected.add_action(x, got);
@@ -179,19 +185,19 @@ TEST(Multigrid, OfTwoSolversOfOneProblemIsThatOfEachAlone) {
   const Scene scene = stretched_block(2, ".1");
   Problem problem(refined(scene.mesh, 1), scene.model, Comm());
   auto springs = std::make_shared<Springs>();
-  springs->nodes.resize(problem.mesh().owned);
-  std::iota(springs->nodes.begin(), springs->nodes.end(), 0);
-  springs->stiffness = 20;
+  springs->K.nodes.resize(problem.mesh().owned);
+  std::iota(springs->K.nodes.begin(), springs->K.nodes.end(), 0);
+  springs->K.stiffness = 20;
   problem.add(springs);
   State state = problem.initial_state();
   problem.begin_step(0, state);
   problem.set_progress(.1, state);
   LinearSettings settings;
   settings.take_mesh(1);
-  CoupledSystem system(problem, settings);
-  system.linearize(state, problem.residual(state));
+  const auto system =
+      std::make_shared<const CoupledSystem>(problem, settings, state, problem.residual(state));
   Profiler profiler;
-  std::vector<double> b(system.size());
+  std::vector<double> b(system->size());
   for (int i = 0; i < 3 * problem.mesh().owned; ++i) b[i] = noise(3, i);
   std::vector<std::vector<double>> found;
   std::vector<std::unique_ptr<LinearSolver>> solvers;  // all of them live on
@@ -200,7 +206,7 @@ TEST(Multigrid, OfTwoSolversOfOneProblemIsThatOfEachAlone) {
         make_krylov_solver(settings, make_preconditioner_factory(settings, profiler), profiler));
     const Preparation prepared = solvers.back()->prepare(system);
     ASSERT_TRUE(prepared.ok);
-    found.emplace_back(system.size());
+    found.emplace_back(system->size());
     const LinearReport report =
         solvers.back()->solve(CoupledOperator(system, prepared.augmentation), b, found.back(), 1e-6);
     ASSERT_TRUE(report.ok) << report.reason;

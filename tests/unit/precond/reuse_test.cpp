@@ -11,13 +11,13 @@ LinearReport solve(Linearised& l, LinearSolver& solver) {
   const Preparation prepared = solver.prepare(l.system);
   EXPECT_TRUE(prepared.ok);
   const CoupledOperator A(l.system, prepared.augmentation);
-  std::vector<double> prescribed(l.state.x.size()), x(l.system.size()), Ax(x);
+  std::vector<double> prescribed(l.state.x.size()), x(l.system->size()), Ax(x);
   l.problem.dofs().prescribed_increment(l.state, .1, prescribed);
   const auto b = A.right_hand_side(l.problem.residual(l.state), prescribed);
   const LinearReport report = solver.solve(A, b, x, 1e-6);
   EXPECT_TRUE(report.ok) << report.reason;
   A.apply(x, Ax);
-  const auto& s = l.system.scaling();
+  const auto& s = l.system->scaling();
   double left = 0, all = 0;
   for (std::size_t i = 0; i < b.size(); ++i)
     left += std::pow(s[i] * (b[i] - Ax[i]), 2), all += std::pow(s[i] * b[i], 2);
@@ -28,7 +28,7 @@ LinearReport solve(Linearised& l, LinearSolver& solver) {
 // The first time zonules become taut, which are much of their neighbourhood's stiffness.
 void widen(Linearised& l, double part = .01) {
   for (double& x : l.state.x) x *= 1 + part;
-  l.system.linearize(l.state, l.problem.residual(l.state));
+  l.linearise();
 }
 
 // Iterations of a solve, and what its preconditioner took over from the one before.
@@ -87,8 +87,32 @@ TEST(Reuse, SolvesThePresentCoupledSystemWithEarlierParts) {
   EXPECT_LE(kept.iterations, own.iterations + 1);
 }
 
+// Its memory is that of the next one.
+TEST(Reuse, OfAReleasedLinearisationNothingIsLeft) {
+  for (auto [displacement, refinements] : {std::pair{Displacement::aggregation, 0},
+                                           {Displacement::hybrid, 0},
+                                           {Displacement::multigrid, 1},
+                                           {Displacement::multigrid, 2}})
+    for (Precision smoothing : {Precision::full, Precision::single}) {
+      Linearised l(stretched_block(2, ".1"), refinements, 0);
+      l.settings.displacement = displacement;
+      l.settings.smoothing = smoothing;
+      Profiler profiler;
+      PreconditionerCache cache(l.settings, profiler);
+      {
+        const auto M = cache.make(l.system);
+        if (M->has_deferred_component()) M->enable_deferred_component();
+      }
+      const std::weak_ptr<const CoupledSystem> kept = l.system;
+      l.system.reset();
+      EXPECT_FALSE(kept.expired()) << "it may be taken over";
+      cache.release();
+      EXPECT_TRUE(kept.expired()) << word_of(displacement) << " " << refinements;
+    }
+}
+
 // What the next preconditioner takes over; its solve is easy.
-Reuse reused(PreconditionerCache& cache, const CoupledSystem& system) {
+Reuse reused(PreconditionerCache& cache, const SharedSystem& system) {
   cache.make(system);
   cache.record(1);
   return cache.reused();

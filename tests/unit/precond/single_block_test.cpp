@@ -13,19 +13,21 @@ namespace {
 // Contribution by contribution, in double precision: bars, liquids, nodes of rigid bodies and constrained
 // directions as they are.
 std::vector<double> by_matrices(const Linearised& l, const std::vector<double>& x) {
-  const Layout& layout = l.system.layout();
+  const Layout& layout = l.system->layout();
   const DofMap& dofs = l.problem.dofs();
   std::vector<double> y(x.size());
-  for_each_condensed_matrix(l.system, Matrices::mean, [&](std::span<const int> d, std::span<const double> K) {
-    for (std::size_t i = 0; i < d.size(); ++i)
-      for (std::size_t j = 0; j < d.size(); ++j) y[d[i]] += K[i * d.size() + j] * x[d[j]];
-  });
-  l.system.add_body_geometry(std::span(x).subspan(layout.nodal), std::span(y).subspan(layout.nodal));
+  for_each_condensed_matrix(*l.system, Matrices::mean,
+                            [&](std::span<const int> d, std::span<const double> K) {
+                              for (std::size_t i = 0; i < d.size(); ++i)
+                                for (std::size_t j = 0; j < d.size(); ++j)
+                                  y[d[i]] += K[i * d.size() + j] * x[d[j]];
+                            });
+  l.system->add_body_geometry(std::span(x).subspan(layout.nodal), std::span(y).subspan(layout.nodal));
   for (int n = 0; n < l.problem.mesh().owned; ++n) {
     const Mat3<double> P = dofs.projector(n);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        y[3 * n + i] += l.system.constrained_diagonal() * ((i == j) - P(i, j)) * x[3 * n + j];
+        y[3 * n + i] += l.system->constrained_diagonal() * ((i == j) - P(i, j)) * x[3 * n + j];
   }
   return y;
 }

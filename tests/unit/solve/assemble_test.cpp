@@ -16,23 +16,27 @@ struct AssembleTest : testing::Test {
   Scene scene = filled_shell("octant");
   Problem problem{scene.mesh, scene.model, comm};
   State state = problem.initial_state();
-  CoupledSystem system{problem, {.op = TangentStorage::recompute, .gamma = 10}};
+  SharedSystem system;
 
   void SetUp() override {
     problem.begin_step(0, state), problem.set_progress(1, state), problem.end_step();
     state = shaken(problem, state, .02, 3);
     problem.begin_step(1, state);
-    system.linearize(state, problem.residual(state));
+    linearise(state);
+  }
+  void linearise(const State& at) {
+    system = std::make_shared<const CoupledSystem>(
+        problem, LinearSettings{.op = TangentStorage::recompute, .gamma = 10}, at, problem.residual(at));
   }
 };
 
 TEST_F(AssembleTest, GlobalSizeCountsNodesBodiesHexahedraAndLiquids) {
-  EXPECT_EQ(global_size(system), 3 * problem.mesh().all_nodes + 6 + problem.mesh().all_hexes + 1);
+  EXPECT_EQ(global_size(system->problem()), 3 * problem.mesh().all_nodes + 6 + problem.mesh().all_hexes + 1);
 }
 
 TEST_F(AssembleTest, EveryRowHasADiagonalEntry) {
-  const Triplets t = assemble_plain(system);
-  std::vector<double> has(global_size(system));
+  const Triplets t = assemble_plain(*system);
+  std::vector<double> has(global_size(system->problem()));
   for (std::size_t k = 0; k < t.row.size(); ++k) {
     ASSERT_GE(t.row[k], 0);
     ASSERT_LT(t.row[k], static_cast<int>(has.size()));
@@ -43,12 +47,12 @@ TEST_F(AssembleTest, EveryRowHasADiagonalEntry) {
 }
 
 TEST_F(AssembleTest, LiquidAddsTwiceItsWetUnknownsAndOne) {
-  const Triplets t = assemble_plain(system);
-  const long long last = comm.size() == 1 ? global_size(system) - 1 : -1;
+  const Triplets t = assemble_plain(*system);
+  const long long last = comm.size() == 1 ? global_size(system->problem()) - 1 : -1;
   if (last < 0) return;
   std::size_t in_row = 0, in_column = 0;
   for (std::size_t k = 0; k < t.row.size(); ++k) in_row += t.row[k] == last, in_column += t.col[k] == last;
-  const std::size_t wet = std::ranges::count_if(system.liquid_columns()[0], [](double v) { return v != 0; });
+  const std::size_t wet = std::ranges::count_if(system->liquid_columns()[0], [](double v) { return v != 0; });
   EXPECT_EQ(in_row, wet + 1);
   EXPECT_EQ(in_column, wet + 1);
 }
@@ -56,10 +60,11 @@ TEST_F(AssembleTest, LiquidAddsTwiceItsWetUnknownsAndOne) {
 TEST_F(AssembleTest, InertiaIsOneNegativePerHexahedronAndLiquid) {
   State still = problem.initial_state();  // stable and closed
   still.P = state.P;
-  system.linearize(still, problem.residual(still));
+  linearise(still);
   for (bool augmented : {false, true}) {
-    const Eigen::MatrixXd A = gathered(augmented ? assemble(CoupledOperator(system)) : assemble_plain(system),
-                                       global_size(system), comm);
+    const Eigen::MatrixXd A =
+        gathered(augmented ? assemble(CoupledOperator(system)) : assemble_plain(*system),
+                 global_size(system->problem()), comm);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A, Eigen::EigenvaluesOnly);
     EXPECT_EQ((eigen.eigenvalues().array() < 0).count(), problem.mesh().all_hexes + 1);
   }
@@ -72,10 +77,11 @@ TEST_F(AssembleTest, MatrixIsTheSameHoweverManyRanks) {
   alone.begin_step(0, whole), alone.set_progress(1, whole), alone.end_step();
   whole = shaken(alone, whole, .02, 3);
   alone.begin_step(1, whole);
-  CoupledSystem other(alone, {.op = TangentStorage::recompute, .gamma = 10});
-  other.linearize(whole, alone.residual(whole));
-  const double here = gathered(assemble(CoupledOperator(system)), global_size(system), comm).norm();
-  EXPECT_NEAR(here, gathered(assemble(CoupledOperator(other)), global_size(other), self).norm(),
+  const auto other = std::make_shared<const CoupledSystem>(
+      alone, LinearSettings{.op = TangentStorage::recompute, .gamma = 10}, whole, alone.residual(whole));
+  const double here =
+      gathered(assemble(CoupledOperator(system)), global_size(system->problem()), comm).norm();
+  EXPECT_NEAR(here, gathered(assemble(CoupledOperator(other)), global_size(alone), self).norm(),
               1e-11 * here);
 }
 
@@ -95,14 +101,18 @@ struct Counted {
     scene.model.steps[1].couple = {"fluid"};
     Problem problem(scene.mesh, scene.model, self);
     State state = problem.initial_state();
-    CoupledSystem system(problem, {.formulation = formulation, .op = TangentStorage::recompute, .gamma = 0});
+    SharedSystem system;
+    const auto linearise = [&] {
+      const LinearSettings settings{.formulation = formulation, .op = TangentStorage::recompute, .gamma = 0};
+      system = std::make_shared<const CoupledSystem>(problem, settings, state, problem.residual(state));
+    };
     problem.begin_step(0, state), problem.set_progress(1, state);
-    system.linearize(state, problem.residual(state));
+    linearise();
     dry_entries = static_cast<long long>(assemble(CoupledOperator(system)).row.size());
     problem.end_step();
     problem.begin_step(1, state), problem.set_progress(1, state);
-    system.linearize(state, problem.residual(state));
-    const auto& g = system.liquid_columns()[0];
+    linearise();
+    const auto& g = system->liquid_columns()[0];
     const Triplets t = assemble(CoupledOperator(system));
     entries = static_cast<long long>(t.row.size());
     const auto is_wet = [&](int i) { return i < static_cast<int>(g.size()) && g[i] != 0; };
@@ -113,11 +123,11 @@ struct Counted {
     wet_nodes = static_cast<long long>(nodes.size());
     for (int node : nodes)
       for (double x : scene.mesh.points[node]) bounds += std::abs(x) < 1e-9;
-    EXPECT_EQ(liquid_entries(system), formulation == Formulation::bordered ? 2 * wet + 1 : wet * wet + 1);
-    EXPECT_EQ(liquid_entries(system, Triangles::upper),
+    EXPECT_EQ(liquid_entries(*system), formulation == Formulation::bordered ? 2 * wet + 1 : wet * wet + 1);
+    EXPECT_EQ(liquid_entries(*system, Triangles::upper),
               formulation == Formulation::bordered ? wet + 1 : wet * (wet + 1) / 2 + 1);
     EXPECT_EQ(assemble(CoupledOperator(system), Triangles::upper).row.size(),
-              (t.row.size() + system.size()) / 2);
+              (t.row.size() + system->size()) / 2);
   }
 };
 

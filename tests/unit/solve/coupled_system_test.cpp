@@ -17,7 +17,7 @@ struct System {
   Problem problem;
   State state;
   Residual residual;
-  CoupledSystem system;
+  SharedSystem system;
   LiquidAugmentation augmentation;
 
   System(const std::string& part, double gamma, double omega, TangentStorage op = TangentStorage::recompute,
@@ -25,7 +25,6 @@ struct System {
       : scene(filled_shell(part)),
         problem(scene.mesh, scene.model, comm),
         state(problem.initial_state()),
-        system(problem, {.formulation = formulation, .op = op, .gamma = gamma}),
         augmentation{{omega}} {
     problem.begin_step(0, state);
     problem.set_progress(1, state);
@@ -33,16 +32,14 @@ struct System {
     problem.end_step();
     problem.begin_step(1, state);
     state.P[0] = .3;
-    linearize();
-  }
-  void linearize() {
     residual = problem.residual(state);
-    system.linearize(state, residual);
+    system = std::make_shared<const CoupledSystem>(
+        problem, LinearSettings{.formulation = formulation, .op = op, .gamma = gamma}, state, residual);
   }
   std::vector<double> noise_unknowns(int seed) const {
     auto v = noise_primal(problem, seed);
     for (double l : noise_lambda(problem, seed)) v.push_back(l);
-    for (int i = 0; i < system.layout().liquids; ++i) v.push_back(noise(seed + 3, i));
+    for (int i = 0; i < system->layout().liquids; ++i) v.push_back(noise(seed + 3, i));
     return v;
   }
   std::vector<double> apply(std::span<const double> x) const {
@@ -52,7 +49,8 @@ struct System {
   }
   CoupledOperator op() const { return CoupledOperator(system, augmentation); }
   Eigen::MatrixXd matrix(bool augmented) const {
-    return gathered(augmented ? assemble(op()) : assemble_plain(system), global_size(system), comm);
+    return gathered(augmented ? assemble(op()) : assemble_plain(*system), global_size(system->problem()),
+                    comm);
   }
   double difference(std::span<const double> a, std::span<const double> b) const {
     return (gathered(a, comm) - gathered(b, comm)).lpNorm<Eigen::Infinity>() /
@@ -83,7 +81,7 @@ TEST_P(CoupledSystemTest, EveryKindOfTangentAppliesAlike) {
 // Without augmentation the system is the derivative of the residual along the free directions.
 TEST_P(CoupledSystemTest, IsDerivativeOfTheResidual) {
   System s(GetParam(), 0, 0);
-  const Layout layout = s.system.layout();
+  const Layout layout = s.system->layout();
   auto x = s.noise_unknowns(21);
   // free directions only, expressed as unknowns: held parts of x do not move anything
   const auto at = [&](double h) {
@@ -133,20 +131,30 @@ TEST_P(CoupledSystemTest, IsSymmetric) {
   EXPECT_LT((A - A.transpose()).lpNorm<Eigen::Infinity>(), 1e-11 * A.lpNorm<Eigen::Infinity>());
 }
 
+TEST_P(CoupledSystemTest, StaysWhatItIsWhileAnotherIsMade) {
+  System s(GetParam(), 10, .02, TangentStorage::cache);
+  const auto x = s.noise_unknowns(1);
+  const auto y = s.apply(x);
+  State other = shaken(s.problem, s.state, .01, 9);
+  other.P[0] = .1;
+  const CoupledSystem next(s.problem, LinearSettings{.gamma = 10}, other, s.problem.residual(other));
+  EXPECT_EQ(s.apply(x), y);
+}
+
 TEST_P(CoupledSystemTest, HeldRowsAreIdentityRows) {
   const System s(GetParam(), 10, .04);
   const DofMap& dofs = s.problem.dofs();
   auto x = s.noise_unknowns(22);
   const auto y = s.apply(x);
   std::vector<double> dx(s.state.x.size());
-  dofs.expand(s.state, s.system.layout().primal(std::span<const double>(x)), dx);
+  dofs.expand(s.state, s.system->layout().primal(std::span<const double>(x)), dx);
   for (int n = 0; n < s.problem.mesh().owned; ++n) {
     if (!dofs.constrained(n)) continue;
     const Mat3<double> P = dofs.projector(n);
     for (int i = 0; i < 3; ++i) {
       double held_y = y[3 * n + i], held_x = x[3 * n + i];
       for (int j = 0; j < 3; ++j) held_y -= P(i, j) * y[3 * n + j], held_x -= P(i, j) * x[3 * n + j];
-      EXPECT_NEAR(held_y, s.system.constrained_diagonal() * held_x, 1e-11);
+      EXPECT_NEAR(held_y, s.system->constrained_diagonal() * held_x, 1e-11);
     }
   }
 }
@@ -187,10 +195,10 @@ TEST_P(CoupledSystemTest, EliminationDoesNotChangeTheSolution) {
     s.problem.dofs().prescribed_increment(s.state, .7, prescribed);
     const Eigen::VectorXd all =
         s.matrix(true).fullPivLu().solve(gathered(s.op().right_hand_side(s.residual, prescribed), s.comm));
-    const long first = s.comm.offset(static_cast<long long>(s.system.size()));
-    std::vector<double> mine(all.data() + first, all.data() + first + s.system.size());
+    const long first = s.comm.offset(static_cast<long long>(s.system->size()));
+    std::vector<double> mine(all.data() + first, all.data() + first + s.system->size());
     const double dP = s.op().pressure_increments(mine)[0];
-    if (s.system.layout().liquids > 0) mine.back() = dP;
+    if (s.system->layout().liquids > 0) mine.back() = dP;
     return mine;
   };
   const System bordered(GetParam(), 0, 0);
@@ -202,7 +210,7 @@ TEST_P(CoupledSystemTest, EliminationDoesNotChangeTheSolution) {
 // γ is part of system and right-hand side alike.
 TEST_P(CoupledSystemTest, DirectSolverSolvesTheSystem) {
   System s(GetParam(), 10, 0);
-  std::vector<double> prescribed(s.state.x.size()), x(s.system.size());
+  std::vector<double> prescribed(s.state.x.size()), x(s.system->size());
   s.problem.dofs().prescribed_increment(s.state, .7, prescribed);
   const auto b = s.op().right_hand_side(s.residual, prescribed);
   Profiler profiler;
@@ -218,7 +226,7 @@ TEST_P(CoupledSystemTest, DirectSolverSolvesTheSystem) {
 // directions.
 TEST_P(CoupledSystemTest, SolutionWithHeldIncrementsSolvesTheLinearisedEquations) {
   System s(GetParam(), 10, .04);
-  const Layout layout = s.system.layout();
+  const Layout layout = s.system->layout();
   std::vector<double> prescribed(s.state.x.size());
   s.problem.dofs().prescribed_increment(s.state, .7, prescribed);
   const Eigen::VectorXd x =
@@ -252,9 +260,9 @@ TEST_P(CoupledSystemTest, SolutionWithHeldIncrementsSolvesTheLinearisedEquations
 TEST_P(CoupledSystemTest, ScaledDiagonalIsAboutOne) {
   const System s(GetParam(), 10, .04);
   const Eigen::MatrixXd A = s.matrix(true);
-  const Eigen::VectorXd scale = gathered(s.system.scaling(), s.comm);
-  const long first = s.comm.offset(static_cast<long long>(s.system.size()));
-  for (int i = 0; i < s.system.layout().primal(); ++i) {
+  const Eigen::VectorXd scale = gathered(s.system->scaling(), s.comm);
+  const long first = s.comm.offset(static_cast<long long>(s.system->size()));
+  for (int i = 0; i < s.system->layout().primal(); ++i) {
     const double d = A(first + i, first + i) * scale[first + i] * scale[first + i];
     EXPECT_GT(d, .5) << i;
     EXPECT_LT(d, 3) << i;
@@ -265,26 +273,26 @@ TEST_P(CoupledSystemTest, ScaledDiagonalIsAboutOne) {
 TEST_P(CoupledSystemTest, NodalAndBodyBlocksAreTheMatrixs) {
   const System s(GetParam(), 10, 0);
   const Eigen::MatrixXd A = s.matrix(true);
-  const long first = s.comm.offset(static_cast<long long>(s.system.size()));
+  const long first = s.comm.offset(static_cast<long long>(s.system->size()));
   const double size = A.cwiseAbs().maxCoeff();
-  const auto blocks = s.system.nodal_blocks();
+  const auto blocks = s.system->nodal_blocks();
   for (int n = 0; n < s.problem.mesh().owned; ++n)
     for (int i = 0; i < 9; ++i)
       EXPECT_NEAR(blocks[9 * n + i], A(first + 3 * n + i / 3, first + 3 * n + i % 3), 1e-12 * size);
-  for (int b = 0; 6 * b < s.system.layout().bodies; ++b)
+  for (int b = 0; 6 * b < s.system->layout().bodies; ++b)
     for (int i = 0; i < 36; ++i) {
-      const long at = first + s.system.layout().nodal + 6 * b;
-      EXPECT_NEAR(s.system.body_blocks()[b][i], A(at + i / 6, at + i % 6), 1e-12 * size);
+      const long at = first + s.system->layout().nodal + 6 * b;
+      EXPECT_NEAR(s.system->body_blocks()[b][i], A(at + i / 6, at + i % 6), 1e-12 * size);
     }
 }
 
 TEST_P(CoupledSystemTest, DisplacementActionIsTheFirstBlock) {
   const System s(GetParam(), 10, 0);
-  const int primal = s.system.layout().primal();
+  const int primal = s.system->layout().primal();
   auto x = s.noise_unknowns(23);
   std::fill(x.begin() + primal, x.end(), 0.0);
   std::vector<double> y(primal, NAN);
-  s.system.apply_displacement(std::span(x).first(primal), y);
+  s.system->apply_displacement(std::span(x).first(primal), y);
   auto expected = s.apply(x);
   expected.resize(primal);
   EXPECT_LT(s.difference(y, expected), 1e-13);
@@ -292,23 +300,23 @@ TEST_P(CoupledSystemTest, DisplacementActionIsTheFirstBlock) {
 
 TEST_P(CoupledSystemTest, PressureForceIsTheSecondColumn) {
   const System s(GetParam(), 10, .04);
-  const Layout& layout = s.system.layout();
+  const Layout& layout = s.system->layout();
   auto x = s.noise_unknowns(24);
   std::fill_n(x.begin(), layout.primal(), 0.0);
   if (layout.liquids > 0) x.back() = 0;
   auto expected = s.apply(x);
   expected.resize(layout.primal());
   std::vector<double> y(layout.primal());
-  s.system.add_pressure_force(layout.lambda(std::span<const double>(x)), -2, y);
+  s.system->add_pressure_force(layout.lambda(std::span<const double>(x)), -2, y);
   EXPECT_LT(s.difference(y, plus(std::vector<double>(y.size()), -2, expected)), 1e-13);
 }
 
 TEST_P(CoupledSystemTest, DisplacementMatrixIsTheNodalPartOfTheWhole) {
   const System s(GetParam(), 10, 0);
   const long long nodal = 3 * s.problem.mesh().all_nodes;
-  const Eigen::MatrixXd K = gathered(assemble_displacement(s.system), nodal, s.comm);
+  const Eigen::MatrixXd K = gathered(assemble_displacement(*s.system), nodal, s.comm);
   // the nodal part of x is one run per rank here, with gaps there
-  const int n = s.system.layout().nodal;
+  const int n = s.system->layout().nodal;
   auto x = s.noise_unknowns(25);
   std::fill(x.begin() + n, x.end(), 0.0);
   auto y = s.apply(x);
@@ -330,14 +338,14 @@ TEST(CoupledSystem, GivenPressureKeepsItsRow) {
   EXPECT_DOUBLE_EQ(state.P[0], .05);
   const Residual r = problem.residual(state);
   EXPECT_EQ(r.liquid[0], 0);
-  CoupledSystem system(problem, {.op = TangentStorage::recompute, .gamma = 10});
-  system.linearize(state, r);
-  EXPECT_TRUE(system.liquid_columns()[0].empty());
-  std::vector<double> x(system.size()), y(system.size(), NAN);
-  if (system.layout().liquids > 0) x.back() = 2;
+  const auto system = std::make_shared<const CoupledSystem>(
+      problem, LinearSettings{.op = TangentStorage::recompute, .gamma = 10}, state, r);
+  EXPECT_TRUE(system->liquid_columns()[0].empty());
+  std::vector<double> x(system->size()), y(system->size(), NAN);
+  if (system->layout().liquids > 0) x.back() = 2;
   CoupledOperator(system).apply(x, y);
-  if (system.layout().liquids > 0) {
-    EXPECT_DOUBLE_EQ(y.back(), -2 * system.compliance(0));
+  if (system->layout().liquids > 0) {
+    EXPECT_DOUBLE_EQ(y.back(), -2 * system->compliance(0));
     y.pop_back();
   }
   EXPECT_EQ(largest(y), 0);

@@ -14,9 +14,9 @@ struct Reusing final : LinearSolver {
   std::unique_ptr<LinearSolver> inner;
   int preparations = 0;
   explicit Reusing(std::unique_ptr<LinearSolver> solver) : inner(std::move(solver)) {}
-  Preparation prepare(const CoupledSystem& system) override {
+  Preparation prepare(SharedSystem system) override {
     ++preparations;
-    return inner->prepare(system);
+    return inner->prepare(std::move(system));
   }
   LinearReport solve(const CoupledOperator& A, std::vector<double> b, std::span<double> x,
                      double tolerance) override {
@@ -28,10 +28,10 @@ struct Reusing final : LinearSolver {
 TEST(Newton, SolvesAgainWithANewPreconditionerWhereAnOldOneFails) {
   Trial t(stretched_block(2, "0.4"));
   t.settings.linear.gamma = 0;
-  CoupledSystem system(t.problem, t.settings.linear);
   Reusing solver(make_direct_solver(t.settings.linear, t.profiler));
   t.problem.begin_step(0, t.state);
-  const NewtonReport r = newton(t.problem, system, solver, t.state, 1, t.settings.newton, t.profiler, {});
+  const NewtonReport r =
+      newton(t.problem, t.settings.linear, solver, t.state, 1, t.settings.newton, t.profiler, {});
   EXPECT_EQ(r.outcome, Outcome::converged) << r.reason;
   EXPECT_EQ(solver.preparations, 1 + static_cast<int>(r.iterations.size()));
   EXPECT_EQ(r.krylov_iterations, 7);  // what was spent is counted
@@ -44,11 +44,10 @@ TEST(Newton, NothingToDoTakesNoIteration) {
   State state = problem.initial_state();
   problem.begin_step(0, state);
   Profiler profiler;
-  CoupledSystem system(problem, {});
   const auto solver = make_direct_solver({}, profiler);
   int seen = 0;
   const NewtonReport r =
-      newton(problem, system, *solver, state, 1, {}, profiler, [&](const NewtonIteration&) { ++seen; });
+      newton(problem, {}, *solver, state, 1, {}, profiler, [&](const NewtonIteration&) { ++seen; });
   EXPECT_EQ(r.outcome, Outcome::converged);
   EXPECT_TRUE(r.iterations.empty());
   EXPECT_EQ(seen, 1);
@@ -62,9 +61,8 @@ TEST(Newton, NotANumberIsNoticed) {
   problem.begin_step(0, state);
   if (!state.lambda.empty() && comm.rank() == 0) state.lambda[0] = NAN;
   Profiler profiler;
-  CoupledSystem system(problem, {});
   const auto solver = make_direct_solver({}, profiler);
-  EXPECT_EQ(newton(problem, system, *solver, state, 1, {}, profiler).outcome, Outcome::not_finite);
+  EXPECT_EQ(newton(problem, {}, *solver, state, 1, {}, profiler).outcome, Outcome::not_finite);
 }
 
 TEST(Newton, EveryOutcomeHasWords) {
