@@ -20,15 +20,16 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
         Log::Screen screen = Log::Screen::shown, const std::string& checkpoint = "");
 
 /// Prints sizes, mesh quality and a memory estimate; solves nothing. Collective. Throws InputError.
-int check(const Scene& scene, const Comm& comm);
+int check(const Scene& scene, const Comm& comm, Log::Screen screen = Log::Screen::shown);
 
 /// Runs every scene of the study into out_dir/run_001 and so on, but those that are there already, and writes
-/// table, trends and figure. Returns the exit status: 0 all converged, 1 not all. Collective. Throws
-/// InputError before the first run.
-int run_study(const Study& study, const std::string& out_dir, const Comm& comm);
+/// table, trends and figure; Screen::verbose shows the log of every run. Returns the exit status: 0 all
+/// converged, 1 not all. Collective. Throws InputError before the first run.
+int run_study(const Study& study, const std::string& out_dir, const Comm& comm,
+              Log::Screen screen = Log::Screen::shown);
 
 /// Validates every scene of the study and prints what would be run. Collective. Throws InputError.
-int check_study(const Study& study, const Comm& comm);
+int check_study(const Study& study, const Comm& comm, Log::Screen screen = Log::Screen::shown);
 
 /// How a trade is made.
 struct TradeOptions {
@@ -41,7 +42,7 @@ struct TradeOptions {
 /// is. Returns the exit status: 0 the reference converged, 1 it did not. For one rank. Throws InputError
 /// before the first run.
 int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir,
-              const TradeOptions& options, const Comm& comm);
+              const TradeOptions& options, const Comm& comm, Log::Screen screen = Log::Screen::shown);
 
 /// Prints the probes of two runs' folders at the end of every step, and their differences. Returns the exit
 /// status: 0 none differs, 1 some do. Throws InputError if a folder has no history, a probe has two units, or
