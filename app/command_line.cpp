@@ -222,7 +222,7 @@ int dispatch(const Parser& parser, const Comm& comm, std::ostream& out) {
   }
   if (*parser.plot) {
     const std::string file = given.out.empty() ? given.first + "/history.svg" : given.out;
-    plot_history(given.first, given.probes, file, comm);
+    plot_history(given.first, given.probes, "", file, comm);
     out << file << "\n";
     return 0;
   }

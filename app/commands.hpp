@@ -50,10 +50,11 @@ int run_trade(const std::string& scene, const std::vector<std::string>& override
 int compare(const std::string& first, const std::string& second, const CompareOptions& options,
             std::ostream& out);
 
-/// Draws probes of a run's folder over the steps done as an SVG file, a panel each; all if none is named.
+/// Draws columns of the history in a run's folder over another one (empty: the steps done), a panel each; all
+/// probes if none is named. The file is an SVG, or a PNG by the program rsvg-convert if it ends in .png.
 /// Collective. Throws InputError and OutputError.
-void plot_history(const std::string& folder, std::vector<std::string> probes, const std::string& file,
-                  const Comm& comm);
+void plot_history(const std::string& folder, const std::vector<std::string>& columns, const std::string& over,
+                  const std::string& file, const Comm& comm);
 
 /// Writes the page of a run, of two runs side by side (`second` not empty) or of a study, to `file` or, if
 /// that is empty, into the folder. Returns its path, on the first rank. Collective. Throws InputError, and
