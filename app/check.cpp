@@ -7,11 +7,11 @@
 
 namespace bulbus::inline app {
 
-int check(const Scene& scene, const Comm& comm) {
+int check(const Scene& scene, const Comm& comm, Log::Screen screen) {
   const Prepared prepared = prepare(scene, comm);
   const Problem& problem = *prepared.problem;
   const Sizes sizes = sizes_of(problem);
-  const Log log("", comm);
+  const Log log("", comm, screen);
   log.info(prepared.notes);
   log.info(lines_of(prepared.quality));
   log.info(surface_lines(problem.mesh()));

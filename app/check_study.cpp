@@ -7,10 +7,10 @@
 
 namespace bulbus::inline app {
 
-int check_study(const Study& study, const Comm& comm) {
+int check_study(const Study& study, const Comm& comm, Log::Screen screen) {
   const auto runs = plan(study);
   figures_of(study, runs);
-  const Log log("", comm);
+  const Log log("", comm, screen);
   log.info(size_text(study));
   for (const StudyRun& run : runs)
     of_run(study, run, [&] {

@@ -20,15 +20,16 @@ int run(const Scene& scene, const std::string& scene_path, const std::string& ou
         Log::Screen screen = Log::Screen::shown, const std::string& checkpoint = "");
 
 /// Prints sizes, mesh quality and a memory estimate; solves nothing. Collective. Throws InputError.
-int check(const Scene& scene, const Comm& comm);
+int check(const Scene& scene, const Comm& comm, Log::Screen screen = Log::Screen::shown);
 
 /// Runs every scene of the study into out_dir/run_001 and so on, but those that are there already, and writes
-/// table, trends and figure. Returns the exit status: 0 all converged, 1 not all. Collective. Throws
-/// InputError before the first run.
-int run_study(const Study& study, const std::string& out_dir, const Comm& comm);
+/// table, trends and figure; Screen::verbose shows the log of every run. Returns the exit status: 0 all
+/// converged, 1 not all. Collective. Throws InputError before the first run.
+int run_study(const Study& study, const std::string& out_dir, const Comm& comm,
+              Log::Screen screen = Log::Screen::shown);
 
 /// Validates every scene of the study and prints what would be run. Collective. Throws InputError.
-int check_study(const Study& study, const Comm& comm);
+int check_study(const Study& study, const Comm& comm, Log::Screen screen = Log::Screen::shown);
 
 /// How a trade is made.
 struct TradeOptions {
@@ -41,7 +42,7 @@ struct TradeOptions {
 /// is. Returns the exit status: 0 the reference converged, 1 it did not. For one rank. Throws InputError
 /// before the first run.
 int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir,
-              const TradeOptions& options, const Comm& comm);
+              const TradeOptions& options, const Comm& comm, Log::Screen screen = Log::Screen::shown);
 
 /// Prints the probes of two runs' folders at the end of every step, and their differences. Returns the exit
 /// status: 0 none differs, 1 some do. Throws InputError if a folder has no history, a probe has two units, or
@@ -49,10 +50,11 @@ int run_trade(const std::string& scene, const std::vector<std::string>& override
 int compare(const std::string& first, const std::string& second, const CompareOptions& options,
             std::ostream& out);
 
-/// Draws probes of a run's folder over the steps done as an SVG file, a panel each; all if none is named.
+/// Draws columns of the history in a run's folder over another one (empty: the steps done), a panel each; all
+/// probes if none is named. The file is an SVG, or a PNG by the program rsvg-convert if it ends in .png.
 /// Collective. Throws InputError and OutputError.
-void plot_history(const std::string& folder, std::vector<std::string> probes, const std::string& file,
-                  const Comm& comm);
+void plot_history(const std::string& folder, const std::vector<std::string>& columns, const std::string& over,
+                  const std::string& file, const Comm& comm);
 
 /// Writes the page of a run, of two runs side by side (`second` not empty) or of a study, to `file` or, if
 /// that is empty, into the folder. Returns its path, on the first rank. Collective. Throws InputError, and

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/plot/png.hpp"
 #include "app/records/history.hpp"
 #include "app/report/history_chart.hpp"
 #include "core/base/error.hpp"
@@ -7,18 +8,24 @@
 
 namespace bulbus::inline app {
 
-void plot_history(const std::string& folder, std::vector<std::string> probes, const std::string& file,
-                  const Comm& comm) {
+void plot_history(const std::string& folder, const std::vector<std::string>& columns, const std::string& over,
+                  const std::string& file, const Comm& comm) {
+  const bool png = file.ends_with(".png");
   std::string svg;
   comm.together([&] {
+    if (png) require_png();
     const History history = read_history(folder);
-    if (probes.empty()) probes = history.probes;
-    if (history.increments.empty() || probes.empty())
+    const std::vector<std::string>& drawn = columns.empty() ? history.probes : columns;
+    if (history.increments.empty() || drawn.empty())
       throw input_error(folder, 0, "its history has nothing to draw", "Give the scene probes, and run it.");
-    svg = svg_of(chart_of(history, probes, folder));
+    svg = svg_of(chart_of(history, drawn, over.empty() ? "time" : over, folder));
   });
   write_together(comm, [&] {
-    if (comm.rank() == 0) write_whole(file, svg);
+    if (comm.rank() != 0) return;
+    if (png)
+      write_png(file, svg);
+    else
+      write_whole(file, svg);
   });
 }
 

@@ -12,6 +12,7 @@
 #include "app/records/contact_summary.hpp"
 #include "app/records/dumping_solver.hpp"
 #include "app/records/folder.hpp"
+#include "app/records/log_columns.hpp"
 #include "app/records/recorder.hpp"
 #include "app/records/summary.hpp"
 #include "app/report/report.hpp"
@@ -55,8 +56,15 @@ std::vector<std::string> lines_of_levels(const Problem& problem) {
   return lines;
 }
 
-void write_header(const Log& log, const Scene& scene, const std::string& scene_path,
-                  const Prepared& prepared) {
+std::string line_of(const MemoryForecast& forecast) {
+  std::string line = fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * forecast.together());
+  if (forecast.fallback > 0)
+    line += fmt::format(", and {:.0f} more if MUMPS takes over a system", 1e-6 * forecast.fallback);
+  return line;
+}
+
+void write_header(const Log& log, const Scene& scene, const std::string& scene_path, const Prepared& prepared,
+                  const MemoryForecast& memory) {
   const Comm& comm = prepared.problem->comm();
   std::string made_of;
   for (const auto& [name, v] : versions()) made_of += (made_of.empty() ? "" : ", ") + name + " " + v;
@@ -68,7 +76,18 @@ void write_header(const Log& log, const Scene& scene, const std::string& scene_p
   log.info(liquid_lines(*prepared.problem));
   log.info("linear solver: " + name_of_solver(scene.solver.linear, *prepared.problem));
   log.info(lines_of_levels(*prepared.problem));
+  log.info(line_of(memory));
   for (const std::string& warning : prepared.warnings) log.warn(warning);
+  log.info("");
+  log.info(legend_of(newton_table()));
+}
+
+// Where seconds and bytes of this rank went.
+void write_details(const Log& log, const Profiler& profiler) {
+  for (const auto& [part, seconds] : profiler.clock.seconds())
+    log.detail(fmt::format("  {:<28} {}", part, duration(seconds)));
+  for (const auto& [part, bytes] : profiler.memory.peaks())
+    log.detail(fmt::format("  {:<28} {:.1f} MB", part, bytes / megabyte));
 }
 
 // The regions that `materials` stands for come out one by one.
@@ -81,13 +100,6 @@ nlohmann::json json_of(const MemoryForecast& forecast) {
   nlohmann::json mb{{"together", 1e-6 * forecast.together()}, {"fallback", 1e-6 * forecast.fallback}};
   for (const auto& [part, bytes] : forecast.parts) mb[part] = 1e-6 * bytes;
   return mb;
-}
-
-std::string line_of(const MemoryForecast& forecast) {
-  std::string line = fmt::format("memory to expect: {:.0f} MB over all ranks", 1e-6 * forecast.together());
-  if (forecast.fallback > 0)
-    line += fmt::format(", and {:.0f} more if MUMPS takes over a system", 1e-6 * forecast.fallback);
-  return line;
 }
 
 void write_end(const Log& log, const Model& model, const Recorder& recorder, const MarchReport& march,
@@ -172,8 +184,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   });
   const FileStart start_of_records = from ? FileStart::continued : FileStart::anew;
   const Log log(path_of(log_file), comm, screen, start_of_records);
-  write_header(log, scene, scene_path, prepared);
-  log.info(line_of(memory));
+  write_header(log, scene, scene_path, prepared, memory);
 
   const InterruptsHeeded heeded;
   const bool may_begin =
@@ -188,6 +199,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
     write_together(comm, [&] {
       if (comm.rank() == 0) write_json(path_of(summary_file), summary);
     });
+    write_details(log, profiler);
     write_end(log, scene.model, recorder, report, diagnosis, folder.path(), seconds, may_begin);
     if (scene.output.report && !report.signal) write_report_of(folder, log, comm);
     write_together(comm, [&] { log.require_written(); });

@@ -41,10 +41,11 @@ StudyResults nothing_yet(const Study& study, const std::vector<StudyRun>& runs) 
 /// Solves what is not done; rank 0 keeps the records up to date, so that a study may be stopped at any time.
 class StudyRunner {
  public:
-  StudyRunner(const Study& study, const std::string& folder, const Comm& comm)
+  StudyRunner(const Study& study, const std::string& folder, const Comm& comm, Log::Screen screen)
       : study_(study),
         folder_(folder),
         comm_(comm),
+        screen_(screen),
         runs_(plan(study)),
         results_(nothing_yet(study, runs_)),
         held_(folder, study_records, comm) {
@@ -60,7 +61,7 @@ class StudyRunner {
   int march() {
     held_.make();
     held_.claim({study_records.names.begin(), study_records.names.end()});
-    const Log log(folder_ + "/study.log", comm_);
+    const Log log(folder_ + "/study.log", comm_, screen_);
     if (!study_.title.empty()) log.info(study_.title);
     log.info(size_text(study_));
     int failures = 0;
@@ -76,6 +77,7 @@ class StudyRunner {
     tell(log, lines_of(study_, results_));
     tell(log, lines_of(study_, results_, trends_of(study_, results_)));
     log.info("");
+    if (failures) log.error(fmt::format("{} of {} runs did not converge", failures, runs_.size()));
     log.info(fmt::format("{} of {} runs converged; study.csv, study.json and study.svg in {}",
                          runs_.size() - failures, runs_.size(), folder_));
     return failures ? 1 : 0;
@@ -84,6 +86,12 @@ class StudyRunner {
  private:
   std::string folder_of(const StudyRun& run) const { return folder_ + "/" + run.name; }
 
+  Log::Screen screen_of_runs() const {
+    return screen_ == Log::Screen::verbose ? Log::Screen::shown
+           : screen_ == Log::Screen::shown ? Log::Screen::progress
+                                           : Log::Screen::silent;
+  }
+
   // 1 if the run does not converge.
   int solve(std::size_t i, const Log& log) {
     const StudyRun& run = runs_[i];
@@ -91,7 +99,7 @@ class StudyRunner {
     if (!done_[i]) {
       log.info(fmt::format("{} of {}: {}", run.name, runs_.size(), words_of(study_, run.levels)));
       of_run(study_, run,
-             [&] { return bulbus::run(run.scene, study_.scene, folder, comm_, Log::Screen::silent); });
+             [&] { return bulbus::run(run.scene, study_.scene, folder, comm_, screen_of_runs()); });
     }
     bool failed = false;
     write_together(comm_, [&] {
@@ -128,6 +136,7 @@ class StudyRunner {
   const Study& study_;
   std::string folder_;
   const Comm& comm_;
+  Log::Screen screen_;
   std::vector<StudyRun> runs_;
   StudyResults results_;
   std::vector<bool> done_;
@@ -136,8 +145,8 @@ class StudyRunner {
 
 }  // namespace
 
-int run_study(const Study& study, const std::string& out_dir, const Comm& comm) {
-  return StudyRunner(study, out_dir, comm).march();
+int run_study(const Study& study, const std::string& out_dir, const Comm& comm, Log::Screen screen) {
+  return StudyRunner(study, out_dir, comm, screen).march();
 }
 
 }  // namespace bulbus::inline app

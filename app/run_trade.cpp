@@ -39,12 +39,13 @@ TradeResults nothing_yet(const Trade& trade) {
 /// date.
 class TradeRunner {
  public:
-  TradeRunner(Trade trade, std::string folder, const TradeOptions& options, const Comm& comm)
+  TradeRunner(Trade trade, std::string folder, const TradeOptions& options, const Comm& comm,
+              Log::Screen screen)
       : trade_(std::move(trade)),
         folder_(std::move(folder)),
         options_(options),
         results_(nothing_yet(trade_)),
-        log_(folder_ + "/trade.log", comm) {}
+        log_(folder_ + "/trade.log", comm, screen) {}
 
   int march() {
     const InterruptsHeeded heeded;
@@ -62,6 +63,7 @@ class TradeRunner {
     log_.info(lines_of(trade_, results_));
     log_.info("");
     log_.info("trade.csv and trade.svg in " + folder_);
+    if (!results_.converged(0)) log_.error("the reference did not converge: " + results_.rows[0]->reason);
     return results_.converged(0) ? 0 : 1;
   }
 
@@ -143,7 +145,7 @@ class TradeRunner {
 }  // namespace
 
 int run_trade(const std::string& scene, const std::vector<std::string>& overrides, const std::string& out_dir,
-              const TradeOptions& options, const Comm& comm) {
+              const TradeOptions& options, const Comm& comm, Log::Screen screen) {
   if (comm.size() > 1)
     throw input_error("a trade runs processes of its own, one after the other", "start it without mpirun");
   const Scene given = read_scene(scene, overrides);
@@ -154,7 +156,7 @@ int run_trade(const std::string& scene, const std::vector<std::string>& override
   Trade trade = plan_trade(scene, overrides, prepare(given, comm));
   folder.make();
   folder.claim({records.names.begin(), records.names.end()});
-  return TradeRunner(std::move(trade), out_dir, options, comm).march();
+  return TradeRunner(std::move(trade), out_dir, options, comm, screen).march();
 }
 
 }  // namespace bulbus::inline app

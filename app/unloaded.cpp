@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/memory/sizes.hpp"
+#include "app/records/log_columns.hpp"
 #include "app/records/progress_log.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
@@ -50,7 +51,7 @@ UnloadedReport search(const Scene& scene, Prepared& prepared, const Log& log, Pr
   const Model model = reference_model(prepared.problem->model(), spec);
   log.info("");
   log.info(fmt::format("unloaded reference: the mesh is drawn under {}", loads_of(spec)));
-  log.info("     it  load    distance, mm  ratio    eta      Krylov  elapsed");
+  log.info(header_of(reference_table()));
   const double start = Clock::now();
   const UnloadedSolver solver{scene.solver.linear, [&] { return make_solver(scene.solver.linear, profiler); },
                               profiler};

@@ -25,6 +25,24 @@ install(FILES ${PROJECT_BINARY_DIR}/bulbusConfig.cmake ${PROJECT_BINARY_DIR}/bul
 install(TARGETS bulbus COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/meshes ${PROJECT_SOURCE_DIR}/python
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bulbus COMPONENT program PATTERN __pycache__ EXCLUDE)
+# What the program tells of itself: completions, manual page and schemas, made by it when it is installed.
+install(CODE "
+  foreach(made IN ITEMS
+      \"completion bash|${CMAKE_INSTALL_DATADIR}/bash-completion/completions|bulbus\"
+      \"completion zsh|${CMAKE_INSTALL_DATADIR}/zsh/site-functions|_bulbus\"
+      \"man|${CMAKE_INSTALL_MANDIR}/man1|bulbus.1\"
+      \"schema scene|${CMAKE_INSTALL_DATADIR}/bulbus|scene.schema.json\"
+      \"schema study|${CMAKE_INSTALL_DATADIR}/bulbus|study.schema.json\")
+    string(REPLACE \"|\" \";\" made \"\${made}\")
+    list(GET made 0 command)
+    list(GET made 1 folder)
+    list(GET made 2 name)
+    separate_arguments(command)
+    set(file \"${PROJECT_BINARY_DIR}/made/\${name}\")
+    file(MAKE_DIRECTORY \"${PROJECT_BINARY_DIR}/made\")
+    execute_process(COMMAND \"$<TARGET_FILE:bulbus>\" \${command} OUTPUT_FILE \"\${file}\" COMMAND_ERROR_IS_FATAL ANY)
+    file(INSTALL \"\${file}\" DESTINATION \"\${CMAKE_INSTALL_PREFIX}/\${folder}\")
+  endforeach()" COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 # cpack --preset package: a Debian package of the program.
@@ -40,5 +58,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS librsvg2-bin)  # bulbus plot -o FILE.png
 set(CPACK_STRIP_FILES ON)
 include(CPack)

@@ -32,6 +32,9 @@ def main():
         check = run(prefix / "bin/bulbus", "check", prefix / "share/bulbus/scenes/two_blocks.yaml")
         assert "hexahedra" in check, check
         assert (prefix / "share/bulbus/python/bulbus/__init__.py").exists()
+        for made, first in (("bash-completion/completions/bulbus", "# Completion"), ("zsh/site-functions/_bulbus", "#compdef bulbus"),
+                            ("man/man1/bulbus.1", ".TH BULBUS 1"), ("bulbus/scene.schema.json", "{"), ("bulbus/study.schema.json", "{")):
+            assert (prefix / "share" / made).read_text().startswith(first), made
     print(said.strip())
 
 

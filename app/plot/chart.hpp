@@ -13,7 +13,7 @@ struct Chart {
   };
   struct Series {
     std::string name;
-    std::vector<Mark> marks;  ///< by rising x
+    std::vector<Mark> marks;  ///< in the order of the curve
   };
   struct Tick {
     double at;

@@ -45,7 +45,7 @@ void add_probe(const History& history, const std::string& step, const std::strin
   if (!end || at == std::ssize(history.probes)) return;
   value = end->values[at];
   figure.largest = std::max(figure.largest, history.largest[at]);
-  if (const auto unit = history.units.find(probe); unit != history.units.end()) figure.unit = unit->second;
+  figure.unit = history.unit(probe);
 }
 
 }  // namespace

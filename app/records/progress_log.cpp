@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/memory/sizes.hpp"
+#include "app/records/log_columns.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -42,10 +43,16 @@ void ProgressLog::step_begins(int step, const StepSpec& spec, const State&) {
                         spec.increments == 1 ? "" : "s"));
 }
 
-void ProgressLog::increment_begins(int, double from, double to) {
+void ProgressLog::increment_begins(int step, double from, double to) {
   log_.info(fmt::format("  from {:.4g} to {:.4g} of the step", from, to));
-  log_.info("     it  force     volume    liquid    eta      Krylov  reduced  length  elapsed");
+  log_.info(header_of(newton_table()));
   told_ = Clock::now();
+  place_ = fmt::format("step {} of {}, {:.4g} to {:.4g}: ", step + 1, model_.steps.size(), from, to);
+  show("Newton iteration 0");
+}
+
+void ProgressLog::show(const std::string& done) const {
+  if (log_.wants_progress()) log_.progress(place_ + done + ", " + duration(elapsed()));
 }
 
 void ProgressLog::newton_iteration(const NewtonIteration& i) {
@@ -59,7 +66,26 @@ void ProgressLog::newton_iteration(const NewtonIteration& i) {
     line += "  by MUMPS" + (i.linear.reason.empty() ? "" : " (" + i.linear.reason + ")");
   if (!i.error.region.empty()) line += "  (" + i.error.region + ")";
   log_.info(line);
+  details(i);
   told_ = Clock::now();
+  show(fmt::format("Newton iteration {}", i.number + 1));
+}
+
+void ProgressLog::details(const NewtonIteration& i) const {
+  const LinearReport& l = i.linear;
+  if (i.prescribed > 0)
+    log_.detail(fmt::format("         prescribed increment still to be made: {:.3g} mm", i.prescribed));
+  if (l.curvature != 0)
+    log_.detail(fmt::format("         curvature of the Newton step: {:.2e}", l.curvature));
+  if (l.spectrum[1] != 0)
+    log_.detail(fmt::format("         eigenvalues of the preconditioned displacement block: {:.3g} to {:.3g}",
+                            l.spectrum[0], l.spectrum[1]));
+  if (l.factor)
+    log_.detail(fmt::format(
+        "         factors: {:.3g} entries of {:.3g} in the matrix, {:.2e} operations, {:.0f} MB, {}",
+        l.factor->factor_entries, l.factor->matrix_entries, l.factor->flops, l.factor->memory_mb,
+        l.factor->ordering));
+  if (!l.ok && !l.reason.empty()) log_.detail("         linear solve: " + l.reason);
 }
 
 bool ProgressLog::unstable(const NewtonReport& report) const {
@@ -68,6 +94,11 @@ bool ProgressLog::unstable(const NewtonReport& report) const {
 }
 
 void ProgressLog::solve_lasts(const SolveProgress& p) {
+  log_.detail(
+      fmt::format("         Krylov {:>4}  residual {:.2e} of {:.1e}", p.iteration, p.residual, p.tolerance));
+  if (log_.wants_progress())
+    show(fmt::format("linear solve, {} Krylov iterations, residual {:.1e} of {:.1e}", p.iteration, p.residual,
+                     p.tolerance));
   const double now = Clock::now();
   if (now - told_ < silence_) return;
   told_ = now;

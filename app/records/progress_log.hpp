@@ -8,7 +8,8 @@
 namespace bulbus::inline app {
 
 /// Tells the march in lines that stand by themselves, on a screen as in a file: steps, increments, one line
-/// per Newton iteration, cuts with their reason, and how long the rest may take.
+/// per Newton iteration, cuts with their reason, and how long the rest may take; on a terminal, between
+/// these, in a line that is written anew, how far the iteration has come.
 class ProgressLog final : public MarchObserver {
  public:
   /// `silence`: seconds of a linear solve without a line.
@@ -22,7 +23,7 @@ class ProgressLog final : public MarchObserver {
   void increment_done(const Increment& increment, const State& state) override;
   /// Do pivots or curvature say that an equilibrium is not stable?
   bool unstable(const NewtonReport& report) const;
-  /// A line if none has been written for a while.
+  /// After a Krylov iteration: a detail, and a line if none has been written for a while.
   void solve_lasts(const SolveProgress& progress);
   void contacts(const std::vector<Interactions::Contact>& contacts,
                 const std::vector<ContactStanding>& standings);
@@ -30,6 +31,8 @@ class ProgressLog final : public MarchObserver {
 
  private:
   double elapsed() const { return Clock::now() - start_; }
+  void show(const std::string& done) const;
+  void details(const NewtonIteration& i) const;
 
   const Log& log_;
   const Model& model_;
@@ -38,6 +41,7 @@ class ProgressLog final : public MarchObserver {
   double silence_;
   double start_ = Clock::now(), since_ = start_;  // of the run, of the increment with its failed attempts
   double told_ = start_;                          // of the last line while increments are at work
+  std::string place_;                             // step and increment, for the line of progress
 };
 
 /// What is told of an increment that has leapt over states without an equilibrium near by.

@@ -34,7 +34,7 @@ bool RecordNames::contains(const std::string& name) const {
 }
 
 RecordNames record_names(const Scene& scene) {
-  RecordNames records{{summary_file, history_file, resolved_file, log_file, checkpoint_file}};
+  RecordNames records{{summary_file, history_file, units_file, resolved_file, log_file, checkpoint_file}};
   if (scene.reference) records.names.insert(unloaded_file);
   const LinearSettings& linear = scene.solver.linear;
   if (linear.record_krylov || linear.record_spectrum) records.names.insert(krylov_file);

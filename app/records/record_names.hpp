@@ -8,11 +8,11 @@ namespace bulbus::inline app {
 
 /// Files of a run's folder.
 inline constexpr const char *summary_file = "summary.json", *history_file = "history.csv",
-                            *krylov_file = "krylov.csv", *resolved_file = "resolved.yaml",
-                            *log_file = "run.log", *series_file = "result.hdf.series",
-                            *bodies_index = "bodies.pvd", *lines_index = "lines.pvd",
-                            *checkpoint_file = "checkpoint.h5", *report_file = "report.html",
-                            *unloaded_file = "unloaded.msh";
+                            *units_file = "history.units.json", *krylov_file = "krylov.csv",
+                            *resolved_file = "resolved.yaml", *log_file = "run.log",
+                            *series_file = "result.hdf.series", *bodies_index = "bodies.pvd",
+                            *lines_index = "lines.pvd", *checkpoint_file = "checkpoint.h5",
+                            *report_file = "report.html", *unloaded_file = "unloaded.msh";
 /// Those of an increment: result_0012.hdf, bodies_0012.vtp, lines_0012.vtp.
 std::string result_file(int increment);
 std::string bodies_file(int increment);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/memory/sizes.hpp"
 #include "contact/interaction_probes.hpp"
+#include "core/io/json_file.hpp"
 #include "core/io/output.hpp"
 
 namespace bulbus::inline app {
@@ -17,6 +19,14 @@ std::vector<std::string> history_columns(const ProbeSet& probes) {
   for (std::size_t i = 0; i < probes.size(); ++i) columns.push_back(probes.name(i));
   for (const char* c : {"newton_iterations", "krylov_iterations", "cuts", "seconds"}) columns.emplace_back(c);
   return columns;
+}
+
+// Of the columns that have one.
+nlohmann::json history_units(const ProbeSet& probes) {
+  nlohmann::json units{{"seconds", "s"}};
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (!probes.unit(i).empty()) units[probes.name(i)] = probes.unit(i);
+  return units;
 }
 
 std::vector<std::string> krylov_columns() {
@@ -40,10 +50,11 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       checkpoints_(scene, prepared, *this, folder) {
   values_.resize(probes_.size());
   const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
-  folder.claim(krylov ? std::vector<std::string>{history_file, krylov_file}
-                      : std::vector<std::string>{history_file});
+  folder.claim({history_file, units_file});
+  if (krylov) folder.claim({krylov_file});
   write_together(problem_.comm(), [&] {
     if (problem_.comm().rank() != 0) return;
+    write_json(folder.path() + "/" + units_file, history_units(probes_));
     history_.emplace(folder.path() + "/" + history_file, history_columns(probes_), start);
     if (krylov) krylov_.emplace(folder.path() + "/" + krylov_file, krylov_columns(), start);
   });

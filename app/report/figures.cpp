@@ -32,7 +32,7 @@ std::string figures_of(const RunRecord& run) {
 std::string histories_of(const RunRecord& run) {
   if (run.history.increments.empty() || run.history.probes.empty())
     return html::text("p", "There is no history.");
-  const std::string svg = svg_of(chart_of(run.history, run.history.probes, ""));
+  const std::string svg = svg_of(chart_of(run.history, run.history.probes, "time", ""));
   return html::element("div", svg.substr(svg.find("<svg")), "wide");
 }
 

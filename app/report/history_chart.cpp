@@ -3,34 +3,43 @@
 #include <algorithm>
 
 #include "app/study/study_results.hpp"
-#include "core/base/did_you_mean.hpp"
 
 namespace bulbus::inline app {
 namespace {
 
-std::size_t index_of(const std::string& probe, const History& history) {
-  const auto at = std::ranges::find(history.probes, probe);
-  if (at != history.probes.end()) return at - history.probes.begin();
-  throw input_error("there is no probe '" + probe + "' in the history",
-                    did_you_mean(probe, history.probes, "Name columns of history.csv."));
+// Along the abscissa.
+struct Abscissa {
+  History::Column figures;
+  std::string label;
+  std::vector<Chart::Tick> ticks;
+};
+
+Abscissa abscissa_of(const History& history, const std::string& column) {
+  Abscissa along{history.column(column), heading(column, history.unit(column)), {}};
+  const bool steps = column == "time";
+  double low = steps ? 0 : INFINITY, high = -INFINITY;
+  for (const auto& x : along.figures)
+    if (x) low = std::min(low, *x), high = std::max(high, *x);
+  if (steps) along.label = "steps done";
+  along.ticks = low <= high ? round_ticks(low, high) : round_ticks(0, 0);
+  return along;
 }
 
-Chart::Panel panel_of(const History& history, const std::string& probe,
-                      const std::vector<Chart::Tick>& ticks) {
-  const std::size_t p = index_of(probe, history);
-  const auto unit = history.units.find(probe);
-  Chart::Series series{probe, {}};
-  for (const History::Row& row : history.increments)
-    if (row.values[p]) series.marks.push_back({row.time, *row.values[p]});
-  return {heading(probe, unit == history.units.end() ? "" : unit->second), "steps done", ticks, {series}};
+Chart::Panel panel_of(const History& history, const std::string& column, const Abscissa& along) {
+  const History::Column figures = history.column(column);
+  Chart::Series series{column, {}};
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (figures[i] && along.figures[i]) series.marks.push_back({*along.figures[i], *figures[i]});
+  return {heading(column, history.unit(column)), along.label, along.ticks, {series}};
 }
 
 }  // namespace
 
-Chart chart_of(const History& history, const std::vector<std::string>& probes, const std::string& title) {
-  const auto ticks = round_ticks(0, history.increments.back().time);
+Chart chart_of(const History& history, const std::vector<std::string>& columns, const std::string& over,
+               const std::string& title) {
+  const Abscissa along = abscissa_of(history, over);
   Chart chart{.title = title};
-  for (const std::string& probe : probes) chart.panels.push_back(panel_of(history, probe, ticks));
+  for (const std::string& column : columns) chart.panels.push_back(panel_of(history, column, along));
   return chart;
 }
 

@@ -4,8 +4,9 @@
 
 namespace bulbus::inline app {
 
-/// Probes of a history over the steps done, a panel each. The history has at least one increment. Throws
-/// InputError if there is no probe of a name.
-Chart chart_of(const History& history, const std::vector<std::string>& probes, const std::string& title);
+/// Columns of a history, a panel each, over the column `over`. The history has at least one increment. Throws
+/// InputError if there is no column of a name.
+Chart chart_of(const History& history, const std::vector<std::string>& columns, const std::string& over,
+               const std::string& title);
 
 }  // namespace bulbus::inline app

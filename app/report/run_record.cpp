@@ -61,10 +61,7 @@ const ProbeSpec* RunRecord::probe(const std::string& name) const {
   return found == scene->model.probes.end() ? nullptr : &*found;
 }
 
-std::string RunRecord::unit(const std::string& probe) const {
-  const auto found = history.units.find(probe);
-  return found == history.units.end() ? "" : found->second;
-}
+std::string RunRecord::unit(const std::string& probe) const { return history.unit(probe); }
 
 RunRecord read_run(const std::string& folder) {
   RunRecord run{.folder = folder, .summary = summary_in(folder)};

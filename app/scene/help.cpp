@@ -2,124 +2,116 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
-
-#include "app/scene/schema_tree.hpp"
-#include "app/scene/text_format.hpp"
-#include "app/study/study.hpp"
 
 namespace bulbus::inline app {
 namespace {
 
-using Kind = SchemaNode::Kind;
+using Keys = std::vector<KeyLine>;
 
-std::string plain_type(const SchemaNode& t) {
-  switch (t.kind) {
-    case Kind::truth:
-      return "true or false";
-    case Kind::integer:
-      return "whole number";
-    case Kind::number:
-      return "number";
-    case Kind::point:
-      return "[x, y, z]";
-    case Kind::group:
-      return "map";
-    case Kind::list:
-      return "list of " + plain_type(t.parts[0]);
-    case Kind::map:
-      return "NAME: " + plain_type(t.parts[0]);
-    case Kind::any:
-      return "any value";
-    default:
-      return t.about.formula ? "number or formula" : t.about.choices.empty() ? "text" : "word";
+constexpr int facts_at = 24, help_at = 6;  // columns
+
+// Without a terminal one line for each, which can be searched; with one, help in lines of its own.
+std::string text_of(const KeyLine& k, int depth, const Terminal& to) {
+  const std::string indent(2 * depth, ' ');
+  if (to.width == 0) return fmt::format("{:<22}  {:<40}  {}\n", indent + k.key, k.facts, k.help);
+  const int taken = static_cast<int>(indent.size() + k.key.size());
+  const int below = static_cast<int>(indent.size()) + help_at;
+  return indent + bold(k.key, to) + std::string(std::max(2, facts_at - taken), ' ') +
+         wrapped(k.facts, to.width - std::max(taken + 2, facts_at), facts_at) + "\n" +
+         std::string(below, ' ') + wrapped(k.help, to.width - below, below) + "\n";
+}
+
+// How many keys there are of it and below it.
+std::size_t size_with_keys_below(const Keys& keys, std::size_t first) {
+  std::size_t end = first + 1;
+  while (end < keys.size() && keys[end].depth > keys[first].depth) ++end;
+  return end - first;
+}
+
+std::string texts_of(std::span<const KeyLine> keys, Level most, const Terminal& to) {
+  std::string text;
+  for (const KeyLine& k : keys)
+    if (k.level <= most) text += text_of(k, k.depth - keys[0].depth, to);
+  return text;
+}
+
+std::string what_is_left_out(std::span<const KeyLine> keys, Level most, const std::string& topic) {
+  const auto count = [&](Level level) {
+    return std::ranges::count_if(keys, [&](const KeyLine& k) { return !k.group && k.level == level; });
+  };
+  const auto expert = most < Level::expert ? count(Level::expert) : 0,
+             debug = most < Level::debug ? count(Level::debug) : 0;
+  const std::string command = "'bulbus help " + topic;
+  if (expert > 0 && debug > 0)
+    return fmt::format(
+        "{} settings for experts and {} for debugging are not shown: {} --expert' adds the former, '--all' "
+        "both.",
+        expert, debug, command);
+  if (expert > 0)
+    return fmt::format("{} settings for experts are not shown: {} --expert' adds them.", expert, command);
+  return debug > 0
+             ? fmt::format("{} settings for debugging are not shown: {} --all' adds them.", debug, command)
+             : "";
+}
+
+std::string paragraph(const std::string& text, const Terminal& to) {
+  return text.empty() ? "" : wrapped(text, to.width ? to.width : 110) + "\n";
+}
+
+// Keys of that path; or, where there is none, of that name.
+std::vector<std::size_t> found(const Keys& keys, const std::string& path) {
+  std::vector<std::size_t> by_path, by_name;
+  const std::string plain = plain_path(path);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (plain_path(keys[i].path) == plain) by_path.push_back(i);
+    if (keys[i].key == path) by_name.push_back(i);
   }
+  return by_path.empty() ? by_name : by_path;
 }
 
-std::string default_text(const SchemaNode& t) {
-  if (t.about.required) return ", needed";
-  if (t.optional) return ", optional";
-  if (t.kind == Kind::group) return "";
-  std::string value = to_yaml(t.fallback);
-  value.pop_back();  // the line's end
-  return value == "\"\"" || value == "[]" || value == "{}" ? "" : ", default " + value;
-}
-
-std::string facts(const SchemaNode& t) {
-  const std::string unit = unit_of(t.about.quantity), bounds = bounds_text(t.about);
-  return plain_type(t) + (unit.empty() ? "" : " in " + unit) + default_text(t) +
-         (bounds.empty() ? "" : ", " + bounds);
-}
-
-const SchemaNode& innermost(const SchemaNode& t) {
-  return t.kind == Kind::list || t.kind == Kind::map ? innermost(t.parts[0]) : t;
-}
-
-// The conditions that what is around does not have.
-std::string own_conditions(const SchemaNode& t, const SchemaNode& around) {
-  return conditions_text(std::span(t.about.conditions).subspan(innermost(around).about.conditions.size()));
-}
-
-void write(const SchemaNode& t, const SchemaNode& around, Level most, int indent, std::string& out) {
-  if (t.about.level > most) return;
-  const std::string words = t.about.choices.empty() ? "" : " (" + alternatives(t.about.choices) + ")";
-  out += fmt::format("{:<22}  {:<40}  {}{}{}\n", std::string(indent, ' ') + t.key, facts(t), t.about.help,
-                     words, own_conditions(t, around));
-  for (const SchemaNode& part : innermost(t).parts) write(part, t, most, indent + 2, out);
-}
-
-template <class T>
-SchemaNode schema_tree_of() {
-  T defaults;
-  return schema_tree_of("", About{""}, parameters_of(defaults));
-}
-
-std::string help_of(const SchemaNode& root, std::string introduction, Level most) {
-  for (const SchemaNode& part : root.parts) write(part, root, most, 0, introduction);
-  return introduction;
-}
-
-// Keys of a level that hold a value.
-int count(const SchemaNode& t, Level level) {
-  int sum = t.kind != Kind::group && t.about.level == level;
-  for (const SchemaNode& part : innermost(t).parts) sum += count(part, level);
-  return sum;
-}
-
-std::string what_is_left_out(Level most) {
-  const SchemaNode root = schema_tree_of<Scene>();
-  const int expert = most < Level::expert ? count(root, Level::expert) : 0,
-            debug = most < Level::debug ? count(root, Level::debug) : 0;
-  if (debug == 0) return "";
-  return expert > 0 ? fmt::format(
-                          "\n{} settings for experts and {} for debugging are not shown: 'bulbus help "
-                          "scene --expert' adds the\nformer, '--all' both.\n",
-                          expert, debug)
-                    : fmt::format(
-                          "\n{} settings for debugging are not shown: 'bulbus help scene --all' adds them.\n",
-                          debug);
+std::string help_on(const Keys& keys, const std::string& path, Level most, const Terminal& to) {
+  std::string text;
+  for (const std::size_t i : found(keys, path)) {
+    const auto shown = std::span(keys).subspan(i, size_with_keys_below(keys, i));
+    const Level level = std::max(most, keys[i].level);  // who asks for it sees it
+    const std::string plain = plain_path(keys[i].path), around = plain.substr(0, plain.rfind('.'));
+    if (!text.empty()) text += "\n";
+    if (around != plain) text += "in " + bold(around, to) + ":\n";
+    text += texts_of(shown, level, to);
+    if (const std::string left = what_is_left_out(shown, level, plain); !left.empty())
+      text += "\n" + paragraph(left, to);
+  }
+  return text;
 }
 
 }  // namespace
 
-std::string scene_help(Level most) {
-  return help_of(
-             schema_tree_of<Scene>(),
+std::string scene_help(Level most, const Terminal& to) {
+  const Keys keys = scene_keys();
+  const std::string left = what_is_left_out(keys, most, "scene");
+  return paragraph(
              "A scene is a YAML file. Lengths in mm, forces in N, stresses in MPa, angles in rad; a value "
-             "may carry its own\n"
-             "unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and t (steps done + "
-             "s).\n\n",
-             most) +
-         what_is_left_out(most);
+             "may carry its own unit (15 mmHg). A formula may use X, Y, Z (mm), s (0 to 1 over the step) and "
+             "t (steps done + s).",
+             to) +
+         "\n" + texts_of(keys, most, to) + (left.empty() ? "" : "\n" + paragraph(left, to));
 }
 
-std::string study_help() {
-  return help_of(
-      schema_tree_of<Study>(),
-      "A study is a YAML file: a scene, and what to vary in it. Keys of the scene are paths such as\n"
-      "steps.1.increments; entries of lists count from 0, or go by their name. Runs save no result fields\n"
-      "unless `set` gives output.vtk: true.\n\n",
-      Level::debug);
+std::string study_help(const Terminal& to) {
+  return paragraph(
+             "A study is a YAML file: a scene, and what to vary in it. Keys of the scene are paths such as "
+             "steps.1.increments; entries of lists count from 0, or go by their name. Runs save no result "
+             "fields unless `set` gives output.vtk: true.",
+             to) +
+         "\n" + texts_of(study_keys(), Level::debug, to);
+}
+
+std::optional<std::string> key_help(const std::string& path, Level most, const Terminal& to) {
+  std::string text = help_on(scene_keys(), path, most, to);
+  if (text.empty()) text = help_on(study_keys(), path, most, to);
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
 }  // namespace bulbus::inline app

@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scene/help.hpp"
-#include "app/scene/scene.hpp"
 #include "app/scene/schema_tree.hpp"
 #include "app/scene/text_format.hpp"
+#include "app/study/study.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -92,19 +92,31 @@ json schema_of(const SchemaNode& t) {
   return s;
 }
 
+SchemaNode tree_of(const Value& parameters) { return schema_tree_of("", About{""}, parameters); }
+
+json root_schema(const SchemaNode& root, const char* title) {
+  json s = shape_of(root);
+  s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  s["title"] = title;
+  return s;
+}
+
 }  // namespace
 
 nlohmann::json scene_schema() {
   Scene defaults;
-  const SchemaNode scene = schema_tree_of("", About{""}, parameters_of(defaults));
-  json s = shape_of(scene);
-  s["$schema"] = "https://json-schema.org/draft/2020-12/schema";
-  s["title"] = "Bulbus scene";
+  const SchemaNode scene = tree_of(parameters_of(defaults));
+  json s = root_schema(scene, "Bulbus scene");
   json& sources = s["properties"]["mesh"]["oneOf"];
   const auto mesh = std::ranges::find(scene.parts, "mesh", &SchemaNode::key);
   for (const SchemaNode& part : mesh->parts)
     if (part.optional) sources.push_back(json{{"required", json::array({part.key})}});
   return s;
+}
+
+nlohmann::json study_schema() {
+  Study defaults;
+  return root_schema(tree_of(parameters_of(defaults)), "Bulbus study");
 }
 
 }  // namespace bulbus::inline app

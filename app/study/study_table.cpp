@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/study/study_results.hpp"
+#include "core/io/terminal.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -17,14 +18,9 @@ std::string shown(const StudyResults& results, int run, int figure) {
   return value ? fmt::format("{:.6g}{}", *value, results.converged(run) ? "" : "*") : "-";
 }
 
-// Letters, not bytes.
-int letters(const std::string& text) {
-  return static_cast<int>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));
-}
-
 int width_of(const Column& column) {
   int width = 0;
-  for (const std::string& cell : column) width = std::max(width, letters(cell));
+  for (const std::string& cell : column) width = std::max(width, columns_of(cell));
   return width;
 }
 
@@ -32,7 +28,7 @@ std::vector<std::string> block(const std::vector<const Column*>& columns) {
   std::vector<std::string> lines(columns[0]->size());
   for (const Column* column : columns)
     for (std::size_t i = 0; i < lines.size(); ++i)
-      lines[i] += std::string(2 + width_of(*column) - letters((*column)[i]), ' ') + (*column)[i];
+      lines[i] += std::string(2 + width_of(*column) - columns_of((*column)[i]), ' ') + (*column)[i];
   return lines;
 }
 

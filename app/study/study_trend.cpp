@@ -96,13 +96,21 @@ std::vector<std::string> lines_of(const Study& study, const StudyResults& result
                                   words_of(study, results, trend)));
   }
   std::vector<std::vector<std::string>> columns{{""}};
+  bool differ = false;
   for (const auto& figure : results.figures) columns[0].push_back(figure.name);
   for (const auto& [factor, figures] : counts) {
     columns.push_back({study.vary[factor].name});
-    for (const auto& [figure, lines] : figures) columns.back().push_back(counted(lines));
+    for (const auto& [figure, lines] : figures) {
+      columns.back().push_back(counted(lines));
+      differ = differ || lines.size() > 1;
+    }
   }
   if (columns.size() == 1) return {};
   std::vector<std::string> lines{"along each factor, the others fixed, of the runs that converged:"};
+  if (differ)
+    lines.emplace_back(
+        "('rising 2, falling 1': the figure rises with 2 of the values that the others take, and falls with "
+        "1)");
   for (std::string& line : aligned(columns, 1)) lines.push_back(std::move(line));
   lines.insert(lines.end(), details.begin(), details.end());
   return lines;

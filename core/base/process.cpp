@@ -8,8 +8,10 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "core/base/interrupt.hpp"
 
@@ -73,6 +75,15 @@ Ended run_process(const std::vector<std::string>& arguments, unsigned timeout) {
   e.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
   e.peak_mb = static_cast<double>(used.ru_maxrss) * 1024e-6;
   return e;
+}
+
+std::string find_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (const std::string file = folder + "/" + name; !folder.empty() && access(file.c_str(), X_OK) == 0)
+      return file;
+  return "";
 }
 
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe"); }

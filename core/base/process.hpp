@@ -18,6 +18,9 @@ struct Ended {
 /// collective.
 Ended run_process(const std::vector<std::string>& arguments, unsigned timeout = 0);
 
+/// The file of a program that PATH leads to; empty if there is none.
+std::string find_program(const std::string& name);
+
 /// The file of the running program.
 std::string this_program();
 

@@ -208,8 +208,8 @@ struct ProbeSpec {
           {"x", "y", "z", "magnitude", "radial"}));
     v("of", of,
       About{"forces and moments: of the `whole`, symmetry images included (across a plane of symmetry the "
-            "image cancels them), or of "
-            "the drawn `part`"}
+            "image cancels them), or of the drawn `part`; every further plane of symmetry then asks for "
+            "a factor of 2 in `scale`: 4 for one side of an octant's plane"}
           .one_of({"whole", "part"}));
     v("statistic", statistic, About{"over a set: mean, max or min"}.one_of({"mean", "max", "min"}));
     v("percentile", percentile,

@@ -45,9 +45,8 @@ def _as_override(key: str, value: Any) -> str:
 
 
 def _message(done: subprocess.CompletedProcess[str]) -> str:
-    """What the program says of its failure: lines `error: ...` of the log, and everything on standard error."""
-    errors = [line[len("error: "):] for line in done.stdout.splitlines() if line.startswith("error: ")]
-    said = "\n".join(errors + [done.stderr.strip()]).strip()
+    """What the program says of its failure on standard error, where lines of the log begin with `error: `."""
+    said = "\n".join(line.removeprefix("error: ") for line in done.stderr.strip().splitlines())
     return said or f"the program ended with exit status {done.returncode}\n{done.stdout[-1000:]}"
 
 

@@ -91,10 +91,12 @@ class Run:
         """Last figure of every probe in the unit of `units`; NaN where a probe has none yet."""
         return {name: numpy.nan if value is None else value for name, value in self.summary["probes"].items()}
 
-    @property
+    @functools.cached_property
     def units(self) -> dict[str, str]:
-        """Unit of every probe; "" where it has none."""
-        return self.summary["units"]
+        """Unit of every column of `history`; "" where it has none."""
+        recorded = self.folder / "history.units.json"  # runs of earlier versions have units in their summary alone
+        known = json.loads(recorded.read_text()) if recorded.exists() else self.summary["units"]
+        return {**dict.fromkeys(self.history, ""), **known}
 
     @functools.cached_property
     def history(self) -> dict[str, numpy.ndarray]:
@@ -108,8 +110,8 @@ class Run:
 
         Raises KeyError with the names there are.
         """
-        if probe not in self.units:
-            raise KeyError(f"no probe '{probe}'; there are {', '.join(self.units)}")
+        if probe not in self.figures:
+            raise KeyError(f"no probe '{probe}'; there are {', '.join(self.figures)}")
         if step is None:
             return self.figures[probe]
         rows = numpy.flatnonzero(self.history["step"] == step)

@@ -38,7 +38,7 @@ def refused(what, *arguments, **named):
 
 def check_records(folder):
     run = bulbus.run(ROOT / "data/scenes/two_blocks.yaml", folder / "blocks", {"steps.press.increments": 2}, ranks=2)
-    assert run.converged and run.units["lid_force"] == "mN"
+    assert run.converged and run.units["lid_force"] == "mN" and run.units["seconds"] == "s" and run.units["step"] == ""
     assert run.history["time"].tolist() == [0.5, 1] and run.history["step"].tolist() == ["press", "press"]
     assert math.isclose(run.figure("lid_force", "press"), run.figures["lid_force"], rel_tol=1e-9)
     assert run.times.tolist() == [0, 0.5, 1]

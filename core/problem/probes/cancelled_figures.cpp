@@ -19,6 +19,14 @@ std::string cancelling_plane(const Model& model, bool moment, int c) {
   return "";
 }
 
+// What to do about it; a plane that doubles component c leaves out as much of its side as is drawn.
+std::string remedy(const Model& model, bool moment, int c) {
+  int times = 1;
+  for (const std::string& plane : model.symmetry) times *= moment == (axis_of(plane) == c) ? 2 : 1;
+  return "`of: part` gives that of the drawn part" +
+         (times > 1 ? fmt::format(", and with `scale: {}` that of its whole side of the plane", times) : "");
+}
+
 std::string sentence(const Model& model, const ProbeSpec& p) {
   const bool moment = is_moment(p.kind);
   if (p.component == "x" || p.component == "y" || p.component == "z") {
@@ -26,17 +34,15 @@ std::string sentence(const Model& model, const ProbeSpec& p) {
     if (plane.empty()) return "";
     return fmt::format(
         "component {} of probe '{}' is {} the plane of symmetry {}: its image cancels it and the figure is "
-        "always 0; "
-        "`of: part` gives that of the drawn part",
-        p.component, p.name, moment ? "along" : "across", plane);
+        "always 0; {}",
+        p.component, p.name, moment ? "along" : "across", plane, remedy(model, moment, axis_of(p.component)));
   }
   for (int c = 0; c < 3; ++c)
     if (cancelling_plane(model, moment, c).empty()) return "";
   if (p.component == "radial" && !moment) return "";
   return fmt::format(
       "every component of probe '{}' is cancelled by its images in the planes of symmetry and the figure is "
-      "always 0; "
-      "`of: part` gives that of the drawn part",
+      "always 0; `of: part` gives that of the drawn part",
       p.name);
 }
 

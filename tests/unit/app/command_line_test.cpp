@@ -36,7 +36,8 @@ fs::path folder_with(const std::string& scene) {
 TEST(CommandLine, HelpsAndTellsItsVersion) {
   const Answer help = bulbus_says({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"run", "study", "check", "mesh", "export", "matrix-market", "help"})
+  for (const char* command : {"new", "run", "study", "check", "mesh", "export", "matrix-market", "help",
+                              "schema", "completion", "man"})
     EXPECT_NE(help.out.find(std::string("\n  ") + command), std::string::npos);
   EXPECT_NE(bulbus_says({"run", "--help"}).out.find("--set"), std::string::npos);
   EXPECT_EQ(bulbus_says({"--version"}).out, std::string("bulbus ") + version + "\n");
@@ -45,7 +46,20 @@ TEST(CommandLine, HelpsAndTellsItsVersion) {
   EXPECT_NE(bulbus_says({"help", "scene", "--expert"}).out.find("smoothing_range"), std::string::npos);
   EXPECT_NE(bulbus_says({"help", "scene", "--all"}).out.find("record_spectrum"), std::string::npos);
   EXPECT_NE(bulbus_says({"help", "study"}).out.find("one_at_a_time"), std::string::npos);
-  EXPECT_EQ(bulbus_says({"help", "schema"}).out[0], '{');
+  EXPECT_EQ(bulbus_says({"schema"}).out[0], '{');
+  EXPECT_NE(bulbus_says({"schema", "study"}).out.find("\"one_at_a_time\""), std::string::npos);
+}
+
+TEST(CommandLine, HelpsOnCommandsKeysAndTheLog) {
+  const std::string listed = bulbus_says({"help"}).out;
+  for (const char* topic : {"scene", "study", "log", "run", "plot", "probes", "solver"})
+    EXPECT_NE(listed.find(std::string("\n  ") + topic + " "), std::string::npos) << topic;
+  EXPECT_EQ(bulbus_says({"help", "run"}).out, bulbus_says({"run", "--help"}).out);
+  EXPECT_EQ(bulbus_says({"help", "steps"}).out, bulbus_says({"help", "scene.steps"}).out);
+  EXPECT_NE(bulbus_says({"help", "log"}).out.find("\n  Krylov "), std::string::npos);
+  const Answer wrong = bulbus_says({"help", "probe"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err, "there is no topic 'probe'\n  did you mean 'probes'?\n");
 }
 
 TEST(CommandLine, TellsTheVersionOfTheProject) {

@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/scene/concepts.hpp"
 #include "app/scene/help.hpp"
@@ -66,6 +67,43 @@ TEST(Help, TellsTypeUnitDefaultAndBounds) {
 TEST(Help, ShowsTheDefaultsOfTheStructAroundNotOfTheMember) {
   EXPECT_NE(line_of(scene_help(), "      sclera ").find("map"), std::string::npos);
   EXPECT_NE(scene_help().find("default [0, 20, 60, 90, 105, 125, 151]"), std::string::npos);
+}
+
+TEST(Help, ExplainsAKeyByItsPathOrByItsName) {
+  const std::string steps = key_help("steps").value(), increments = key_help("steps.increments").value();
+  EXPECT_EQ(steps.substr(0, 6), "steps ");
+  EXPECT_NE(steps.find("\n  increments "), std::string::npos);
+  EXPECT_EQ(steps.find("regions "), std::string::npos);
+  EXPECT_EQ(increments.substr(0, 21), "in steps:\nincrements ");
+  const std::string named = key_help("increments").value();  // of a step, and of the stepping
+  EXPECT_EQ(named.substr(0, increments.size() + 1), increments + "\n");
+  EXPECT_NE(named.find("in solver.stepping:\nincrements "), std::string::npos);
+  EXPECT_EQ(key_help("steps.0.increments").value(), increments);
+  EXPECT_EQ(key_help("regions.NAME.c10").value(), key_help("regions.c10").value());
+  EXPECT_EQ(key_help("vary").value().substr(0, 5), "vary ");  // of a study
+  EXPECT_FALSE(key_help("nothing.of.the.kind").has_value());
+}
+
+TEST(Help, OfAKeyForExpertsIsShownToWhoAsksForIt) {
+  EXPECT_NE(key_help("solver.linear.gamma").value().find("number, default "), std::string::npos);
+  const std::string linear = key_help("solver.linear").value();
+  EXPECT_EQ(linear.find("\n  gamma "), std::string::npos);
+  EXPECT_NE(linear.find("'bulbus help solver.linear --expert' adds"), std::string::npos);
+  EXPECT_NE(key_help("solver.linear", Level::expert).value().find("\n  gamma "), std::string::npos);
+}
+
+TEST(Help, KeepsToTheWidthOfATerminal) {
+  for (const int width : {50, 80}) {
+    std::istringstream in(scene_help(Level::debug, {width, false}));
+    int longest = 0;
+    for (std::string line; std::getline(in, line);) longest = std::max(longest, columns_of(line));
+    EXPECT_LE(longest, width);
+    EXPECT_GT(longest, width - 10);
+  }
+}
+
+TEST(Help, StandsOutWhereThereIsColour) {
+  EXPECT_EQ(key_help("title", Level::everyday, {80, true}).value().substr(0, 13), "\033[1mtitle\033[0m");
 }
 
 TEST(Schema, SaysTheSame) {

@@ -93,6 +93,9 @@ TEST(StudyRecords, TellTrendsOfWhatConverged) {
   trends = trends_of(study, results);
   EXPECT_EQ(words_of(study, results, trends[2]), "not monotone: turns at 0.4");
   const auto lines = lines_of(study, results, trends);
+  EXPECT_TRUE(std::ranges::any_of(lines, [](const auto& line) {
+    return line.starts_with("('rising 2, falling 1': ");
+  })) << "lines differ: that is explained";
   EXPECT_EQ(lines.back(), "pull in way (c10 1 MPa) is not monotone: turns at 0.4");
   const auto s = json_of(study, results, trends);
   EXPECT_EQ(s["trends"][2]["course"], "not monotone");

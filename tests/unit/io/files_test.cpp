@@ -93,14 +93,51 @@ TEST(Table, NoticesAFullDiskAndAMissingFolder) {
 TEST(Log, WritesTheSameLinesToScreenAndFile) {
   const fs::path path = fresh_folder("log") / "run.log";
   testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
   {
     const Log log(path, Comm(MPI_COMM_SELF));
     log.info("step {1}: ok");
+    log.detail("a detail");
     log.warn("slow");
     log.error("inverted");
     EXPECT_EQ(text_of(path), "step {1}: ok\nwarning: slow\nerror: inverted\n");  // flushed line by line
   }
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), text_of(path));
+  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), text_of(path));
+}
+
+/// What a log shows on standard output and error, and what it writes.
+std::array<std::string, 3> logged(Log::Screen screen) {
+  const fs::path path = fresh_folder("log") / "run.log";
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  {
+    const Log log(path, Comm(MPI_COMM_SELF), screen);
+    log.detail("d");
+    log.info("i");
+    log.progress("of a terminal");
+    log.warn("w");
+    log.error("e");
+  }
+  const std::string out = testing::internal::GetCapturedStdout();
+  return {out, testing::internal::GetCapturedStderr(), text_of(path)};
+}
+
+TEST(Log, ShowsAsMuchAsIsAskedFor) {
+  using Texts = std::array<std::string, 3>;
+  const std::string warning = "warning: w\n", error = "error: e\n", all = "i\n" + warning + error;
+  EXPECT_EQ(logged(Log::Screen::silent), (Texts{"", "", all}));
+  EXPECT_EQ(logged(Log::Screen::progress), (Texts{"", "", all}));
+  EXPECT_EQ(logged(Log::Screen::quiet), (Texts{warning, error, all}));
+  EXPECT_EQ(logged(Log::Screen::shown), (Texts{"i\n" + warning, error, all}));
+  EXPECT_EQ(logged(Log::Screen::verbose), (Texts{"d\ni\n" + warning, error, "d\n" + all}));
+}
+
+TEST(Terminal, BreaksTextBetweenWords) {
+  EXPECT_EQ(wrapped("one two three", 0), "one two three");
+  EXPECT_EQ(wrapped("one two three", 7), "one two\nthree");
+  EXPECT_EQ(wrapped("one two three", 8, 2), "one two\n  three");
+  EXPECT_EQ(wrapped("incompressibility is", 5), "incompressibility\nis");
+  EXPECT_EQ(wrapped("µµµ µµµ", 7), "µµµ µµµ");
 }
 
 TEST(Log, MayDoWithoutAFileButNotWithoutAFolder) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/error.hpp"
+#include "core/problem/probes/cancelled_figures.hpp"
 #include "tests/support/models.hpp"
 
 namespace bulbus {
@@ -133,6 +134,25 @@ TEST(Probes, SymmetryImagesMakeTheWhole) {
       EXPECT_NEAR(part[i], whole[i], 1e-13) << both << ' ' << probes[i].name;
     EXPECT_EQ(std::abs(whole[5]) > .1, !both);  // M_y: kept by one plane, cancelled by two
   }
+}
+
+/// Each plane that does not cancel the component hides one half of its side.
+TEST(Probes, WarningOfACancelledFigureNamesTheScaleThatMakesItsSideWhole) {
+  Model model;
+  const auto remedy_with = [&](const std::vector<std::string>& planes, const char* kind) {
+    model.symmetry = planes;
+    model.probes = {probe(kind, "xmax", "z")};
+    const std::string sentence = cancelled_figures(model).at(0);
+    return sentence.substr(sentence.find("; ") + 2);
+  };
+  const std::string part = "`of: part` gives that of the drawn part";
+  EXPECT_EQ(remedy_with({"z"}, "reaction"), part);
+  EXPECT_EQ(remedy_with({"x", "z"}, "reaction"),
+            part + ", and with `scale: 2` that of its whole side of the plane");
+  EXPECT_EQ(remedy_with({"x", "y", "z"}, "reaction"),
+            part + ", and with `scale: 4` that of its whole side of the plane");
+  EXPECT_EQ(remedy_with({"x", "z"}, "moment"),
+            part + ", and with `scale: 2` that of its whole side of the plane");
 }
 
 /// Four equal cells, each with a stress of its own.
