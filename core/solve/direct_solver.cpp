@@ -37,6 +37,8 @@ class DirectSolver final : public LinearSolver {
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
     const double scale = scaled_norm(A.system(), b);
     report.reduction = scale > 0 ? scaled_norm(A.system(), r) / scale : 0;
+    if (unsolvable(factor_, report.reduction))
+      report.ok = false, report.reason = "MUMPS: the matrix is singular";
     return report;
   }
 
@@ -55,10 +57,11 @@ class DirectSolver final : public LinearSolver {
               .estimated_mb = dense_mb};
     if (!mumps_)
       mumps_ = std::make_unique<Mumps>(
-          system.problem().comm(), MumpsOptions{.memory_limit_mb = system.problem().comm().min(limit_mb_)});
+          system.problem().comm(),
+          MumpsOptions{.null_pivots = true, .memory_limit_mb = system.problem().comm().min(limit_mb_)});
     return mumps_->factorise(assemble(CoupledOperator(system), part), global_size(system), symmetric_);
   }
-  int negative_pivots() const { return symmetric_ ? factor_.negative_pivots : -1; }
+  int negative_pivots() const { return symmetric_ ? factor_.nonpositive() : -1; }
 
   double limit_mb_;
   Profiler& profiler_;

@@ -22,6 +22,25 @@ constexpr double megabytes_per_entry = 1e-6 * (2 * sizeof(int) + sizeof(Number))
 
 enum Job { start = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 };
 
+/// ICNTL(7) of MUMPS's users' guide.
+int code_of(Ordering ordering) {
+  switch (ordering) {
+    case Ordering::amd:
+      return 0;
+    case Ordering::scotch:
+      return 3;
+    case Ordering::pord:
+      return 4;
+    case Ordering::metis:
+      return 5;
+    case Ordering::qamd:
+      return 6;
+    case Ordering::automatic:
+      return 7;
+  }
+  return 7;
+}
+
 /// A large count: a negative one is in millions.
 double count(MUMPS_INT value) { return value < 0 ? -1e6 * value : value; }
 
@@ -107,11 +126,12 @@ struct Mumps::InstanceOf final : Instance {
     run(start);
     started = true;
     for (int i : {1, 2, 3, 4}) control(i) = i < 4 ? -1 : 0;  // silent
-    control(7) = static_cast<int>(options.ordering);
+    control(7) = code_of(options.ordering);
     control(10) = options.refinements;
     if (options.block > 1) control(15) = -options.block;
     control(13) = 1;  // no ScaLAPACK at the root: its pivots would be missing in the inertia
     control(18) = 3;  // entries are distributed
+    control(24) = options.null_pivots;
     control(28) = 1;  // sequential analysis
   }
 
@@ -211,7 +231,7 @@ struct Mumps::InstanceOf final : Instance {
   FactorReport& factorise() override {
     report.ok = false;
     report.memory_mb = report.memory_max_mb = report.flops = report.factor_entries = 0;
-    report.negative_pivots = report.relaxations = 0;
+    report.negative_pivots = report.null_pivots = report.relaxations = 0;
     auto finite = [](Number v) { return std::isfinite(v); };
     if (!comm.all(std::all_of(value.begin(), value.end(), finite))) return fail("the matrix is not finite");
     const double needed = report.estimated_mb + megabytes_per_entry<Number> * report.matrix_entries;
@@ -237,6 +257,7 @@ struct Mumps::InstanceOf final : Instance {
     report.factor_entries = count(infog(29));
     report.flops = rinfog(3);
     report.negative_pivots = id.sym == 2 ? infog(12) : 0;
+    report.null_pivots = infog(28);
     return report;
   }
 
