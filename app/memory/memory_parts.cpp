@@ -120,9 +120,10 @@ double coarse_bytes(Displacement name, const Size& s, const LinearSettings& l) {
          12 * s.nodes;
 }
 
-void add_direct(const Size& s, int ranks, std::vector<MemoryPart>& parts) {
+void add_direct(const Size& s, int ranks, Direct library, std::vector<MemoryPart>& parts) {
+  const double both = library == Direct::mumps ? 1 : lu_of_ldlt;
   parts.push_back({"matrix and its copies", direct_matrix_bytes(s.hexes)});
-  parts.push_back({"factors", direct_factor_bytes(s.unknowns(), s.hexes, s.nodes, ranks)});
+  parts.push_back({"factors", both * direct_factor_bytes(s.unknowns(), s.hexes, s.nodes, ranks)});
 }
 
 void add_iterative(const RunSize& size, const SolverSettings& solver, std::vector<MemoryPart>& parts) {
@@ -165,7 +166,7 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   parts.push_back({"checkpoints",
                    scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});
   if (scene.solver.linear.method == Method::direct)
-    add_direct(s, size.ranks, parts);
+    add_direct(s, size.ranks, scene.solver.linear.direct, parts);
   else
     add_iterative(size, scene.solver, parts);
   return parts;
@@ -175,7 +176,7 @@ double bytes_of_fallback(const RunSize& size, const Scene& scene) {
   const LinearSettings& l = scene.solver.linear;
   if (l.method == Method::direct || l.fallback != Fallback::direct) return 0;
   std::vector<MemoryPart> parts;
-  add_direct(size.levels.front(), size.ranks, parts);
+  add_direct(size.levels.front(), size.ranks, Direct::mumps, parts);
   return sum_of(parts);
 }
 

@@ -22,4 +22,7 @@ inline double direct_factor_bytes(double unknowns, double hexahedra, double node
   return (68 + 98 * sphericity(hexahedra, nodes)) * std::pow(unknowns, 4.0 / 3) * (ranks > 1 ? 1.2 : 1);
 }
 
+/// Times as much by a solver that keeps L and U of a symmetric matrix.
+constexpr double lu_of_ldlt = 2.5;
+
 }  // namespace bulbus::inline solve

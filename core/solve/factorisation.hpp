@@ -38,8 +38,6 @@ inline bool unsolvable(const FactorReport& f, double reduction) {
 class Factorisation {
  public:
   virtual ~Factorisation() = default;
-  /// As messages call it.
-  virtual std::string name() const = 0;
   /// Of a symmetric matrix: does its upper triangle do?
   virtual bool takes_upper_triangle() const { return false; }
   /// Of the matrix that is the sum of all ranks' triplets. `rows`: how many of its rows this rank's vectors

@@ -17,9 +17,9 @@ constexpr double intermediate = 1e-2;    // of the first distance: enough before
 // Of the linear solves. A lens in its zonules hardly counts in the residual: looser solves leave it where it
 // is, so that distances come out too small one time and too large the next.
 constexpr double eta = 1e-5;
-constexpr int most_without_progress = 12;  // iterations in which the least distance does not fall
-constexpr double least_length = 1.0 / 8;   // of a step of the reference
-constexpr double least_jacobian = 0.1;     // from one reference to the next
+constexpr int most_without_progress = 12;      // iterations in which the least distance does not fall
+constexpr double least_step_length = 1.0 / 8;  // of a step of the reference
+constexpr double least_jacobian = 0.1;         // from one reference to the next
 
 // What an iteration begins with, besides the drawn places, where the nodes are in all of them.
 struct Iterate {
@@ -168,7 +168,7 @@ class Search {
   // As far as no element of the reference inverts and no cavity closes.
   bool move_without_inversion(const Problem& problem, std::span<const double> to, Iterate& iterate) {
     std::vector<double> X(to.size());
-    for (double part = 1; part >= least_length; part /= 2) {
+    for (double part = 1; part >= least_step_length; part /= 2) {
       for (std::size_t i = 0; i < X.size(); ++i) X[i] = iterate.X[i] + part * (to[i] - iterate.X[i]);
       if (mesh_.comm.min(problem.solid().least_jacobian(X)) > least_jacobian &&
           cavities_open(problem, iterate.X, X)) {
