@@ -10,6 +10,7 @@
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/validate.hpp"
 #include "core/problem/warnings.hpp"
+#include "core/solve/direct/make_factorisation.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -73,6 +74,7 @@ void rehearse(Problem& problem, const Mesh& base) {
 Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();
   refuse_outside(scene);
+  check_direct(scene.solver.linear, comm.size());
   auto inputs = input_files(scene, comm);
   std::vector<std::string> notes;
   const MeshHierarchy meshes = meshes_of(scene, comm, notes);

@@ -22,6 +22,7 @@
 #include "core/io/json_file.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
+#include "core/solve/direct/make_factorisation.hpp"
 #include "precond/make_preconditioner.hpp"
 
 namespace bulbus::inline app {
@@ -37,9 +38,16 @@ std::string amg_of(Displacement by) {
   return "";
 }
 
+std::string name_of_direct(const LinearSettings& l) {
+  const std::string ordering =
+      l.ordering == Ordering::scotch ? "" : fmt::format(", ordering {}", word_of(l.ordering));
+  return fmt::format("direct ({}{}{})", name_of(l.direct), ordering,
+                     l.refinement == Refinement::gmres ? ", refined by GMRES" : "");
+}
+
 std::string name_of_solver(const LinearSettings& l, const Problem& problem) {
   const std::string liquids = l.formulation == Formulation::eliminated ? ", liquid pressures eliminated" : "";
-  if (l.method == Method::direct) return "direct (MUMPS)" + liquids;
+  if (l.method == Method::direct) return name_of_direct(l) + liquids;
   const std::string why = l.displacement != Displacement::automatic ? ""
                           : problem.coarser()                       ? " (the mesh is refined)"
                                                                     : " (the mesh is not refined)";

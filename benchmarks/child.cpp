@@ -13,10 +13,12 @@
 namespace bulbus::bench {
 
 // The child writes its row to a file: its standard output belongs to the libraries.
-json row_of_child(const std::vector<std::string>& words) {
+json row_of_child(const std::vector<std::string>& words, int ranks, int threads) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("bulbus_" + std::to_string(getpid()) + ".json");
-  std::string command = "'" + this_program() + "' --child '" + file.string() + "'";
+  const std::string start = ranks > 1 ? "mpirun --oversubscribe -n " + std::to_string(ranks) + " " : "";
+  std::string command = "OMP_NUM_THREADS=" + std::to_string(threads) + " " + start + "'" + this_program() +
+                        "' --child '" + file.string() + "'";
   for (const std::string& word : words) command += " '" + word + "'";
   const int status = std::system(command.c_str());
   std::ifstream in(file);
@@ -33,7 +35,8 @@ bool ran_as_child(int& argc, char**& argv,
   const std::string file = argv[2];
   const std::vector<std::string> words(argv + 3, argv + argc);
   Session session(argc, argv);
-  write_json(file, measure(words));
+  const json row = measure(words);
+  if (Comm().rank() == 0) write_json(file, row);
   return true;
 }
 

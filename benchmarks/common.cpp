@@ -74,6 +74,7 @@ Options parse(int argc, char** argv, std::vector<int> sizes, std::vector<int> sm
 }
 
 void single_threaded(char** argv) {
+  if (argv[1] && argv[1] == std::string("--child")) return;  // who started it has said how many
   const char* one = std::getenv("OMP_NUM_THREADS");
   if (one && std::string(one) == "1" && std::getenv("OPENBLAS_NUM_THREADS")) return;
   for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"})

@@ -22,7 +22,7 @@ struct Options {
 Options parse(int argc, char** argv, std::vector<int> sizes, std::vector<int> smoke_sizes, int repetitions);
 
 /// Makes BLAS and OpenMP single-threaded. They read the environment before main, so the program starts itself
-/// anew.
+/// anew. A child is left as it was started.
 void single_threaded(char** argv);
 
 /// Lets the peak that core/base/memory.hpp tells begin anew with what is resident now (Linux; elsewhere it

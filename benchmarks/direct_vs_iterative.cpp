@@ -1,10 +1,11 @@
 // The half eye from rest through 15 mmHg to the first coupled increment (0.5 mm), by the direct and by the
 // iterative solver, on growing meshes; how time and memory grow; and what the direct solver would need where
-// it does not fit. Each size and method runs as a process of its own, so that peak memory is its own.
+// it does not fit. Each size and solver runs as a process of its own, so that peak memory is its own.
 //
 //     bench_direct_vs_iterative [-n CELLS,...] [--refine TIMES] [-r REPETITIONS] [--memory MB] [-o FILE]
+//                               [--variants NAME,... | all]
 //
-// --memory: the limit of a factorisation.
+// --memory: the limit of a factorisation. --variants: benchmarks/variants.hpp; all: those of variants.cpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,14 +22,29 @@ using namespace bulbus::bench;
 
 namespace {
 
+void add_factor(const TimedSolver& solver, json& row) {
+  const FactorReport& f = *solver.factor;
+  row["ordering"] = f.ordering;
+  row["estimated_mb"] = f.estimated_mb;
+  row["estimated_gflop"] = 1e-9 * f.estimated_flops;
+  row["too_large"] = f.too_large;
+  row["analysis_s"] = solver.analysis;
+  row["factorisation_s"] = median(solver.factorisation);
+  row["factor_entries"] = f.factor_entries;
+  row["gflop"] = 1e-9 * f.flops;
+  row["factor_mb"] = f.memory_mb;
+  if (f.ok && f.negative_pivots >= 0) row["nonpositive"] = f.nonpositive();
+}
+
 json run(const std::vector<std::string>& words) {
   const double start = cpu_seconds();
   const std::string& method = words.at(0);
   const int n = std::stoi(words.at(1));
   const Comm comm;
   const int refine = std::stoi(words.at(3));
-  SolverSettings settings = settings_of(method, std::stod(words.at(2)));
-  if (method == "iterative") settings.linear.take_mesh(refine);
+  SolverVariant variant = solver_variant(method, std::stod(words.at(2)));
+  SolverSettings& settings = variant.settings;
+  if (!variant.direct()) settings.linear.take_mesh(refine);
   Profiler profiler;
   auto problem = half_eye(n, comm, refine);
   TimedSolver solver(make_solver(settings.linear, profiler));
@@ -36,6 +52,8 @@ json run(const std::vector<std::string>& words) {
   json row{{"n", n},
            {"refined", refine},
            {"method", method},
+           {"ranks", variant.ranks},
+           {"threads", variant.threads},
            {"hexahedra", problem->mesh().all_hexes},
            {"unknowns", unknowns(*problem)}};
   for (auto [step, progress] : {std::pair{0, 1.}, {1, .25}}) {
@@ -58,6 +76,8 @@ json run(const std::vector<std::string>& words) {
   row["setup_s"] = median(solver.setup);
   row["solve_s"] = median(solver.solution);
   row["linear_s"] = median(whole);
+  row["wall_s"] = median(solver.wall);
+  if (!solver.reductions.empty()) row["reduction"] = std::ranges::max(solver.reductions);
   row["total_s"] = cpu_seconds() - start;
   row["linear_solves"] = solver.solution.size();
   row["iterations"] = solver.iterations;
@@ -65,12 +85,8 @@ json run(const std::vector<std::string>& words) {
   int krylov = 0;
   for (int i : solver.iterations) krylov += i;
   row["krylov"] = krylov;
-  row["peak_mb"] = 1e-6 * peak_resident_bytes();
-  if (solver.factor) {
-    row["estimated_mb"] = solver.factor->estimated_mb;
-    row["estimated_gflop"] = 1e-9 * solver.factor->estimated_flops;
-    row["too_large"] = solver.factor->too_large;
-  }
+  row["peak_mb"] = 1e-6 * comm.sum(static_cast<double>(peak_resident_bytes()));
+  if (solver.factor) add_factor(solver, row);
   for (const auto& [part, bytes] : profiler.memory.peaks()) row["memory_mb"][part] = 1e-6 * bytes;
   return row;
 }
@@ -78,9 +94,11 @@ json run(const std::vector<std::string>& words) {
 // Of several runs, the one with the median time of a linear solve; the others' figures are kept beside it.
 json median_run(const std::string& method, int n, int refine, int repetitions, double memory_mb) {
   std::vector<json> rows;
+  const SolverVariant variant = solver_variant(method, memory_mb);
   for (int r = 0; r < repetitions; ++r) {
     rows.push_back(
-        row_of_child({method, std::to_string(n), std::to_string(memory_mb), std::to_string(refine)}));
+        row_of_child({method, std::to_string(n), std::to_string(memory_mb), std::to_string(refine)},
+                     variant.ranks, variant.threads));
     rows.back().update({{"n", n}, {"method", method}});
   }
   std::ranges::sort(rows, {}, [](const json& row) { return row.value("linear_s", 0.); });
@@ -91,7 +109,7 @@ json median_run(const std::string& method, int n, int refine, int repetitions, d
 
 // Iterative over direct; where the direct solver does not fit, its memory by estimate.
 json ratio(const json& iterative, const json& direct) {
-  json r{{"n", iterative["n"]}, {"unknowns", iterative["unknowns"]}};
+  json r{{"n", iterative["n"]}, {"unknowns", iterative["unknowns"]}, {"method", direct["method"]}};
   const auto over = [&](const char* key, const json& value) {
     r[key] = iterative[key].get<double>() / value.get<double>();
   };
@@ -121,20 +139,32 @@ json growth(const json& rows, const std::string& method, int from) {
 }
 
 // Over all sizes, and over the larger half of them, where what every process holds does not matter any more.
-json growths(const json& rows, std::vector<int> sizes) {
+json growths(const json& rows, std::vector<int> sizes, const std::vector<std::string>& variants) {
   json all = json::array();
   std::ranges::sort(sizes);
-  for (const char* method : {"iterative", "direct"})
+  for (const std::string& method : variants)
     for (int from : {sizes[0], sizes[sizes.size() / 2]})
       if (json g = growth(rows, method, from); g.contains("setup_s")) all.push_back(g);
   return all;
 }
 
-double memory_limit_in(const Options& o) {
-  if (o.rest.empty()) return 20000;
-  if (o.rest.size() != 2 || o.rest[0] != "--memory")
-    throw std::invalid_argument("unknown option " + o.rest[0]);
-  return std::stod(o.rest[1]);
+struct Choice {
+  double memory_mb = 20000;
+  std::vector<std::string> variants{"iterative", "direct"};
+};
+
+Choice choice_in(const std::vector<std::string>& words) {
+  Choice c;
+  for (std::size_t i = 0; i < words.size(); i += 2) {
+    if (i + 1 == words.size()) throw std::invalid_argument(words[i] + " lacks its value");
+    if (words[i] == "--memory")
+      c.memory_mb = std::stod(words[i + 1]);
+    else if (words[i] == "--variants")
+      c.variants = variants_in(words[i + 1]);
+    else
+      throw std::invalid_argument("unknown option " + words[i]);
+  }
+  return c;
 }
 
 bool failed(const json& row) { return row.contains("reason") && !row.value("too_large", false); }
@@ -145,7 +175,7 @@ int main(int argc, char** argv) {
   single_threaded(argv);
   if (ran_as_child(argc, argv, run)) return 0;
   const Options o = parse(argc, argv, {4, 8, 14, 20, 28}, {4, 6}, 3);
-  const double memory_mb = memory_limit_in(o);
+  const auto [memory_mb, variants] = choice_in(o.rest);
   json report = new_report("direct_vs_iterative", o);
   const SolverSettings s;
   report["parameters"].update({{"displacement", word_of(s.linear.displacement)},
@@ -158,27 +188,37 @@ int main(int argc, char** argv) {
                                {"direct_gamma", 0},
                                {"memory_limit_mb", memory_mb}});
   report["notes"] =
-      "seconds are processor time; linear_s: median over the linear solves of set-up (or factorisation) and "
-      "solution, "
-      "in the run that is the median of the repetitions; peak_mb: VmHWM of the process; estimated: by "
-      "MUMPS's analysis; "
+      "seconds are processor time, of one rank with all its threads; linear_s: median over the linear solves "
+      "of "
+      "set-up (or factorisation) and solution, in the run that is the median of the repetitions; wall_s: the "
+      "same "
+      "by the clock; peak_mb: VmHWM of the process, summed over ranks; estimated: by MUMPS's analysis, which "
+      "is "
+      "made once for a pattern; reduction: the largest residual of a linear solve over its right-hand side; "
       "growth: p of unknowns^p by least squares, from size n on";
   for (int n : o.sizes) {
     const int cells = n << o.refine;
-    const json iterative = median_run("iterative", n, o.refine, cells > 40 ? 1 : o.repetitions, memory_mb);
-    const json direct = median_run("direct", n, o.refine, cells > 20 ? 1 : o.repetitions, memory_mb);
-    report["rows"].push_back(iterative);
-    report["rows"].push_back(direct);
-    if (!failed(iterative) && !failed(direct)) report["ratios"].push_back(ratio(iterative, direct));
-    report["growth"] = growths(report["rows"], o.sizes);
-    if (!o.out.empty()) write_json(o.out, report);  // what is measured so far
+    json iterative;
+    for (const std::string& method : variants) {
+      const bool direct = solver_variant(method, 0).direct();
+      const json row =
+          median_run(method, n, o.refine, cells > (direct ? 20 : 40) ? 1 : o.repetitions, memory_mb);
+      report["rows"].push_back(row);
+      if (method == "iterative") iterative = row;
+      const bool comparable = !row.contains("reason") || row.value("estimated_mb", 0.) > 0;
+      if (direct && comparable && !iterative.is_null() && !failed(iterative) && !failed(row))
+        report["ratios"].push_back(ratio(iterative, row));
+      if (!o.out.empty()) write_json(o.out, report);  // what is measured so far
+    }
+    report["growth"] = growths(report["rows"], o.sizes, variants);
   }
-  finish(report,
-         {"n", "unknowns", "method", "linear_solves", "krylov", "setup_s", "solve_s", "linear_s", "total_s",
-          "peak_mb", "estimated_mb", "reason"},
-         o);
+  finish(
+      report,
+      {"n", "unknowns", "method", "linear_solves", "krylov", "analysis_s", "setup_s", "solve_s", "linear_s",
+       "wall_s", "total_s", "peak_mb", "factor_entries", "gflop", "reduction", "nonpositive", "reason"},
+      o);
   std::printf("iterative / direct\n");
-  print_table(report["ratios"], {"n", "unknowns", "direct", "linear_s", "total_s", "peak_mb"});
+  print_table(report["ratios"], {"n", "unknowns", "method", "direct", "linear_s", "total_s", "peak_mb"});
   std::printf("powers of the unknowns\n");
   print_table(report["growth"], {"method", "from_n", "setup_s", "solve_s", "linear_s", "total_s", "peak_mb",
                                  "estimated_mb", "estimated_gflop"});

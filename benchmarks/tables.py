@@ -4,12 +4,15 @@
     tables.py [FILE ...]    prints them; default: every file of results/ beside this script
     tables.py --write       puts those of results/ into README.md and docs/benchmarks.md, and docs/trade.csv into docs/trade.md, between
                             their markers
-    tables.py --check       fails if the pages say anything else
+    tables.py --check       fails if the pages say anything else, or if records that claim to be one series (series.py) are of different
+                            commits or of changes that were not committed
 """
 import csv
 import json
 import pathlib
 import sys
+
+import series
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -25,12 +28,13 @@ TABLES = {
                           ("iterations", "iterations"), ("set-up s", "setup_s"), ("solve s", "solve_s"), ("MB", "mb"),
                           ("failure", "reason")])],
     "direct_vs_iterative": [
-        ("rows", [("n", "n"), ("unknowns", "unknowns"), ("solver", "method"), ("linear solves", "linear_solves"),
-                  ("Krylov iterations", "krylov"), ("set-up s", "setup_s"), ("solve s", "solve_s"),
-                  ("linear solve s", "linear_s"), ("whole run s", "total_s"), ("peak MB", "peak_mb"),
-                  ("factor MB", "memory_mb.factor"), ("estimated MB", "estimated_mb"), ("estimated Gflop", "estimated_gflop"),
-                  ("failure", "reason")]),
-        ("ratios", [("n", "n"), ("unknowns", "unknowns"), ("direct's figures", "direct"), ("linear solve, iterative/direct", "linear_s"),
+        ("rows", [("n", "n"), ("unknowns", "unknowns"), ("solver", "method"), ("ordering", "ordering"), ("linear solves", "linear_solves"),
+                  ("Krylov iterations", "krylov"), ("analysis s", "analysis_s"), ("set-up s", "setup_s"), ("solve s", "solve_s"),
+                  ("linear solve s", "linear_s"), ("the same by the clock, s", "wall_s"), ("whole run s", "total_s"), ("peak MB", "peak_mb"),
+                  ("factor MB", "memory_mb.factor"), ("factor entries", "factor_entries"), ("Gflop", "gflop"),
+                  ("estimated MB", "estimated_mb"), ("estimated Gflop", "estimated_gflop"), ("residual", "reduction"),
+                  ("pivots not positive", "nonpositive"), ("failure", "reason")]),
+        ("ratios", [("n", "n"), ("unknowns", "unknowns"), ("direct solver", "method"), ("direct's figures", "direct"), ("linear solve, iterative/direct", "linear_s"),
                     ("whole run", "total_s"), ("peak memory", "peak_mb")]),
         ("growth", [("solver", "method"), ("powers of the unknowns, from n", "from_n"), ("set-up", "setup_s"), ("solve", "solve_s"),
                     ("linear solve", "linear_s"), ("whole run", "total_s"), ("peak memory", "peak_mb"),
@@ -87,6 +91,12 @@ OPERATION = [("", "method"), ("hexahedra", "hexahedra"), ("unknowns", "unknowns"
 PAPER = {"method": "paper, one 2 GHz processor of the 2000s", "hexahedra": 7421, "cpu_min": 1200., "peak_mb": 600}
 
 
+# Of one size: the iterative variants beside the direct ones that are quickest, as solver and as preconditioner, and smallest.
+BEST = [("n", "n"), ("refined", "refined"), ("unknowns", "unknowns"), ("solver", "method"), ("linear solves", "linear_solves"),
+        ("Krylov iterations", "krylov"), ("linear solve, s", "wall_s"), ("whole run, s of the processor", "total_s"), ("peak MB", "peak_mb"),
+        ("residual", "reduction"), ("best of the direct", "best")]
+
+
 def value(row, key):
     for part in key.split("."):
         row = row.get(part) if isinstance(row, dict) else None
@@ -115,6 +125,23 @@ def from_rest(report):
             {**{k: row[k] for k in ("n", "unknowns", "method")}, "peak_mb": f"{row['estimated_mb']:,.0f} (estimate: refused)"} for row in rows]
 
 
+def beside_best(report):
+    done = [row for row in report["rows"] if not row.get("reason")]
+    direct = [row for row in done if row["method"].startswith("direct")]
+    best = {}
+    for what, rows, key in (("time", [r for r in direct if "gmres" not in r["method"]], "wall_s"),
+                            ("time, as preconditioner", [r for r in direct if "gmres" in r["method"]], "wall_s"), ("memory", direct, "peak_mb")):
+        if rows:
+            best.setdefault(min(rows, key=lambda row: row[key])["method"], []).append(what)
+    shown = [{**row, "best": "; ".join(best.get(row["method"], []))} for row in done if row not in direct or row["method"] in best]
+    return [{**row, "refined": row["refined"] or None} for row in shown]
+
+
+def best_table():
+    rows = [row for name, report in series.records(HERE / "results").items() if name.startswith("direct_solvers") for row in beside_best(report)]
+    return table(rows, BEST) if rows else ""
+
+
 def rows_of(report, where):
     return beside_paper(report) if (report["program"], where) == ("operation", "rows") else report[where]
 
@@ -133,7 +160,7 @@ def tables(path):
 
 
 def recorded():
-    return sorted((HERE / "results").glob("*.json"))
+    return [path for path in sorted((HERE / "results").glob("*.json")) if path.name != series.NAME]
 
 
 def all_tables(files):
@@ -288,7 +315,7 @@ def pages():
     """Path, text as it is and text as it should be of every page with tables."""
     blocks = {"README.md": {"tables": table(from_rest(result("direct_vs_iterative")), SUMMARY),
                             "operation": table(beside_paper(result("operation")), OPERATION), "large": large_facts()},
-              "docs/benchmarks.md": {"tables": all_tables(recorded())},
+              "docs/benchmarks.md": {"best": best_table(), "tables": all_tables(recorded())},
               "docs/trade.md": {"trade": trade_tables()},
               "docs/scaling.md": scaling_blocks(),
               "docs/verification.md": {"mesh": mesh_table()}}
@@ -306,6 +333,9 @@ def main(arguments):
             path.write_text(right)
     elif arguments == ["--check"]:
         stale = [path.name for path, text, right in pages() if text != right]
+        mixed = series.faults(HERE / "results")
+        if mixed:
+            sys.exit("\n".join(mixed) + "\nRecord the whole series with benchmarks/all --full.")
         if stale:
             sys.exit(f"{', '.join(stale)}: not what benchmarks/results says; run benchmarks/tables.py --write")
     else:

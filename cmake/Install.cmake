@@ -10,7 +10,7 @@ foreach(floor ${floors})
   set_target_properties(bulbus_${floor} PROPERTIES EXPORT_NAME ${floor})
   list(APPEND targets bulbus_${floor})
 endforeach()
-install(TARGETS ${targets} trilinos hypre mumps hdf5_parallel EXPORT bulbus COMPONENT development
+install(TARGETS ${targets} trilinos hypre mumps superlu_dist umfpack hdf5_parallel EXPORT bulbus COMPONENT development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT bulbus NAMESPACE bulbus:: DESTINATION ${config} FILE bulbusTargets.cmake COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/precond ${PROJECT_SOURCE_DIR}/contact DESTINATION ${headers}

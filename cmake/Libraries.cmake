@@ -28,6 +28,22 @@ add_library(mumps INTERFACE)
 target_include_directories(mumps SYSTEM INTERFACE ${MUMPS_INCLUDE})
 target_link_libraries(mumps INTERFACE ${MUMPS_LIBRARY} ${MUMPS_SINGLE_LIBRARY} MPI::MPI_C)
 
+# hypre is linked with it already.
+find_path(SUPERLU_DIST_INCLUDE superlu_ddefs.h PATH_SUFFIXES superlu-dist REQUIRED)
+find_library(SUPERLU_DIST_LIBRARY superlu_dist REQUIRED)
+add_library(superlu_dist INTERFACE)
+target_include_directories(superlu_dist SYSTEM INTERFACE ${SUPERLU_DIST_INCLUDE})
+target_link_libraries(superlu_dist INTERFACE ${SUPERLU_DIST_LIBRARY} MPI::MPI_C)
+
+# Its licence is the GPL, which is then the program's too: for comparisons, not for packages.
+add_library(umfpack INTERFACE)
+if(BULBUS_UMFPACK)
+  find_path(UMFPACK_INCLUDE umfpack.h PATH_SUFFIXES suitesparse REQUIRED)
+  find_library(UMFPACK_LIBRARY umfpack REQUIRED)
+  target_include_directories(umfpack SYSTEM INTERFACE ${UMFPACK_INCLUDE})
+  target_link_libraries(umfpack INTERFACE ${UMFPACK_LIBRARY})
+endif()
+
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)
 add_library(hdf5_parallel INTERFACE)

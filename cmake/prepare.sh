@@ -34,15 +34,15 @@ install_packages() {
 build() {
   local preset=${BULBUS_PRESET:-release} folder=build
   [ "$preset" = release ] || folder=build-$preset
-  is_configured "$folder" || { echo "configuring ..."; quietly cmake --preset "$preset" -DBULBUS_TESTS=$with_tests; }
+  is_configured "$folder" || { echo "configuring ..."; quietly cmake --preset "$preset" -DBULBUS_TESTS=$with_tests -DBULBUS_UMFPACK=$with_tests; }
   echo "building (a first build takes several minutes) ..."
   # shellcheck disable=SC2086
   quietly cmake --build --preset "$preset" ${BULBUS_TARGETS:+--target $BULBUS_TARGETS} -- -j"$(nproc)"
 }
 
-# A folder that was configured for the program alone has no tests.
+# A folder that was configured for the program alone has no tests, and no UMFPACK to compare with.
 is_configured() {
-  [ -f "$1/build.ninja" ] && { [ $with_tests = OFF ] || ! grep -q '^BULBUS_TESTS:BOOL=OFF' "$1/CMakeCache.txt"; }
+  [ -f "$1/build.ninja" ] && { [ $with_tests = OFF ] || ! grep -Eq '^BULBUS_(TESTS|UMFPACK):BOOL=OFF' "$1/CMakeCache.txt"; }
 }
 
 quietly() {

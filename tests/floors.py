@@ -37,9 +37,12 @@ WRAPPED = {  # header pattern: the sources that may include it
     r"(Tpetra|Belos|Teuchos|Kokkos)\w*\.hpp": r"core/solve/(fgmres\.cpp|krylov_vectors\.hpp)",
     r"_?hypre\w*\.h|HYPRE\w*\.h": r"precond/amg/boomeramg\.cpp",
     r"dmumps_c\.h": r"core/solve/mumps\.cpp",
+    r"superlu_\w+\.h": r"core/solve/direct/superlu_dist\.cpp",
+    r"umfpack\.h": r"core/solve/direct/umfpack\.cpp",
+    r"Eigen/SparseLU": r"core/solve/direct/eigen_lu\.cpp",
     r"hdf5\.h|H5\w*\.h": r"core/io/hdf5_\w+\.(cpp|hpp)|core/solve/dump\.cpp|core/io/vtkhdf\.cpp",
     r"zlib\.h": r"core/mesh/vtk/vtu_bytes\.cpp|core/io/deflate\.cpp",
-    r"metis\.h": r"core/mesh/distributed/partition\.cpp",
+    r"metis\.h": r"core/mesh/distributed/partition\.cpp|core/solve/direct/nested_dissection\.cpp",
     r"yaml-cpp/.*": r"app/.*",
     r"muParser\.h": r"core/problem/formula\.cpp",
 }

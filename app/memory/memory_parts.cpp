@@ -123,11 +123,12 @@ double coarse_bytes(Displacement name, const Size& s, const LinearSettings& l, b
          12 * s.nodes;
 }
 
-void add_direct(const RunSize& size, std::vector<MemoryPart>& parts) {
+void add_direct(const RunSize& size, Direct library, std::vector<MemoryPart>& parts) {
   const Size& s = size.levels.front();
+  const double both = library != Direct::mumps && size.symmetric ? lu_of_ldlt : 1;
   parts.push_back({"matrix and its copies", direct_matrix_bytes(s.hexes, size.symmetric)});
   parts.push_back(
-      {"factors", direct_factor_bytes(s.unknowns(), s.hexes, s.nodes, size.ranks, size.symmetric)});
+      {"factors", both * direct_factor_bytes(s.unknowns(), s.hexes, s.nodes, size.ranks, size.symmetric)});
 }
 
 void add_iterative(const RunSize& size, const SolverSettings& solver, std::vector<MemoryPart>& parts) {
@@ -170,7 +171,7 @@ std::vector<MemoryPart> parts_of_solution(const RunSize& size, const Scene& scen
   parts.push_back({"checkpoints",
                    scene.output.checkpoint > 0 ? 90 * s.nodes + 32 * s.hexes : 24 * s.nodes + 8 * s.hexes});
   if (scene.solver.linear.method == Method::direct)
-    add_direct(size, parts);
+    add_direct(size, scene.solver.linear.direct, parts);
   else
     add_iterative(size, scene.solver, parts);
   return parts;
@@ -180,7 +181,7 @@ double bytes_of_fallback(const RunSize& size, const Scene& scene) {
   const LinearSettings& l = scene.solver.linear;
   if (l.method == Method::direct || l.fallback != Fallback::direct) return 0;
   std::vector<MemoryPart> parts;
-  add_direct(size, parts);
+  add_direct(size, Direct::mumps, parts);
   return sum_of(parts);
 }
 

@@ -7,9 +7,25 @@
 
 namespace bulbus::inline solve {
 
-/// What solves a linear system: GMRES, or MUMPS.
+/// What solves a linear system: GMRES, or a sparse direct solver.
 enum class Method { iterative, direct };
 constexpr std::array<std::string_view, 2> words(Method) { return {"iterative", "direct"}; }
+
+/// Sparse direct solvers.
+enum class Direct { mumps, superlu_dist, umfpack, eigen };
+constexpr std::array<std::string_view, 4> words(Direct) {
+  return {"mumps", "superlu_dist", "umfpack", "eigen"};
+}
+
+/// Orders of elimination that MUMPS offers; `automatic` is its own choice among them.
+enum class Ordering { scotch, metis, amd, qamd, pord, automatic };
+constexpr std::array<std::string_view, 6> words(Ordering) {
+  return {"scotch", "metis", "amd", "qamd", "pord", "auto"};
+}
+
+/// What improves the solution that factors give.
+enum class Refinement { none, gmres };
+constexpr std::array<std::string_view, 2> words(Refinement) { return {"none", "gmres"}; }
 
 /// How the pressures of liquids enter a linear system: as unknowns, or eliminated.
 enum class Formulation { bordered, eliminated };

@@ -87,9 +87,10 @@ FactorReport DirectFallback::factorise(const CoupledSystem& system, Mumps& mumps
 LinearReport DirectFallback::solve(const CoupledOperator& A, std::span<const double> b, std::span<double> x,
                                    double tolerance) {
   const CoupledSystem& system = A.system();
-  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system.problem().comm())});
+  Mumps mumps(system.problem().comm(),
+              {.null_pivots = true, .memory_limit_mb = available_mb(system.problem().comm())});
   const FactorReport factor = factorise(system, mumps);
-  LinearReport report{.negative_pivots = system.problem().symmetric() ? factor.negative_pivots : -1,
+  LinearReport report{.negative_pivots = system.problem().symmetric() ? factor.nonpositive() : -1,
                       .factor = factor};
   if (!factor.ok) return report.reason = "MUMPS: " + factor.reason, report;
   std::vector<double> r(b.begin(), b.end()), dx(b.size());
@@ -108,15 +109,18 @@ LinearReport DirectFallback::solve(const CoupledOperator& A, std::span<const dou
   }
   report.ok = std::isfinite(report.reduction);
   if (!report.ok) report.reason = "MUMPS: the solution is not finite";
+  if (report.ok && unsolvable(factor, report.reduction))
+    report.ok = false, report.reason = "MUMPS: the matrix is singular";
   report.by_fallback = report.ok;
   return report;
 }
 
 int DirectFallback::negative_pivots(const CoupledSystem& system) {
   if (!system.problem().symmetric() || !available(system.problem())) return -1;
-  Mumps mumps(system.problem().comm(), {.memory_limit_mb = available_mb(system.problem().comm())});
+  Mumps mumps(system.problem().comm(),
+              {.null_pivots = true, .memory_limit_mb = available_mb(system.problem().comm())});
   const FactorReport factor = factorise(system, mumps);
-  return factor.ok ? factor.negative_pivots : -1;
+  return factor.ok ? factor.nonpositive() : -1;
 }
 
 }  // namespace bulbus::inline solve

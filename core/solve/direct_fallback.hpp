@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "core/solve/linear_solver.hpp"
+#include "core/solve/mumps.hpp"
 
 namespace bulbus::inline solve {
 

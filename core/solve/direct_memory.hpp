@@ -27,4 +27,7 @@ inline double direct_factor_bytes(double unknowns, double hexahedra, double node
          (symmetric ? 1 : 2);
 }
 
+/// Times as much by a solver that keeps L and U of a symmetric matrix.
+constexpr double lu_of_ldlt = 2.5;
+
 }  // namespace bulbus::inline solve

@@ -125,8 +125,10 @@ class KrylovSolver final : public LinearSolver {
     preconditioner_ = factory_->make(system);
     profiler_.memory.set("preconditioner", preconditioner_->bytes());
     const std::string error = preconditioner_->setup_error();
-    Preparation prepared{
-        .ok = error.empty(), .reason = error, .augmentation = preconditioner_->augmentation()};
+    Preparation prepared{.ok = error.empty(),
+                         .reason = error,
+                         .augmentation = preconditioner_->augmentation(),
+                         .factor = preconditioner_->factor()};
     if (prepared.ok || !fallback_.available(system->problem())) return prepared;
     give_up();
     prepared.ok = true;

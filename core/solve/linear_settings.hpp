@@ -69,9 +69,12 @@ struct PressureSettings {
   }
 };
 
-/// The linear solver: GMRES on the augmented system, or MUMPS on the plain one.
+/// The linear solver: GMRES on the augmented system, or a sparse direct solver on the plain one.
 struct LinearSettings {
   Method method = Method::iterative;
+  Direct direct = Direct::mumps;
+  Ordering ordering = Ordering::scotch;
+  Refinement refinement = Refinement::none;
   Formulation formulation = Formulation::bordered;
   Displacement displacement = Displacement::automatic;
   TangentStorage op = TangentStorage::recompute;
@@ -97,6 +100,7 @@ struct LinearSettings {
   template <class V>
   void describe(V&& v) {
     describe_choices(v);
+    describe_direct(v);
     describe_gmres(v);
     describe_preconditioners(v);
     describe_records(v);
@@ -111,8 +115,16 @@ struct LinearSettings {
   static About of_displacement(const About& about, D... by) {
     return of_gmres(about.expert()).only_with("solver.linear.displacement", by...);
   }
+  static About of_direct(const About& about) {
+    return about.expert().only_with("solver.linear.method", Method::direct);
+  }
+  static About of_mumps(const About& about) {
+    return of_direct(about).only_with("solver.linear.direct", Direct::mumps);
+  }
   template <class V>
   void describe_choices(V& v);
+  template <class V>
+  void describe_direct(V& v);
   template <class V>
   void describe_gmres(V& v);
   template <class V>
@@ -123,7 +135,7 @@ struct LinearSettings {
 
 template <class V>
 void LinearSettings::describe_choices(V& v) {
-  v("method", method, About{"GMRES or the direct solver MUMPS"});
+  v("method", method, About{"GMRES or a sparse direct solver, MUMPS unless `direct` names another"});
   v("formulation", formulation,
     About{"liquids of k wet nodes: bordered, P an unknown and 2*3k+1 numbers; or eliminated, for comparison: "
           "(3k)^2 numbers K/V_i g g^T, which the iterative solver applies as a product"}
@@ -143,6 +155,19 @@ void LinearSettings::describe_choices(V& v) {
     About{"MB over all ranks that a run may need: more is refused; 0: the memory of one machine"}
         .at_least(0)
         .automatic());
+}
+
+template <class V>
+void LinearSettings::describe_direct(V& v) {
+  v("direct", direct,
+    of_direct(
+        {"the direct solver. L D L^T with its number of negative pivots: mumps. L U, for comparison: "
+         "superlu_dist, on any number of ranks; umfpack, on one, if the program was built with it; eigen, "
+         "on one, up to 20,000 unknowns"}));
+  v("ordering", ordering, of_mumps({"order of elimination in MUMPS; auto: its own choice"}));
+  v("refinement", refinement,
+    of_direct({"gmres: solutions are those of GMRES, preconditioned by the factors, to the tolerance that "
+               "Newton's iteration asks for; negative pivots are not counted then"}));
 }
 
 template <class V>

@@ -8,8 +8,8 @@
 #include "core/base/clock.hpp"
 #include "core/base/memory.hpp"
 #include "core/solve/coupled_operator.hpp"
+#include "core/solve/factorisation.hpp"
 #include "core/solve/fgmres.hpp"
-#include "core/solve/mumps.hpp"
 
 namespace bulbus::inline solve {
 
@@ -95,6 +95,8 @@ class CoupledPreconditioner : public Preconditioner {
   virtual void enable_deferred_component() = 0;
   /// Extreme eigenvalues of Â⁻¹ A on displacements, estimated by a few Lanczos steps. Collective.
   virtual std::array<double, 2> displacement_spectrum() const = 0;
+  /// Of one that is made of factors of the whole system.
+  virtual std::optional<FactorReport> factor() const { return {}; }
 };
 
 /// Makes preconditioners of one linearisation after the other, and decides by their solves what the next one
@@ -122,8 +124,8 @@ std::unique_ptr<LinearSolver> make_krylov_solver(const LinearSettings& settings,
                                                  std::unique_ptr<PreconditionerFactory> factory,
                                                  Profiler& profiler);
 
-/// MUMPS on the system, augmented by its γ (0 costs nothing and changes no solution). What would not fit into
-/// the settings' memory limit is refused by its estimate.
+/// The settings' direct solver on the system, augmented by its γ (0 costs nothing and changes no solution).
+/// What would not fit into the settings' memory limit is refused by its estimate.
 std::unique_ptr<LinearSolver> make_direct_solver(const LinearSettings& settings, Profiler& profiler);
 
 }  // namespace bulbus::inline solve

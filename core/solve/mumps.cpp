@@ -12,6 +12,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/error.hpp"
+#include "core/solve/direct/nested_dissection.hpp"
 #include "core/solve/mumps_messages.hpp"
 
 namespace bulbus::inline solve {
@@ -21,6 +22,25 @@ template <class Number>
 constexpr double megabytes_per_entry = 1e-6 * (2 * sizeof(int) + sizeof(Number));
 
 enum Job { start = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 };
+
+/// ICNTL(7) of MUMPS's users' guide. Debian's MUMPS is built without METIS: its order is given.
+int code_of(Ordering ordering) {
+  switch (ordering) {
+    case Ordering::amd:
+      return 0;
+    case Ordering::scotch:
+      return 3;
+    case Ordering::pord:
+      return 4;
+    case Ordering::metis:
+      return 1;
+    case Ordering::qamd:
+      return 6;
+    case Ordering::automatic:
+      return 7;
+  }
+  return 7;
+}
 
 /// A large count: a negative one is in millions.
 double count(MUMPS_INT value) { return value < 0 ? -1e6 * value : value; }
@@ -74,7 +94,7 @@ struct Mumps::InstanceOf final : Instance {
   const Comm comm;
   const MumpsOptions options;
   Id id{};
-  std::vector<int> row, col;
+  std::vector<int> row, col, place;  // counted from 1
   std::vector<Number> value;
   bool started = false, analysed = false, factorised = false;
 
@@ -107,11 +127,12 @@ struct Mumps::InstanceOf final : Instance {
     run(start);
     started = true;
     for (int i : {1, 2, 3, 4}) control(i) = i < 4 ? -1 : 0;  // silent
-    control(7) = static_cast<int>(options.ordering);
+    control(7) = code_of(options.ordering);
     control(10) = options.refinements;
     if (options.block > 1) control(15) = -options.block;
     control(13) = 1;  // no ScaLAPACK at the root: its pivots would be missing in the inertia
     control(18) = 3;  // entries are distributed
+    control(24) = options.null_pivots;
     control(28) = 1;  // sequential analysis
   }
 
@@ -146,6 +167,16 @@ struct Mumps::InstanceOf final : Instance {
     id.jcn_loc = col.data();
     id.a_loc = value.data();
     return same ? Taken::known : Taken::unknown;
+  }
+
+  // The order of elimination that MUMPS is given.
+  void order() {
+    Triplets t{row, col, {value.begin(), value.end()}};
+    for (int& i : t.row) --i;
+    for (int& i : t.col) --i;
+    place = nested_dissection(t, id.n, comm);
+    for (int& p : place) ++p;
+    id.perm_in = place.data();
   }
 
   // Zeros where the last matrix had entries, unless they would be too many.
@@ -198,11 +229,12 @@ struct Mumps::InstanceOf final : Instance {
     report = {};
     report.matrix_entries = static_cast<double>(comm.sum(static_cast<long long>(row.size())));
     double begin = Clock::now();
+    if (options.ordering == Ordering::metis) order();
     analysed = run(analysis);
     report.seconds_analysis = Clock::now() - begin;
     if (!analysed) return fail();
     report.ok = true;
-    report.ordering = mumps_ordering(infog(7));
+    report.ordering = options.ordering == Ordering::metis ? "METIS" : mumps_ordering(infog(7));
     report.estimated_max_mb = infog(16);
     report.estimated_mb = infog(17);
     report.estimated_entries = count(infog(20));
@@ -213,7 +245,7 @@ struct Mumps::InstanceOf final : Instance {
   FactorReport& factorise() override {
     report.ok = false;
     report.memory_mb = report.memory_max_mb = report.flops = report.factor_entries = 0;
-    report.negative_pivots = report.relaxations = 0;
+    report.negative_pivots = report.null_pivots = report.relaxations = 0;
     auto finite = [](Number v) { return std::isfinite(v); };
     if (!comm.all(std::all_of(value.begin(), value.end(), finite))) return fail("the matrix is not finite");
     const double needed = report.estimated_mb + megabytes_per_entry<Number> * report.matrix_entries;
@@ -239,6 +271,7 @@ struct Mumps::InstanceOf final : Instance {
     report.factor_entries = count(infog(29));
     report.flops = rinfog(3);
     report.negative_pivots = id.sym == 2 ? infog(12) : 0;
+    report.null_pivots = infog(28);
     return report;
   }
 

@@ -2,44 +2,24 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <string>
 
 #include "core/base/parallel.hpp"
-#include "core/solve/linear_operator.hpp"
-#include "core/solve/triplets.hpp"
+#include "core/solve/choices.hpp"
+#include "core/solve/factorisation.hpp"
 
 namespace bulbus::inline solve {
 
-enum class MumpsOrdering { amd = 0, scotch = 3, pord = 4, metis = 5, qamd = 6, automatic = 7 };
-
 struct MumpsOptions {
   Precision precision = Precision::full;  ///< of matrix, factors and solutions
-  MumpsOrdering ordering = MumpsOrdering::scotch;
+  Ordering ordering = Ordering::scotch;
   int block = 1;  ///< unknowns that stand together in nodes, for the analysis: all have so many, side by side
   bool joined = false;  ///< entries that a matrix lacks of the last one become zeros, so that it needs no
                         ///< analysis; triplets come sorted, each once
   int refinements = 0;  ///< most steps of iterative refinement in a solve
-  int relaxations = 5;  ///< times that the workspace may be doubled when pivoting outgrows the estimate
+  bool null_pivots = false;  ///< pivots that vanish to rounding are found, and their unknowns set to zero
+  int relaxations = 5;       ///< times that the workspace may be doubled when pivoting outgrows the estimate
   double memory_limit_mb =
       0;  ///< over all ranks: refuse to factorise when matrix and estimate are larger; 0: no limit
-};
-
-/// What analysis foretold and the factorisation found. Memory in MB (10⁶ bytes).
-struct FactorReport {
-  bool ok = false;
-  bool kept = false;          ///< they are those of an earlier matrix
-  std::string reason;         ///< why not ok
-  int code = 0;               ///< INFOG(1)
-  bool too_large = false;     ///< refused by its estimate
-  std::string ordering;       ///< the one that ran
-  double matrix_entries = 0;  ///< of all ranks; of a symmetric matrix those of one triangle
-  double estimated_mb = 0, estimated_max_mb = 0;  ///< of all ranks; of the greediest one
-  double estimated_flops = 0, estimated_entries = 0;
-  double memory_mb = 0, memory_max_mb = 0;  ///< really used
-  double flops = 0, factor_entries = 0;
-  int negative_pivots = 0;  ///< of a symmetric matrix: its number of negative eigenvalues
-  int relaxations = 0;
-  double seconds_analysis = 0, seconds_factorisation = 0;
 };
 
 /// May factors stay for a matrix of the same pattern, no row of which differs from theirs by more than this

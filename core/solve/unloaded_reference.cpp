@@ -171,7 +171,7 @@ class Search {
   // As far as no element of the reference inverts and no cavity closes.
   bool move_without_inversion(const Problem& problem, std::span<const double> to, Iterate& iterate) {
     std::vector<double> X(to.size());
-    for (double part = 1; part >= least_length; part /= 2) {
+    for (double part = 1; part >= least_step_length; part /= 2) {
       for (std::size_t i = 0; i < X.size(); ++i) X[i] = iterate.X[i] + part * (to[i] - iterate.X[i]);
       if (mesh_.comm.min(problem.solid().least_jacobian(X)) > least_jacobian &&
           cavities_open(problem, iterate.X, X)) {

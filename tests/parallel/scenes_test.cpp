@@ -79,6 +79,23 @@ TEST(Ranks, DoNotMatterToAShellWhoseLiquidIsEliminated) {
   expect_same_figures("half shell, P eliminated", shell(), 1e-11, Formulation::eliminated);
 }
 
+TEST(Ranks, DoNotMatterToSuperLuDist) {
+  const Scene scene = shell();
+  Trial alone(scene, Comm(MPI_COMM_SELF)), together(scene);
+  together.settings.linear.direct = Direct::superlu_dist;
+  for (Trial* t : {&alone, &together}) {
+    t->settings.newton = tight(1e-11);
+    t->direct();
+    ASSERT_TRUE(t->report.converged) << t->report.reason;
+  }
+  const ProbeSet probes(alone.problem);
+  const auto expected = probes.values(alone.problem, alone.state),
+             found = ProbeSet(together.problem).values(together.problem, together.state);
+  ASSERT_EQ(found.size(), scene.model.probes.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_LT(relative(found[i], expected[i]), 1e-8) << probes.name(i);
+}
+
 TEST(Ranks, DoNotMatterToTheHalfEye) { expect_same_figures("half eye", eye(), 1e-9); }
 
 }  // namespace

@@ -69,7 +69,9 @@ std::pair<std::vector<std::string>, std::string> choices(const std::vector<Condi
   std::string chosen;
   for (int i = 0; i < static_cast<int>(conditions.size()); ++i) {
     const Condition& c = conditions[i];
-    const std::string other = c.key == method_key ? "direct" : "jacobi";
+    const std::string other = c.key == method_key         ? (c.words[0] == "direct" ? "iterative" : "direct")
+                              : c.key == displacement_key ? "jacobi"
+                                                          : "eigen";
     set.push_back(c.key + "=" + (i == but ? other : c.words[0]));
     if (i != but) continue;
     chosen = other;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace bulbus {
 namespace {
@@ -199,6 +200,40 @@ TEST_F(MumpsTest, SingularMatrixIsAValue) {
   std::vector<double> b(to - from, 1.0), x(to - from, 7.0);
   EXPECT_FALSE(mumps.solve(b, x));
   EXPECT_EQ(x, std::vector<double>(to - from, 7.0));
+}
+
+// The pressures of two rows of cells between walls that do not move have checkerboard modes: zero rows of a
+// saddle. Whatever the ordering, the unknowns of null pivots are zero, so that no multiple of a mode is in
+// the solution.
+TEST_F(MumpsTest, UnknownsOfNullPivotsAreZero) {
+  const int n = 6, nodes = n * n * n, pairs = 20, rows = nodes + 2 * pairs;
+  add_laplacian(c, n);
+  for (int e = 0; e < 2 * pairs; ++e)  // each constraint twice
+    for (int a = 0; a < 4; ++a) c.add_both(nodes + e, 4 * (e % pairs) + a, a == 0 ? 2 : -.7 * a);
+  std::vector<double> b(rows, 0.);
+  for (int i = 0; i < nodes; ++i) b[i] = std::sin(i + 1);
+  const auto [from, to] = share(rows, comm);
+  const auto mine = std::span(b).subspan(from, to - from);
+  for (Ordering ordering : {Ordering::scotch, Ordering::metis, Ordering::amd}) {
+    Mumps mumps(comm, {.ordering = ordering, .null_pivots = true});
+    const FactorReport r = mumps.factorise(c.mine, rows, true);
+    ASSERT_TRUE(r.ok) << r.reason;
+    EXPECT_EQ(r.null_pivots, pairs);
+    EXPECT_EQ(r.negative_pivots, pairs);
+    EXPECT_EQ(r.nonpositive(), 2 * pairs);
+    std::vector<double> x(mine.size());
+    ASSERT_TRUE(mumps.solve(mine, x));
+    const std::vector<double> all = comm.gather(std::span<const double>(x));
+    for (int e = nodes; e < nodes + pairs; ++e)
+      EXPECT_LT(std::min(std::abs(all[e]), std::abs(all[e + pairs])), 1e-12) << e;
+    std::vector<double> Ax(rows, 0.);
+    for (std::size_t k = 0; k < c.mine.row.size(); ++k)
+      Ax[c.mine.row[k]] += c.mine.value[k] * all[c.mine.col[k]];
+    comm.sum(std::span<double>(Ax));
+    EXPECT_LT(relative_difference(Ax, b), 1e-12);
+    EXPECT_FALSE(unsolvable(r, 1e-12));
+    EXPECT_TRUE(unsolvable(r, 1e-3));
+  }
 }
 
 TEST_F(MumpsTest, MatrixThatIsNotFinite) {
