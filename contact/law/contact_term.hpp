@@ -74,13 +74,18 @@ class ContactTerm final : public Term {
   void pass_step(int step, const State& start) override;
   double solve_tolerance() const override { return solve_tolerance_; }
   void predict(std::span<const double> dx) override;
-  bool update_multipliers(const State& state) override;
+  bool update_multipliers(const State& state) override { return !(settled_ = !unsettled(state)); }
   void set_progress(double s) override;
   void freeze() override;
   void commit(const State& state) override;
   void roll_back() override;
   void serialize(Archive& archive) override;
   std::string refusal(const State& state) const override;
+
+  /// Did the last update_multipliers() leave all as it was?
+  bool settled() const { return settled_; }
+  /// The rigid master has been moved within the increment: the active set is looked at anew.
+  void reopen() { retried_ = false; }
 
   /// N·mm
   double potential(const State& state) const;
@@ -173,6 +178,7 @@ class ContactTerm final : public Term {
                      const std::function<bool(const Touch&)>& counts) const;
   double violation(const Found& found) const;
   double needed_tolerance(double highest) const;
+  bool unsettled(const State& state);
   bool released(const Found& found);
   bool set_changed(const Found& found);
   void begin_increment();
@@ -195,8 +201,9 @@ class ContactTerm final : public Term {
 
   std::vector<PressureRate> rates_;  // of the active pairs of the last linearisation
   std::vector<double> predicted_;    // pressure of every slot after the last Newton step, MPa; 0: not active
-  bool linearized_ = false, retried_ = false;  // in this increment; at convergence, with another active set
-  std::vector<int> releases_;                  // of every slot from tension in this increment
+  bool linearized_ = false, retried_ = false,
+       settled_ = true;        // in this increment; at convergence, with another active set
+  std::vector<int> releases_;  // of every slot from tension in this increment
   BlockTangent tangent_;
 
   mutable GlobalSearch search_;
