@@ -1,10 +1,10 @@
 #include "app/prepare.hpp"
 
 #include "app/eye/tissues.hpp"
+#include "app/records/probe_kinds.hpp"
 #include "app/records/record_names.hpp"
 #include "app/scene/contact_limits.hpp"
 #include "app/scene/size_limits.hpp"
-#include "contact/interaction_probes.hpp"
 #include "core/base/error.hpp"
 #include "core/problem/reference_model.hpp"
 #include "core/problem/symmetry_planes.hpp"
@@ -65,7 +65,7 @@ void check_reference(const ReferenceSpec& reference, const Mesh& base, const Mod
 
 void rehearse(Problem& problem, const Mesh& base) {
   const auto interactions = Interactions::attach(problem, base);
-  const ProbeSet probes(problem, interaction_probes(interactions));
+  const ProbeSet probes(problem, probe_kinds(interactions));
   problem.rehearse(static_cast<int>(problem.model().steps.size()));
 }
 

@@ -224,6 +224,30 @@ def trade_tables():
                               [("mesh, %", "mesh")])])
 
 
+CLINICAL = [("run", "run"), ("n", "n"), ("after", "step"), ("IOP, mmHg", "IOP"), ("peak", "IOP_peak"), ("drained, µL", "drained"),
+            ("axis, mm", "axial_change"), ("refraction, D", "refraction"), ("cornea, D", "corneal_power"), ("astigmatism, D", "corneal_astigmatism"),
+            ("buckle over the tear's front, back, mm", "height"), ("rim sealed", "tear_sealed"), ("reattached", "retina_reattached"),
+            ("retina on choroid, mmHg", "choroid_contact_pressure"), ("band, N", "band_tension"), ("at sutures, kPa", "suture_mises_mean"),
+            ("Newton", "newton"), ("Krylov", "krylov")]
+DECIMALS = {"IOP": "{:.1f}", "IOP_peak": "{:.1f}", "drained": "{:.0f}", "axial_change": "{:+.2f}", "refraction": "{:+.2f}", "corneal_power": "{:+.2f}",
+            "corneal_astigmatism": "{:.2f}", "tear_sealed": "{:.0%}", "retina_reattached": "{:.0%}", "choroid_contact_pressure": "{:.2f}",
+            "band_tension": "{:.2f}", "suture_mises_mean": "{:.0f}"}
+
+
+# The operation after every step, by benchmarks/drainage.py.
+def clinical_table():
+    path = HERE.parent / "docs" / "operation.csv"
+    if not path.exists():
+        return ""
+    with open(path) as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        front, back = row["buckle_height_front"], row["buckle_height_back"]
+        row["height"] = f"{float(front):.2f}, {float(back):.2f}" if front else ""
+        row |= {key: form.format(float(row[key])) if row[key] else "" for key, form in DECIMALS.items()}
+    return table(rows, CLINICAL)
+
+
 def scaling_rows():
     files = sorted((HERE / "results").glob("scaling_*.json"))
     return [row for f in files for row in json.loads(f.read_text())["rows"]]
@@ -317,6 +341,7 @@ def pages():
                             "operation": table(beside_paper(result("operation")), OPERATION), "large": large_facts()},
               "docs/benchmarks.md": {"best": best_table(), "tables": all_tables(recorded())},
               "docs/trade.md": {"trade": trade_tables()},
+              "docs/operation.md": {"clinical": clinical_table()},
               "docs/scaling.md": scaling_blocks(),
               "docs/verification.md": {"mesh": mesh_table()}}
     for name, of_page in blocks.items():

@@ -1,9 +1,13 @@
 #include "contact/interaction_probes.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
+#include "contact/band_tension.hpp"
 #include "contact/interaction_figures.hpp"
 #include "core/base/error.hpp"
+#include "core/problem/closed_surface.hpp"
 
 namespace bulbus::inline contact {
 namespace {
@@ -37,6 +41,77 @@ ProbeSet::Figure over_slaves(const Problem& problem, const Contact& contact, con
     for (const ContactNode& n : nodes_of(contact, s))
       if (counts[n.node]) numbers.push_back(number(n));
     return probes::statistic(s.problem.comm(), statistic, numbers);
+  };
+}
+
+// Of faces as polygons, on this rank, mm².
+double slave_area(const Contact& contact, const Snapshot& s) {
+  double sum = 0;
+  for (const Quad& q : contact.term->slave().faces()) {
+    if (q[0] >= s.problem.mesh().owned) continue;
+    std::array<Vec3<double>, 4> x;
+    for (int c = 0; c < 4; ++c) x[c] = at(s.state.x, q[c]);
+    sum += norm(cross(minus(x[2], x[0]), minus(x[3], x[1]))) / 2;
+  }
+  return sum;
+}
+
+ProbeSet::Figure contact_fraction(const Contact& contact) {
+  return [&contact](Snapshot& s) {
+    return standing(contact, s).area /
+           (s.problem.multiplicity() * s.problem.comm().sum(slave_area(contact, s)));
+  };
+}
+
+// Σ |f| over the area in contact.
+ProbeSet::Figure mean_contact_pressure(const Contact& contact) {
+  return [&contact](Snapshot& s) {
+    double force = 0;
+    for (const ContactNode& n : nodes_of(contact, s)) force += norm(n.force);
+    force = s.problem.multiplicity() * s.problem.comm().sum(force);
+    const double area = standing(contact, s).area;
+    return area > 0 ? force / area : 0;
+  };
+}
+
+// Undeformed length of the slave's edge at a set that belongs to each of its nodes: half of either side's.
+std::map<int, double> edge_lengths(const Problem& problem, const Contact& contact, const std::string& set) {
+  const std::vector<int>& nodes = problem.nodes_of(set);
+  const std::set<int> named(nodes.begin(), nodes.end());
+  std::map<std::array<int, 2>, int> faces_of_edge;
+  for (const Quad& q : contact.term->slave().faces())
+    for (int c = 0; c < 4; ++c) {
+      const auto [a, b] = std::minmax(q[c], q[(c + 1) % 4]);
+      if (named.contains(a) && named.contains(b)) ++faces_of_edge[{a, b}];
+    }
+  const std::span<const double> X = problem.mesh().X;
+  std::map<int, double> lengths;
+  for (const auto& [edge, faces] : faces_of_edge) {
+    const Vec3<double> a = at(X, edge[0]), b = at(X, edge[1]);
+    const bool in_plane = std::ranges::any_of(problem.model().symmetry, [&](const std::string& plane) {
+      return std::max(std::abs(a[axis_of(plane)]), std::abs(b[axis_of(plane)])) < 1e-9 * norm(a);
+    });
+    if (faces != 1 || in_plane) continue;
+    for (int n : edge) lengths[n] += norm(minus(a, b)) / 2;
+  }
+  return lengths;
+}
+
+ProbeSet::Figure sealed_fraction(const Problem& problem, const Contact& contact, const std::string& set) {
+  auto lengths = edge_lengths(problem, contact, set);
+  double all = 0;
+  for (int n : contact.term->slave().nodes())
+    if (const auto found = lengths.find(n); found != lengths.end()) all += found->second;
+  all = problem.comm().sum(all);
+  if (all == 0)
+    throw scene_error("set", "'" + set + "' has no edge of the slave of contact '" + contact.spec.name + "'",
+                      "Name nodes along an edge of '" + contact.spec.slave + "', such as a tear's rim.");
+  return [&contact, lengths = std::move(lengths), all](Snapshot& s) {
+    double sealed = 0;
+    for (const ContactNode& n : nodes_of(contact, s))
+      if (const auto found = lengths.find(n.node); n.active && found != lengths.end())
+        sealed += found->second;
+    return s.problem.comm().sum(sealed) / all;
   };
 }
 
@@ -79,6 +154,20 @@ ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interacti
             problem, interactions->contact(spec.contact, "contact"), spec.set, "mean",
             [interactions, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
       }};
+  const auto of_spec = [interactions](auto figure) {
+    return [=](const Problem&, const ProbeSpec& spec) {
+      return [interactions, f = figure(interactions->contact(spec.contact, "contact"))](Snapshot& s) {
+        return f(s);
+      };
+    };
+  };
+  kinds["contact_fraction"] = {Q::number, of_spec(contact_fraction)};
+  kinds["mean_contact_pressure"] = {Q::stress, of_spec(mean_contact_pressure)};
+  kinds["sealed_fraction"] = {
+      Q::number, [=](const Problem& problem, const ProbeSpec& spec) -> Figure {
+        const Contact& contact = interactions->contact(spec.contact, "contact");
+        return [interactions, f = sealed_fraction(problem, contact, spec.set)](Snapshot& s) { return f(s); };
+      }};
   kinds["body_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
                            return [interactions, on = interactions->contacts_on(spec.body, "body"),
                                    c = spec.component,
@@ -92,14 +181,28 @@ ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interacti
                             };
                           },
                           " mm"};
+  kinds["band_tension"] = {Q::force, [=](const Problem& problem, const ProbeSpec& spec) -> Figure {
+                             const auto on = interactions->contacts_on(spec.body, "body");
+                             const double opening =
+                                 band_opening(problem.model().rigid_bodies.at(spec.body), spec.body, "body");
+                             return [interactions, on, opening](Snapshot& s) {
+                               double tension = 0;
+                               for (const Contact* c : on)
+                                 tension += band_tension(*c->body, opening, standing(*c, s).on_master);
+                               return tension;
+                             };
+                           }};
   kinds["suture_force"] = {Q::force, [=](const Problem&, const ProbeSpec& spec) -> Figure {
                              return [interactions, &suture = interactions->suture(spec.suture, "suture")](
                                         Snapshot&) { return suture.strings().front().force; };
                            }};
-  kinds["suture_mises"] = {Q::stress, [=](const Problem& problem, const ProbeSpec& spec) {
-                             interactions->suture(spec.suture, "suture");
-                             return probes::mises_around(problem, spec, interactions->bites(spec.suture));
-                           }};
+  kinds["suture_mises"] = {
+      Q::stress, [=](const Problem& problem, const ProbeSpec& spec) {
+        interactions->suture(spec.suture, "suture");
+        return spec.within > 0
+                   ? probes::mean_mises_near(problem, spec, interactions->suture_places(spec.suture))
+                   : probes::mises_around(problem, spec, interactions->bites(spec.suture));
+      }};
   return kinds;
 }
 

@@ -7,6 +7,7 @@
 #include <ranges>
 #include <set>
 
+#include "contact/elastic_bands.hpp"
 #include "contact/rigid/rigid_shapes.hpp"
 #include "contact/surfaces/layer.hpp"
 #include "contact/suture/suture_points.hpp"
@@ -67,7 +68,7 @@ void refuse_out_of_sight(const RigidSurface& body, double farthest, const std::s
 void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& move, double distance) {
   auto poses = motion.poses();
   for (std::size_t p = 0; p < poses.size(); ++p) {
-    const bool shifts = move.close == 0 && norm(move.translate) > 0;
+    const bool shifts = move.close == 0 && move.shorten == 0 && norm(move.translate) > 0;
     const Vec3<double> d = shifts ? move.translate : body.parts[p].inwards;
     const double length = norm(d);
     for (int c = 0; c < 3; ++c) poses[p].shift[c] -= length > 0 ? distance * d[c] / length : 0;
@@ -86,6 +87,8 @@ std::shared_ptr<Interactions> Interactions::attach(Problem& problem, const Mesh&
     if (c.middles) problem.add(c.middles);
   }
   for (const auto& [name, suture] : interactions->sutures_) problem.add(suture);
+  if (auto bands = std::make_shared<ElasticBands>(problem, *interactions); !bands->empty())
+    problem.add(bands);
   return interactions;
 }
 
@@ -211,8 +214,10 @@ void Interactions::add_suture(const std::string& name, const SutureSpec& spec) {
       [&] { points = suture_points(tissue.mesh, spec, problem_.model().symmetry, key); });
   for (SuturePoint& p : points)
     for (int& n : p.nodes) n = tissue.input[n];
-  for (const SuturePoint& p : points)
+  for (const SuturePoint& p : points) {
+    suture_places_[name].push_back(p.place);
     for (int n : problem_.mesh().local(p.nodes)) bites_[name].push_back(n);
+  }
   sutures_[name] = std::make_shared<SutureTerm>(problem_.mesh(), points, body->second, spec, key);
 }
 
@@ -279,8 +284,10 @@ void Interactions::start_contacts(const State& start) {
 void Interactions::begin_step(int step, const State& start) {
   const StepSpec& spec = problem_.model().steps.at(step);
   for (std::size_t i = 0; i < spec.move.size(); ++i) {
-    const auto slaves = slaves_of(spec.move[i].body, start);
-    motions_.at(spec.move[i].body).begin(spec.move[i], slaves, fmt::format("steps.{}.move.{}", step, i));
+    MoveSpec move = spec.move[i];
+    const auto& band = problem_.model().rigid_bodies.at(move.body).band;
+    if (band && band->stiffness > 0) move.shorten = 0;  // its radius is found
+    motions_.at(move.body).begin(move, slaves_of(move.body, start), fmt::format("steps.{}.move.{}", step, i));
   }
   for (const auto& [name, force] : spec.sew) sutures_.at(name)->sew(force);
   set_progress(0);

@@ -34,6 +34,7 @@ class Interactions final : public Term {
   const std::vector<Contact>& contacts() const { return contacts_; }
   const std::map<std::string, std::shared_ptr<SutureTerm>>& sutures() const { return sutures_; }
   const std::map<std::string, std::shared_ptr<RigidSurface>>& bodies() const { return bodies_; }
+  RigidMotion& motion(const std::string& body) { return motions_.at(body); }
   /// Throw InputError with the key if there is none.
   const Contact& contact(const std::string& name, const std::string& key) const;
   const SutureTerm& suture(const std::string& name, const std::string& key) const;
@@ -41,6 +42,10 @@ class Interactions final : public Term {
   std::vector<const Contact*> contacts_on(const std::string& body, const std::string& key) const;
   /// Local nodes, ghosts included, in which the points of a suture hold the tissue.
   const std::vector<int>& bites(const std::string& suture) const { return bites_.at(suture); }
+  /// Those points on the undeformed tissue, mm.
+  const std::vector<Point>& suture_places(const std::string& suture) const {
+    return suture_places_.at(suture);
+  }
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
   void begin_step(int step, const State& start) override;
@@ -64,6 +69,7 @@ class Interactions final : public Term {
   std::vector<Contact> contacts_;
   std::map<std::string, std::shared_ptr<SutureTerm>> sutures_;
   std::map<std::string, std::vector<int>> bites_;
+  std::map<std::string, std::vector<Point>> suture_places_;
 };
 
 }  // namespace bulbus::inline contact

@@ -1,5 +1,6 @@
 #include "app/eye/eye.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/eye/eye_map.hpp"
@@ -101,6 +102,13 @@ void name_detached_nodes(Mesh& mesh, Columns& columns) {
   }
   for (int column : columns.detached.rim)
     mesh.node_sets["tear_rim"].push_back(columns.node(column, columns.back));
+  if (columns.detached.rim.empty()) return;
+  const auto ring = [&](int column) { return columns.sheet.nodes[column].s; };
+  const auto [back, front] = std::ranges::minmax(columns.detached.rim, {}, ring);
+  for (int column : columns.detached.rim)
+    for (const auto& [name, edge] : {std::pair{"tear_bed_front", front}, {"tear_bed_back", back}})
+      if (ring(column) == ring(edge))
+        mesh.node_sets[name].push_back(columns.node(column, columns.map.choroid));
 }
 
 std::vector<bool> outer_nodes(const Mesh& mesh, Columns& columns) {

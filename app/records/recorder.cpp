@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "app/memory/sizes.hpp"
-#include "contact/interaction_probes.hpp"
+#include "app/records/probe_kinds.hpp"
 #include "core/io/json_file.hpp"
 #include "core/io/output.hpp"
 
@@ -44,7 +44,7 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       profiler_(profiler),
       progress_(log, problem_, scene.solver.stepping),
       witness_(problem_, static_cast<int>(stable_pivots(problem_))),
-      probes_(problem_, interaction_probes(interactions_)),
+      probes_(problem_, probe_kinds(interactions_)),
       record_(probes_),
       results_(scene.output, problem_, interactions_, folder),
       checkpoints_(scene, prepared, *this, folder) {
@@ -199,7 +199,7 @@ std::vector<std::string> Recorder::snaps() const {
 
 void Recorder::take(Snapshot& snapshot) {
   taken_ = true;
-  values_ = record_.values(snapshot);
+  values_ = record_.increment_ended(snapshot);
   contacts_.clear();
   for (const Interactions::Contact& contact : interactions_->contacts())
     contacts_.push_back(standing(contact, snapshot));

@@ -39,11 +39,14 @@ std::string exceeded(const ProbeSpec& p) {
   return fmt::format("Mises stress that {:.3g} % of the volume exceed", 100 - p.percentile);
 }
 
+std::string of_zone(const ProbeSpec& p) { return fmt::format(" in its central {:g} mm", p.zone); }
+
 std::string figure(const ProbeSpec& p) {
   static const std::map<std::string, std::function<std::string(const ProbeSpec&)>> words{
       {"displacement", [](auto& p) { return statistic(p) + component(p) + "displacement" + of_set(p); }},
       {"position", [](auto& p) { return statistic(p) + component(p) + "position" + of_set(p); }},
       {"distance", [](auto& p) { return "distance from " + p.set + " to " + p.to + along(p); }},
+      {"buckle_height", [](auto& p) { return "how far " + p.set + " stands inwards of " + p.to; }},
       {"reaction",
        [](auto& p) { return "force of the supports on the body" + of_set(p, " at ") + along(p); }},
       {"moment",
@@ -57,6 +60,7 @@ std::string figure(const ProbeSpec& p) {
       {"contact_area", [](auto& p) { return "area that touches at the contact " + p.contact; }},
       {"contact_force", [](auto& p) { return "force of the contact " + p.contact + along(p); }},
       {"contact_pressure", [](auto& p) { return "largest pressure of the contact " + p.contact; }},
+      {"mean_contact_pressure", [](auto& p) { return "mean pressure of the contact " + p.contact; }},
       {"penetration", [](auto& p) { return "largest penetration of the contact " + p.contact; }},
       {"gap", [](auto& p) { return statistic(p) + "gap of the contact " + p.contact + of_set(p, " at "); }},
       {"closed_fraction",
@@ -64,11 +68,30 @@ std::string figure(const ProbeSpec& p) {
          return fmt::format("part of the nodes{} that are closer than {:g} mm at the contact {}", of_set(p),
                             p.tolerance, p.contact);
        }},
+      {"sealed_fraction",
+       [](auto& p) {
+         return "part of the edge" + of_set(p) + " that the contact " + p.contact + " presses";
+       }},
+      {"contact_fraction",
+       [](auto& p) { return "part of the slave's area that touches at the contact " + p.contact; }},
       {"body_force", [](auto& p) { return "force of all contacts on " + p.body + along(p); }},
       {"body_moment",
        [](auto& p) { return "moment of all contacts on " + p.body + " about the origin" + along(p); }},
+      {"band_tension", [](auto& p) { return "hoop force of the band " + p.body; }},
       {"suture_force", [](auto& p) { return "force of one string of the suture " + p.suture; }},
-      {"suture_mises", [](auto& p) { return exceeded(p) + " around the bites of the suture " + p.suture; }}};
+      {"suture_mises",
+       [](auto& p) {
+         const std::string what = p.within > 0 ? fmt::format("mean Mises stress within {:g} mm of", p.within)
+                                               : exceeded(p) + " around";
+         return what + " the bites of the suture " + p.suture;
+       }},
+      {"corneal_power", [](auto& p) { return "power of the cornea" + of_zone(p); }},
+      {"corneal_astigmatism", [](auto& p) { return "astigmatism of the cornea" + of_zone(p); }},
+      {"steep_meridian",
+       [](auto& p) { return "steepest meridian of the cornea" + of_zone(p) + ", from +x towards +y"; }},
+      {"refraction", [](auto&) {
+         return std::string("refraction of cornea and lens (spherical equivalent), negative: myopia");
+       }}};
   const auto found = words.find(p.kind);
   return found == words.end() ? p.kind : found->second(p);
 }
@@ -77,6 +100,7 @@ std::string figure(const ProbeSpec& p) {
 
 std::string meaning_of(const ProbeSpec& p) {
   std::string words = figure(p);
+  if (p.peak) words += ", largest so far";
   if (!p.since.empty()) words += ", change since the end of " + p.since;
   if (p.scale != 1) words += fmt::format(", times {:g}", p.scale);
   return words;

@@ -7,6 +7,7 @@ namespace bulbus::inline app {
 namespace {
 
 constexpr double least_length = .5, least_pressure = 5 * 133.322e-6;  // mm, MPa
+constexpr double least_power = .25;                                   // D, the step of trial lenses
 
 template <class Error>
 std::optional<TradeError> largest(const TradeResults& results, int run, Error error) {
@@ -43,9 +44,12 @@ double least_of(const ProbeSpec& probe) {
     const Quantity quantity = probe.kind == "pressure" ? Quantity::stress : Quantity::length;
     return std::abs(probe.scale) * v / (probe.unit.empty() ? 1 : parse_quantity("1 " + probe.unit, quantity));
   };
-  if (probe.kind == "closed_fraction") return 1;
+  for (const char* share : {"closed_fraction", "sealed_fraction", "contact_fraction"})
+    if (probe.kind == share) return 1;
+  for (const char* power : {"refraction", "corneal_power", "corneal_astigmatism"})
+    if (probe.kind == power) return std::abs(probe.scale) * least_power;
   if (probe.kind == "pressure") return in_its_unit(least_pressure);
-  for (const char* length : {"displacement", "position", "distance", "gap", "penetration"})
+  for (const char* length : {"displacement", "position", "distance", "buckle_height", "gap", "penetration"})
     if (probe.kind == length) return in_its_unit(least_length);
   return 0;
 }

@@ -157,7 +157,7 @@ bool ContactTerm::set_changed(const Found& f) {
   return retried_ = comm_.any(now != active_);
 }
 
-bool ContactTerm::update_multipliers(const State& state) {
+bool ContactTerm::unsettled(const State& state) {
   const Found& f = found(state);
   if (set_changed(f) || released(f)) return true;
   if (tolerance_ == 0) return false;

@@ -71,13 +71,18 @@ class ContactTerm final : public Term {
   /// Without the search for pairs, which is long and ends in nothing where the step is not solved.
   void pass_step(int step, const State& start) override;
   void predict(const TermTangent& tangent, std::span<const double> dx) override;
-  bool update_multipliers(const State& state) override;
+  bool update_multipliers(const State& state) override { return !(settled_ = !unsettled(state)); }
   void set_progress(double s) override;
   void freeze() override;
   void commit(const State& state) override;
   void roll_back() override;
   void serialize(Archive& archive) override;
   std::string refusal(const State& state) const override;
+
+  /// Did the last update_multipliers() leave all as it was?
+  bool settled() const { return settled_; }
+  /// The rigid master has been moved within the increment: the active set is looked at anew.
+  void reopen() { retried_ = false; }
 
   /// N·mm
   double potential(const State& state) const;
@@ -182,6 +187,7 @@ class ContactTerm final : public Term {
                      const std::function<bool(const Touch&)>& counts) const;
   double violation(const Found& found) const;
   double needed_tolerance(double highest) const;
+  bool unsettled(const State& state);
   bool released(const Found& found);
   bool set_changed(const Found& found);
   void begin_increment();
@@ -204,7 +210,8 @@ class ContactTerm final : public Term {
 
   std::vector<double> predicted_;  // pressure of every slot after the last Newton step, MPa; 0: not active
   std::vector<int> active_;        // slots with which that step was found
-  bool stepped_ = false, retried_ = false;  // in this increment; at convergence, with another active set
+  bool stepped_ = false, retried_ = false,
+       settled_ = true;  // in this increment; at convergence, with another active set
   std::vector<int> releases_;               // of every slot from tension in this increment
 
   mutable GlobalSearch search_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "contact/surfaces/meridians.hpp"
 #include "core/base/error.hpp"
@@ -77,21 +78,26 @@ Vec3<double> RigidMotion::inwards(std::size_t part) const {
 }
 
 void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key) {
+  const double close = move.close + move.shorten / (2 * std::numbers::pi);
   for (const auto& part : surface_->parts)
-    if (move.close != 0 && norm(part.inwards) == 0)
-      throw scene_error(key + ".close", "'" + surface_->name + "' has no direction to close along",
+    if (close != 0 && norm(part.inwards) == 0)
+      throw scene_error(key + (move.close != 0 ? ".close" : ".shorten"),
+                        "'" + surface_->name + "' has no direction to close along",
                         "Give the body a `direction`, or use `translate`.");
+  if (move.close != 0 && move.shorten != 0)
+    throw scene_error(key + ".shorten", "`close` and `shorten` both say how far the body closes",
+                      "Keep one of them.");
   if (move.rotate && !(norm(move.rotate->axis) > 0))
     throw scene_error(key + ".rotate.axis", "the axis is zero", "Give a vector with a length.");
   if (move.from == "touch") bring_to_touch(move, slaves, key);
-  course_ = {move.rotate, move.translate, move.close};
+  course_ = {move.rotate, move.translate, close};
   set_progress(0);
 }
 
 void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> slaves,
                                  const std::string& key) {
   for (std::size_t p = 0; p < start_.size(); ++p) {
-    const bool shifts = move.close == 0 && norm(move.translate) > 0;
+    const bool shifts = move.close == 0 && move.shorten == 0 && norm(move.translate) > 0;
     const Vec3<double> d = shifts ? unit(move.translate) : inwards(p);
     if (!(norm(d) > 0))
       throw scene_error(key + ".from", "'" + surface_->name + "' has no direction in which to come to touch",
@@ -116,11 +122,17 @@ Pose RigidMotion::at(std::size_t part, double s) const {
     pose.rotation = R * pose.rotation;
     pose.shift = r.center + turned(R, c + pose.shift - r.center) - c;
   }
-  pose.shift = pose.shift + s * course_.translate + s * course_.close * inwards(part);
+  pose.shift = pose.shift + s * course_.translate + (s * course_.close + closing_) * inwards(part);
   return pose;
 }
 
+void RigidMotion::set_closing(double way) {
+  closing_ = way;
+  set_progress(progress_);
+}
+
 void RigidMotion::set_progress(double s) {
+  progress_ = s;
   for (std::size_t p = 0; p < now_.size(); ++p) now_[p] = at(p, s);
   place();
 }
@@ -136,6 +148,7 @@ void RigidMotion::freeze() {
   set_progress(1);
   start_ = now_;
   course_ = {};
+  closing_ = 0;
 }
 
 void RigidMotion::place() {

@@ -24,6 +24,8 @@ class RigidMotion {
   void begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key);
   /// Places at the part s of the step done.
   void set_progress(double s);
+  /// All parts a way (mm) further along their own directions than the step's motion has them, till its end.
+  void set_closing(double way);
   /// The end of the step stays.
   void freeze();
 
@@ -47,6 +49,7 @@ class RigidMotion {
   std::shared_ptr<RigidSurface> surface_;
   std::vector<Pose> start_, now_;
   Course course_;
+  double closing_ = 0, progress_ = 0;
 };
 
 /// Way along the unit vector `direction` after which a part, coming from far behind, first meets one of the

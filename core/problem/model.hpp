@@ -178,29 +178,61 @@ struct StepSpec {
 struct ProbeSpec {
   std::string name, kind, set, to, liquid, region, contact, body, suture,
       component = "magnitude", of = "whole", statistic = "mean", since, unit, label;
-  double percentile = 100, tolerance = 0.1, scale = 1;
+  double percentile = 100, tolerance = 0.1, within = 0, zone = 3, lens_power = 19.11, scale = 1;
+  bool peak = false;
   template <class V>
   void describe(V&& v) {
     v("name", name, About{"column in history.csv and summary.json"}.needed());
     v("kind", kind,
-      About{"what is recorded"}.needed().one_of(
-          {"displacement",     "position",    "distance",     "reaction",
-           "moment",           "pressure",    "volume",       "mises",
-           "volume_ratio",     "bar_force",   "contact_area", "contact_force",
-           "contact_pressure", "penetration", "gap",          "closed_fraction",
-           "body_force",       "body_moment", "suture_force", "suture_mises"}));
+      About{"what is recorded"}.needed().one_of({"displacement",
+                                                 "position",
+                                                 "distance",
+                                                 "buckle_height",
+                                                 "reaction",
+                                                 "moment",
+                                                 "pressure",
+                                                 "volume",
+                                                 "mises",
+                                                 "volume_ratio",
+                                                 "bar_force",
+                                                 "contact_area",
+                                                 "contact_force",
+                                                 "contact_pressure",
+                                                 "mean_contact_pressure",
+                                                 "penetration",
+                                                 "gap",
+                                                 "closed_fraction",
+                                                 "sealed_fraction",
+                                                 "contact_fraction",
+                                                 "body_force",
+                                                 "body_moment",
+                                                 "band_tension",
+                                                 "suture_force",
+                                                 "suture_mises",
+                                                 "corneal_power",
+                                                 "corneal_astigmatism",
+                                                 "steep_meridian",
+                                                 "refraction"}));
     v("set", set,
       About{"node set, surface or region (displacement, position, distance, reaction, moment; mises: cells "
-            "that "
-            "touch it; gap, closed_fraction: those of the contact's slave nodes; empty: all)"});
-    v("to", to, About{"the second set of a distance: mean position of `to` minus mean position of `set`"});
+            "that touch it; gap, closed_fraction: those of the contact's slave nodes; empty: all; "
+            "sealed_fraction: nodes on an edge of the slave, such as a tear's rim; buckle_height: the crest; "
+            "corneal_power, corneal_astigmatism, steep_meridian, refraction: the cornea's front)"});
+    v("to", to,
+      About{"the second set: distance is from the mean position of `set` to that of `to`; buckle_height: the "
+            "wall beside the buckle; refraction: the retina's pole"});
     v("liquid", liquid, About{"the liquid (pressure, volume)"});
-    v("region", region, About{"the region (mises, volume_ratio) or group of bars (bar_force); empty: all"});
+    v("region", region,
+      About{"the region (mises, volume_ratio; refraction: the lens) or group of bars (bar_force); empty: "
+            "all"});
     v("contact", contact,
-      About{"the contact (contact_area, contact_force on its master, largest contact_pressure and "
-            "penetration, gap, closed_fraction)"});
+      About{
+          "the contact (contact_area, contact_force on its master, largest contact_pressure and "
+          "penetration, mean_contact_pressure: force over area, gap, closed_fraction, sealed_fraction: share "
+          "of an edge's length that is pressed, contact_fraction: share of the slave's area in contact)"});
     v("body", body,
-      About{"the rigid body: what all contacts do to it (body_force, body_moment about the origin)"});
+      About{"the rigid body: what all contacts do to it (body_force, body_moment about the origin; "
+            "band_tension: the hoop force with which its arcs balance that)"});
     v("suture", suture,
       About{"the suture (suture_force: of one string; suture_mises: cells that touch its bites)"});
     v("component", component,
@@ -219,6 +251,20 @@ struct ProbeSpec {
     v("since", since,
       About{"a step: the figure is the change since its end, nothing before; displacements count from the "
             "positions there, node by node"});
+    v("within", within,
+      About{"suture_mises: the mean over the undeformed volume at most this far from the suture's points, in "
+            "place of the percentile over the cells that touch them",
+            Quantity::length}
+          .at_least(0));
+    v("zone", zone,
+      About{"diameter about the z axis in which the cornea's curvature is measured; keratometers take 3 mm",
+            Quantity::length}
+          .positive());
+    v("lens_power", lens_power,
+      About{"refraction: power of the lens, D; 19.11 is Gullstrand's, relaxed"}.between(-100, 200));
+    v("peak", peak,
+      About{"the largest value of all increments so far in place of the present one; with `since`, of those "
+            "after its end"});
     v("scale", scale, About{"multiplies the figure"});
     v("unit", unit, About{"unit of the record, such as mmHg; empty: mm, N, MPa"});
     v("label", label, About{"what the records call the unit instead, where `scale` changes it, such as D"});

@@ -81,6 +81,7 @@ void check_step(const Sizes& sizes, const StepSpec& step, const std::string& at)
                       against = "more than a thousand times the mesh's diagonal";
     check_size(norm(step.move[i].translate), way, key + ".translate", "a shift", "mm", against);
     check_size(step.move[i].close, way, key + ".close", "a way", "mm", against);
+    check_size(step.move[i].shorten, way, key + ".shorten", "a way", "mm", against);
   }
   for (const auto& [name, volume] : step.add)
     check_size(volume, most_volume * std::pow(sizes.diagonal, 3), at + "add." + name, "a volume", "mm3",

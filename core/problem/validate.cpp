@@ -151,10 +151,17 @@ void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, cons
   }
 }
 
+bool is_one_of(const std::string& kind, std::initializer_list<const char*> kinds) {
+  return std::ranges::find(kinds, kind) != kinds.end();
+}
+
 void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const std::string& key) {
-  const bool needs_liquid = p.kind == "pressure" || p.kind == "volume";
-  const bool needs_set = p.kind == "displacement" || p.kind == "position" || p.kind == "distance" ||
-                         p.kind == "reaction" || p.kind == "moment";
+  const bool needs_liquid = is_one_of(p.kind, {"pressure", "volume"});
+  const bool needs_to = is_one_of(p.kind, {"distance", "buckle_height", "refraction"});
+  const bool needs_set =
+      needs_to || is_one_of(p.kind, {"displacement", "position", "reaction", "moment", "sealed_fraction",
+                                     "corneal_power", "corneal_astigmatism", "steep_meridian"});
+  const bool of_cells = is_one_of(p.kind, {"mises", "suture_mises", "volume_ratio"});
   if (needs_liquid && !model.liquids.contains(p.liquid))
     throw scene_error(key + ".liquid", "there is no liquid '" + p.liquid + "'",
                       known(p.liquid, names_of(model.liquids)));
@@ -162,9 +169,8 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
     throw scene_error(key + ".of", "`of` says nothing for a probe of the kind '" + p.kind + "'",
                       "Leave it out: it is for sums of forces and moments.");
   if (needs_set || !p.set.empty()) check_set(mesh, p.set, key + ".set");
-  if (p.kind == "distance") check_set(mesh, p.to, key + ".to");
-  if (!p.region.empty() && (p.kind == "mises" || p.kind == "volume_ratio") &&
-      region_index(mesh, p.region) < 0)
+  if (needs_to) check_set(mesh, p.to, key + ".to");
+  if (((of_cells && !p.region.empty()) || p.kind == "refraction") && region_index(mesh, p.region) < 0)
     throw scene_error(key + ".region", "the mesh has no region '" + p.region + "'",
                       known(p.region, mesh.region_names));
   if (!p.region.empty() && p.kind == "bar_force" && !model.bars.contains(p.region))

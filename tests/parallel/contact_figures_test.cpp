@@ -28,8 +28,10 @@ Scene bar() {
   s.model.rigid_bodies["plate"].plane = PlaneShape{.point = {6, 0, .5}, .normal = {-1, 0, .1}};
   s.model.contacts.push_back({.name = "press", .slave = "xmax", .master = "plate", .start = "resolve"});
   s.model.steps = {step("one")};
-  for (const char* kind : {"contact_area", "contact_pressure", "penetration", "gap", "closed_fraction"})
+  for (const char* kind : {"contact_area", "contact_pressure", "mean_contact_pressure", "contact_fraction",
+                           "penetration", "gap", "closed_fraction"})
     s.model.probes.push_back(probe(kind));
+  s.model.probes.push_back(probe("sealed_fraction", "magnitude", "ymax"));
   for (const char* c : {"x", "z", "radial"}) s.model.probes.push_back(probe("body_force", c));
   s.model.probes.push_back(probe("body_moment", "y"));
   s.model.probes.push_back(probe("reaction", "x", "xmin"));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/element/q1.hpp"
 #include "core/problem/probes/probe_figures.hpp"
 
 namespace bulbus::inline problem::probes {
@@ -58,6 +59,32 @@ double percentile(const Comm& comm, std::span<const Weighted> cells, double perc
   return comm.max(found);
 }
 
+// Share of a hexahedron that is at most `within` from one of the places, by 8³ points.
+double part_within(const LocalMesh& mesh, const Hex& hex, std::span<const Point> places, double within) {
+  constexpr int m = 8;
+  std::array<Vec3<double>, 8> X;
+  for (int k = 0; k < 8; ++k) X[k] = at(mesh.drawn_places(), hex[vtk_of_lexicographic[k]]);
+  Vec3<double> middle{0, 0, 0};
+  double size = 0;
+  for (const Vec3<double>& x : X)
+    for (int c = 0; c < 3; ++c) middle[c] += x[c] / 8;
+  for (const Vec3<double>& x : X) size = std::max(size, norm(minus(x, middle)));
+  if (std::ranges::none_of(places, [&](const Point& p) { return norm(minus(middle, p)) <= within + size; }))
+    return 0;
+  int inside = 0;
+  for (int i = 0; i < m * m * m; ++i) {
+    const std::array<double, 3> xi{(i % m + .5) / m, (i / m % m + .5) / m, (i / (m * m) + .5) / m};
+    Vec3<double> x{0, 0, 0};
+    for (int k = 0; k < 8; ++k) {
+      double N = 1;
+      for (int c = 0; c < 3; ++c) N *= k >> c & 1 ? xi[c] : 1 - xi[c];
+      for (int c = 0; c < 3; ++c) x[c] += N * X[k][c];
+    }
+    inside += std::ranges::any_of(places, [&](const Point& p) { return norm(minus(x, p)) <= within; });
+  }
+  return static_cast<double>(inside) / (m * m * m);
+}
+
 ProbeSet::Figure mises_of(std::vector<int> cells, double percent) {
   return [cells = std::move(cells), percent](Snapshot& s) {
     const auto V0 = s.problem.solid().reference_volumes();
@@ -81,6 +108,25 @@ ProbeSet::Figure mises_around(const Problem& problem, const ProbeSpec& spec, std
     throw scene_error("set", "no deformable cell of the region touches these nodes",
                       "Name a region that does, or leave it out.");
   return mises_of(std::move(cells), spec.percentile);
+}
+
+ProbeSet::Figure mean_mises_near(const Problem& problem, const ProbeSpec& spec,
+                                 std::span<const Point> places) {
+  std::vector<Weighted> parts;  // number of the cell, its volume within
+  for (int h : cells_of(problem, spec)) {
+    const double part = part_within(problem.mesh(), problem.mesh().hexes[h], places, spec.within);
+    if (part > 0) parts.push_back({1. * h, part * problem.solid().reference_volumes()[h]});
+  }
+  if (!problem.comm().any(!parts.empty()))
+    throw scene_error("within", "no deformable cell of the region is so near",
+                      "Give a larger distance, or name another region.");
+  return [parts = std::move(parts)](Snapshot& s) {
+    std::array<double, 2> sum{0, 0};
+    for (const Weighted& c : parts)
+      sum[0] += c.weight * s.stresses()[static_cast<std::size_t>(c.value)].mises, sum[1] += c.weight;
+    s.problem.comm().sum(sum);
+    return sum[0] / sum[1];
+  };
 }
 
 ProbeSet::Figure volume_ratio(const Problem& problem, const ProbeSpec& spec) {

@@ -30,6 +30,9 @@ ProbeSet::Figure displacement(const Problem& problem, const ProbeSpec& spec);
 ProbeSet::Figure position(const Problem& problem, const ProbeSpec& spec);
 /// Component of the mean place of `to` minus that of `set`.
 ProbeSet::Figure distance(const Problem& problem, const ProbeSpec& spec);
+/// Mean distance from the z axis of `to` minus that of `set`: how far a buckle's crest stands inwards of the
+/// wall beside it.
+ProbeSet::Figure buckle_height(const Problem& problem, const ProbeSpec& spec);
 
 /// Force with which the supports hold the set. `radial` is the (negative) squeeze of a ring, whose resultant
 /// is nothing.
@@ -47,6 +50,10 @@ ProbeSet::Figure volume(const Problem& problem, const ProbeSpec& spec);
 ProbeSet::Figure mises(const Problem& problem, const ProbeSpec& spec);
 /// The same of the cells that touch one of these local nodes, ghosts included.
 ProbeSet::Figure mises_around(const Problem& problem, const ProbeSpec& spec, std::span<const int> nodes);
+/// Mean over the part of the region that lies at most `within` from one of these places (undeformed, mm): a
+/// volume that a finer mesh does not make smaller.
+ProbeSet::Figure mean_mises_near(const Problem& problem, const ProbeSpec& spec,
+                                 std::span<const Point> places);
 /// V_e / V0_e.
 ProbeSet::Figure volume_ratio(const Problem& problem, const ProbeSpec& spec);
 

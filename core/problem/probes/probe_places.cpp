@@ -25,6 +25,13 @@ Vec3<double> mean_place(const Snapshot& s, std::span<const int> nodes) {
   return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]};
 }
 
+// Distance from the z axis.
+double mean_radius(const Snapshot& s, std::span<const int> nodes) {
+  std::vector<double> radii;
+  for (int n : nodes) radii.push_back(component_of(at(s.state.x, n), "radial"));
+  return statistic(s.problem.comm(), "mean", radii);
+}
+
 }  // namespace
 
 std::vector<int> owned_nodes(const Problem& problem, const std::string& set) {
@@ -64,6 +71,12 @@ ProbeSet::Figure position(const Problem& problem, const ProbeSpec& spec) {
   return over_nodes(problem, spec, [c = spec.component](const Vec3<double>&, const Vec3<double>& x) {
     return component_of(x, c);
   });
+}
+
+ProbeSet::Figure buckle_height(const Problem& problem, const ProbeSpec& spec) {
+  return [crest = owned_nodes(problem, spec.set), beside = owned_nodes(problem, spec.to)](Snapshot& s) {
+    return mean_radius(s, beside) - mean_radius(s, crest);
+  };
 }
 
 ProbeSet::Figure distance(const Problem& problem, const ProbeSpec& spec) {

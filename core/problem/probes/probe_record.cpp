@@ -1,5 +1,8 @@
 #include "core/problem/probes/probe_record.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace bulbus::inline problem {
 
 double ProbeRecord::value(std::size_t i, Snapshot& s, const Start& start) const {
@@ -19,7 +22,23 @@ void ProbeRecord::step_ended(int step, Snapshot& s) {
   }
 }
 
+ProbeValues ProbeRecord::increment_ended(Snapshot& s) {
+  ProbeValues now = values(s);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (probes_.peak(i) && now[i]) {
+      double& peak = peaks_.try_emplace(i, *now[i]).first->second;
+      now[i] = peak = std::max(peak, *now[i]);
+    }
+  return now;
+}
+
+// A peak that has not begun is kept as what any value exceeds.
 void ProbeRecord::serialize(Archive& archive, int ended) {
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    if (!probes_.peak(i)) continue;
+    const Archive::Group group(archive, "probe " + probes_.name(i));
+    archive.scalars("peak", peaks_.try_emplace(i, -std::numeric_limits<double>::infinity()).first->second);
+  }
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     if (probes_.since(i) < 0 || probes_.since(i) >= ended) continue;
     Start& start = starts_[probes_.since(i)];

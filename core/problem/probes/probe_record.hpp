@@ -19,6 +19,8 @@ class ProbeRecord {
   void step_ended(int step, Snapshot& snapshot);
   /// Collective.
   ProbeValues values(Snapshot& snapshot) const;
+  /// The same of a converged increment, with the peaks so far, which it may be one of. Collective.
+  ProbeValues increment_ended(Snapshot& snapshot);
   /// `ended`: how many steps have. Collective.
   void serialize(Archive& archive, int ended);
 
@@ -31,6 +33,7 @@ class ProbeRecord {
 
   const ProbeSet& probes_;
   std::map<int, Start> starts_;
+  std::map<std::size_t, double> peaks_;
 };
 
 }  // namespace bulbus::inline problem

@@ -14,6 +14,7 @@ const ProbeSet::Kinds& own_kinds() {
   static const ProbeSet::Kinds table{{"displacement", {Q::length, probes::displacement}},
                                      {"position", {Q::length, probes::position}},
                                      {"distance", {Q::length, probes::distance}},
+                                     {"buckle_height", {Q::length, probes::buckle_height}},
                                      {"reaction", {Q::force, probes::reaction}},
                                      {"moment", {Q::force, probes::moment, " mm"}},
                                      {"bar_force", {Q::force, probes::bar_force}},
@@ -65,7 +66,8 @@ ProbeSet::ProbeSet(const Problem& problem, const Kinds& more) {
     std::string unit = spec.unit.empty() ? unit_of(kind.quantity) + kind.suffix : spec.unit;
     if (!spec.label.empty()) unit = spec.label;
     try {
-      probes_.push_back({spec.name, unit, factor, step_of(problem, spec.since), kind.make(problem, spec)});
+      probes_.push_back(
+          {spec.name, unit, factor, step_of(problem, spec.since), spec.peak, kind.make(problem, spec)});
     } catch (const InputError& fault) {
       throw InputError(fault.what(), key + "." + fault.key);
     }

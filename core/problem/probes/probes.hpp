@@ -42,12 +42,15 @@ class ProbeSet {
   const std::string& unit(std::size_t i) const { return probes_[i].unit; }
   /// The step since whose end the probe counts, -1: from the start.
   int since(std::size_t i) const { return probes_[i].since; }
+  /// Does the record keep the largest value so far?
+  bool peak(std::size_t i) const { return probes_[i].peak; }
 
  private:
   struct Probe {
     std::string name, unit;
     double factor;  ///< from mm, N, MPa to the record
     int since;
+    bool peak;
     Figure figure;
   };
   std::vector<Probe> probes_;

@@ -112,7 +112,7 @@ struct SweptShape {
 
 /// Encircling band: a rectangle with rounded edges.
 struct BandShape {
-  double width = 2, thickness = .75, edge_radius = .2, radius = 12, axial = 0;
+  double width = 2, thickness = .75, edge_radius = .2, radius = 12, axial = 0, stiffness = 0;
   int edge_facets = 4;
   ArcSpec arc;
   template <class V>
@@ -122,6 +122,11 @@ struct BandShape {
     v("edge_radius", edge_radius, About{"radius of the four edges", Quantity::length}.positive());
     v("radius", radius, About{"radius of the inner face, as drawn", Quantity::length}.positive());
     v("axial", axial, About{"axial position of its middle", Quantity::length});
+    v("stiffness", stiffness,
+      About{"tension per strain, Young's modulus times section: the band is elastic, and its radius that at "
+            "which its tension balances what it presses on; 0: it has the length that it is given",
+            Quantity::force}
+          .at_least(0));
     v("edge_facets", edge_facets, About{"facets around each edge"}.between(1, 1000));
     arc.describe(v);
   }
@@ -191,13 +196,17 @@ struct MoveSpec {
   std::string body, from = "here";
   Point translate{0, 0, 0};
   std::optional<RotationSpec> rotate;
-  double close = 0;
+  double close = 0, shorten = 0;
   template <class V>
   void describe(V&& v) {
     v("body", body, About{"the rigid body"}.needed());
     v("translate", translate, About{"shift reached at the end of the step", Quantity::length});
     v("rotate", rotate, About{"rigid rotation of all parts together"});
     v("close", close, About{"displacement of every part along its own direction", Quantity::length});
+    v("shorten", shorten,
+      About{"in place of `close`: by how much the whole circumference is shortened, which closes every part "
+            "by 1/(2 pi) of it",
+            Quantity::length});
     v("from", from,
       About{"the motion counts from where the body is (`here`), or from where each part, approaching along "
             "its direction, first touches a slave of its contacts (`touch`)"}

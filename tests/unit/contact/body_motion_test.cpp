@@ -50,6 +50,28 @@ TEST(Motion, PartsCloseEachItsOwnWay) {
   EXPECT_GT(norm(b->parts[0].inwards - b->parts[1].inwards), .4);
 }
 
+TEST(Motion, ShorteningClosesByTheRadius) {
+  const auto b = shared(two_arcs());
+  RigidMotion motion(b);
+  MoveSpec shorten;
+  shorten.shorten = 4 * pi;
+  motion.begin(shorten, {}, "");
+  motion.set_progress(.5);
+  for (const auto& part : b->parts)
+    expect_near(place(*b, part.first_point), drawn(*b, part.first_point) + part.inwards);
+  motion.set_closing(.25);
+  expect_near(place(*b, 0), drawn(*b, 0) + 1.25 * b->parts[0].inwards);
+  motion.freeze();
+  expect_near(place(*b, 0), drawn(*b, 0) + 2.25 * b->parts[0].inwards);
+  shorten.close = 1;
+  try {
+    motion.begin(shorten, {}, "steps.0.move.0");
+    ADD_FAILURE();
+  } catch (const InputError& fault) {
+    EXPECT_EQ(fault.key, "steps.0.move.0.shorten");
+  }
+}
+
 // Step 1 turns all parts by 90° about an axis through (1, 2, 0); step 2 closes along the turned directions;
 // step 3 is at rest.
 TEST(Motion, StepsFollowOneAnother) {

@@ -23,6 +23,12 @@ ProbeSpec gap(const std::string& statistic, const std::string& set = "") {
   return p;
 }
 
+ProbeSpec sealed(const std::string& set) {
+  ProbeSpec p = probe("sealed_fraction");
+  p.set = set;
+  return p;
+}
+
 /// A block between x = 0 and 2, y = ±1, z = ±1 (or its quarter y, z > 0) whose face x = 2 looks at a plate.
 Scene block(double plate, bool quarter = false) {
   const double low = quarter ? 0 : -1;
@@ -57,12 +63,14 @@ std::vector<double> figures(Scene scene, const std::vector<ProbeSpec>& probes, c
 /// = 0.
 TEST(OperationProbes, MeasureAPlateThatPresses) {
   std::vector<ProbeSpec> probes;
-  for (const char* kind : {"contact_area", "contact_pressure", "penetration"}) probes.push_back(probe(kind));
+  for (const char* kind :
+       {"contact_area", "contact_pressure", "penetration", "contact_fraction", "mean_contact_pressure"})
+    probes.push_back(probe(kind));
   probes.push_back(gap("mean"));
   for (const char* kind : {"contact_force", "body_force"})
     for (const char* c : {"x", "y", "magnitude", "radial"}) probes.push_back(probe(kind, c));
   const double F = ring_penalty * .01 * 4, radial = F * (.5 + .5 * 2 / std::sqrt(5));
-  const double expected[] = {4, .2, .01, -.01, F, 0, F, radial, F, 0, F, radial};
+  const double expected[] = {4, .2, .01, 1, .2, -.01, F, 0, F, radial, F, 0, F, radial};
   for (bool quarter : {false, true}) {
     const auto v = figures(block(1.99, quarter), probes);
     for (std::size_t i = 0; i < v.size(); ++i)
@@ -76,12 +84,30 @@ TEST(OperationProbes, MeasureAMoment) {
   const double F = ring_penalty * .02 * 1;
   const auto v = figures(
       block(2),
-      {probe("body_force", "x"), probe("body_moment", "z"), probe("penetration"), probe("contact_area")},
+      {probe("body_force", "x"), probe("body_moment", "z"), probe("penetration"), probe("contact_area"),
+       probe("contact_fraction"), probe("mean_contact_pressure"), sealed("ymax"), sealed("zmax")},
       tilt);
   EXPECT_NEAR(v[0], F, 1e-12);
   EXPECT_NEAR(v[1], -F, 1e-12);  // −y F_x
   EXPECT_NEAR(v[2], .02, 1e-12);
   EXPECT_NEAR(v[3], 2, 1e-3) << "of the tilted face, as far as y = 0";
+  EXPECT_NEAR(v[4], .5, 1e-6);
+  EXPECT_NEAR(v[5], F / v[3], 1e-12);
+  EXPECT_EQ(v[6], 1);
+  EXPECT_NEAR(v[7], .25, 1e-4) << "a half length at y = 1: the node at y = 0 touches without pressure";
+}
+
+/// An edge in a plane of symmetry is none of the whole.
+TEST(OperationProbes, RefuseASetWithoutAnEdge) {
+  for (const char* set : {"ymin", "xmin"}) {
+    try {
+      figures(block(1.99, true), {sealed(set)});
+      ADD_FAILURE() << set;
+    } catch (const InputError& fault) {
+      EXPECT_EQ(fault.key, "probes.0.set");
+      EXPECT_NE(std::string(fault.what()).find("no edge of the slave"), std::string::npos) << fault.what();
+    }
+  }
 }
 
 /// Columns of nodes at y = −1, 0, 1 are .1, .2, .3 before the plate.
@@ -112,9 +138,9 @@ TEST(OperationProbes, MeasureSutures) {
       RodShape{.center = {3, 0, 0}, .axis = {0, 0, 1}, .radius = .4, .length = 10};
   scene.model.sutures["string"] = {.body = "rod", .sets = {"corner"}, .generator = {0, 0, 1}};
   scene.model.steps[0].sew["string"] = .2;
-  ProbeSpec least = probe("suture_mises");
-  least.percentile = 0;
-  scene.model.probes = {probe("suture_force"), probe("suture_mises"), least};
+  ProbeSpec least = probe("suture_mises"), near = least, everywhere = least;
+  least.percentile = 0, near.within = 1, everywhere.within = 10;
+  scene.model.probes = {probe("suture_force"), probe("suture_mises"), least, near, everywhere};
   Problem problem(scene.mesh, scene.model, Comm());
   const auto interactions = Interactions::attach(problem, scene.mesh);
   State state = problem.initial_state();
@@ -123,11 +149,14 @@ TEST(OperationProbes, MeasureSutures) {
   for (std::size_t n = 0; n < state.x.size(); n += 3)
     state.x[n] += .05 * state.x[n] * state.x[n] * (3 + state.x[n + 1]);
   const auto v = ProbeSet(problem, interaction_probes(interactions)).values(problem, state);
-  double most = 0;
-  for (const CellStress& c : problem.solid().stresses(state.x, state.lambda)) most = std::max(most, c.mises);
+  double most = 0, sum = 0;
+  for (const CellStress& c : problem.solid().stresses(state.x, state.lambda))
+    most = std::max(most, c.mises), sum += c.mises;
   EXPECT_NEAR(v[0], .1, 1e-14);
   EXPECT_NEAR(v[1], most, 1e-12);  // the cell at the corner, and no other
   EXPECT_EQ(v[1], v[2]);
+  EXPECT_NEAR(v[3], most, 1e-12);  // an octant of the ball lies in that cell
+  EXPECT_NEAR(v[4], sum / 8, 1e-12);
 }
 
 struct Fault {

@@ -117,6 +117,22 @@ TEST(EyeDetachment, LiftsItsNodesOffTheirTwinsByTheFormula) {
   }
 }
 
+TEST(EyeDetachment, NamesTheBedUnderBothEdgesOfTheTear) {
+  const Mesh& mesh = torn_eye();
+  const auto range = [&](const char* set) {
+    std::vector<double> t;
+    for (int k : not_empty(mesh.node_sets.at(set))) t.push_back(polar(mesh.points[k]));
+    return std::ranges::minmax(t);
+  };
+  const auto rim = range("tear_rim"), front = range("tear_bed_front"), back = range("tear_bed_back");
+  EXPECT_NEAR(front.min, rim.max, 1e-9);
+  EXPECT_NEAR(front.max, rim.max, 1e-9);
+  EXPECT_NEAR(back.max, rim.min, 1e-9);
+  const std::vector<int>& bed = mesh.node_sets.at("detached_bed");
+  for (const char* set : {"tear_bed_front", "tear_bed_back"})
+    for (int k : mesh.node_sets.at(set)) EXPECT_TRUE(std::ranges::binary_search(bed, k)) << set;
+}
+
 TEST(EyeDetachment, LeavesTheRetinaAttachedWhereTheLiftIsZero) {
   const Mesh& mesh = torn_eye();
   const Detachment d;

@@ -75,6 +75,25 @@ TEST(ProbeRecord, DisplacementsCountNodeByNode) {
   EXPECT_NEAR(*v[1], -1, 1e-14);
 }
 
+TEST(ProbeRecord, KeepsPeaks) {
+  ProbeSpec all = probe_since("distance", ""), since = probe_since("distance", "first");
+  all.peak = since.peak = true;
+  Pushed p({all, since});
+  const auto at = [&](double push) {
+    const State s = p.state([=](double x, double) { return -push * x; });
+    Snapshot snapshot(p.problem, s);
+    return p.record.increment_ended(snapshot);
+  };
+  EXPECT_NEAR(*at(5)[0], 5, 1e-14);
+  EXPECT_FALSE(at(1)[1]);
+  p.end(0, p.state([](double x, double) { return -x; }));
+  EXPECT_EQ(at(1)[1], 0.);
+  EXPECT_NEAR(*at(3)[1], 2, 1e-14);
+  const auto last = at(2);
+  EXPECT_NEAR(*last[0], 5, 1e-14);
+  EXPECT_NEAR(*last[1], 2, 1e-14);
+}
+
 TEST(ProbeRecord, ScalesAndNamesTheUnit) {
   ProbeSpec dioptres = probe_since("displacement", "first");
   dioptres.unit = "cm", dioptres.scale = -2.5, dioptres.label = "D";

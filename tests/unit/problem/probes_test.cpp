@@ -83,6 +83,16 @@ TEST(Probes, PlacesOfASet) {
   EXPECT_NEAR(v[7], std::hypot(3, 1), 1e-14);  // the mean of y goes from 1/2 to 3/2
 }
 
+/// The plane y = 0 is pressed onto the z axis's meridian plane: the face x = 1 stands 1 inwards of x = 2.
+TEST(Probes, HeightOfABuckle) {
+  ProbeSpec height = probe("buckle_height", "xmin");
+  height.to = "xmax";
+  const auto v = figures(block({1, -1, 0}, {2, 1, 3}, 2, 2, 1), {height}, [](Problem& p, State& s) {
+    s = mapped(p, [](Vec3<double> X) { return Vec3<double>{3 * X[0], 0, X[2]}; });
+  });
+  EXPECT_NEAR(v[0], 3, 1e-14);
+}
+
 /// Uniaxial stretch l of a neo-Hookean 2 × 1 × 3 block with c10 = 1/2: P = l − 1/l², Mises stress l P.
 TEST(Probes, UniaxialStretch) {
   const double l = 1.4, P = l - 1 / (l * l);

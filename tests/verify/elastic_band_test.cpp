@@ -1,0 +1,72 @@
+// An elastic band around a ball: its tension is that of its own stretch, and balances the contact.
+#include <numbers>
+
+#include "contact/band_tension.hpp"
+#include "tests/verify/contact_trial.hpp"
+
+namespace bulbus {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi, radius = 12.5, shortened = 3;
+
+/// An eighth of a ball, within a band of the given stiffness that is shortened by 3 mm of its circumference.
+Scene ball(double stiffness) {
+  Scene scene{generate(BallShape{.radius = 12, .n = 2, .layers = 3}), {}};
+  Model& m = scene.model;
+  m.regions["ball"] = neo_hooke(.05);
+  m.symmetry = {"x", "y", "z"};
+  BandShape band{.radius = radius, .stiffness = stiffness};
+  band.arc = {.from = 0, .to = 90, .parts = 6};
+  m.rigid_bodies["band"].band = band;
+  m.contacts.push_back(contact_between("band", "outer", "band"));
+  m.contacts[0].divisions = 4;
+  StepSpec s = step("shorten", 2);
+  MoveSpec move;
+  move.body = "band", move.from = "touch", move.shorten = shortened;
+  s.move.push_back(move);
+  m.steps = {step("start"), s, step("rest")};
+  return scene;
+}
+
+struct Banded : ContactTrial {
+  explicit Banded(double stiffness) : ContactTrial(ball(stiffness)) {
+    direct();
+    EXPECT_TRUE(report.converged) << report.reason;
+  }
+  double tension() const {
+    const auto& band = *interactions->bodies().at("band");
+    return comm.sum(band_tension(band, turn / 4, contact("band").figures(state).on_master));
+  }
+  /// Of the mean radius, from where the band was drawn.
+  double closed() const {
+    const auto& band = *interactions->bodies().at("band");
+    const auto& poses = interactions->motion("band").poses();
+    double sum = 0;
+    for (std::size_t p = 0; p < poses.size(); ++p)
+      sum += dot(poses[p].shift, band.parts[p].inwards) / static_cast<double>(poses.size());
+    return sum;
+  }
+};
+
+TEST(ElasticBand, HasTheTensionOfItsStretch) {
+  const Banded whole(0);
+  const double touch = whole.closed() - shortened / turn, C = turn * (radius - touch);
+  EXPECT_GT(whole.tension(), .1);
+  for (double EA : {1., 10., 1e6}) {
+    const Banded run(EA);
+    const double way = run.closed() - touch, T = EA * (shortened - turn * way) / (C - shortened);
+    measured(
+        "elastic band of {:g} N shortened by {:g} mm around a ball: closes by {:.4f} mm (without stretch "
+        "{:.4f}), "
+        "tension {:.4f} N, that of its stretch off by {:.1e}, Newton {}",
+        EA, shortened, way, shortened / turn, run.tension(), relative(T, run.tension()),
+        run.report.newton_iterations);
+    EXPECT_LT(relative(T, run.tension()), EA > 1e3 ? .1 : 2e-4) << EA;
+    EXPECT_LT(way, shortened / turn) << EA;
+    EXPECT_LT(run.tension(), whole.tension() * (1 + 1e-6)) << EA;
+    if (EA > 1e3) EXPECT_LT(relative(run.tension(), whole.tension()), 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace bulbus
