@@ -28,10 +28,26 @@ struct View {
     const Vec3<double> p{x[0], x[1], x[2]};
     return {dot(u, p), dot(v, p), dot(d, p)};
   }
+  Vec3<double> back(const Vec3<double>& p) const { return p[0] * u + p[1] * v + p[2] * d; }
 };
 
 double area2(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+// The way to the curved surface that a facet stands for, by Newton's method from that to the facet: a motion
+// of the facet along d is one of the point x against it.
+double way_to_curve(const Vec3<double>& x, const Vec3<double>& d, const Triangle& corners,
+                    const CornerNormals& normals, double to_facet) {
+  double way = to_facet;
+  for (int k = 0; k < 5; ++k) {
+    const Vec3<double> y = x - way * d;
+    const FaceGap at = smoothed_gap(y, project(y, corners), corners, normals);
+    const double slope = dot(at.normal, d);
+    if (!(slope > 1e-3)) return to_facet;  // grazes the surface
+    way += at.gap / slope;
+  }
+  return way;
 }
 
 }  // namespace
@@ -56,7 +72,11 @@ double way_to_touch(const RigidSurface& surface, const RigidSurface::Part& part,
          p != seen.end() && (*p)[0] <= high + 1e-12 * size; ++p) {
       const double a = area2(*p, c[1], c[2]), b = area2(c[0], *p, c[2]), e = area - a - b;
       if (a < -slack || b < -slack || e < -slack) continue;
-      way = std::min(way, (*p)[2] - (a * c[0][2] + b * c[1][2] + e * c[2][2]) / area);
+      double here = (*p)[2] - (a * c[0][2] + b * c[1][2] + e * c[2][2]) / area;
+      if (!surface.normals.empty() && here - size < way)
+        here = way_to_curve(view.back(*p), direction, {view.back(c[0]), view.back(c[1]), view.back(c[2])},
+                            surface.normals[t], here);
+      way = std::min(way, here);
     }
   }
   return way;

@@ -54,8 +54,8 @@ class RigidMotion {
 
 /// Way along the unit vector `direction` after which a part, coming from far behind, first meets one of the
 /// points (3 each), mm; negative if it has passed them, infinite if it meets none. Exact for points against
-/// facets. Edges and corners of the body may reach the faces between the points earlier: contact acts on
-/// nodes, so it does not see that either.
+/// facets and the curved surface that they stand for. Edges and corners of the body may reach the faces
+/// between the points earlier: contact acts on nodes, so it does not see that either.
 double way_to_touch(const RigidSurface& surface, const RigidSurface::Part& part,
                     const Vec3<double>& direction, std::span<const double> points);
 

@@ -32,6 +32,19 @@ TEST(ThinSheet, OfAnyThicknessIsCarriedAlongByARodOrABall) {
     }
 }
 
+// Where a body is brought to touch is measured to its curved surface, as gaps are.
+TEST(ThinSheet, IsMetByRoundBodiesBetweenTheirFacetsCorners) {
+  for (const char* body : {"cylinder: {center: [0.07,0,1.5], axis: [0,1,0], radius: 0.5, length: 6}",
+                           "sphere: {center: [0.07,0.03,1.5], radius: 0.5}"})
+    for (const char* divisions : {"0", "3"}) {
+      const Ran run = run_case(
+          "thin_sheet", {"mesh.block.upper=[1, 1, .02]", std::string("contacts.0.divisions=") + divisions,
+                         std::string("rigid_bodies.rod={") + body + "}"});
+      ASSERT_EQ(run.status, 0) << run.err << body << divisions;
+      EXPECT_GT(probe(run, "push"), .1) << body << divisions;
+    }
+}
+
 TEST(Ridge, PushesNeitherWay) {
   const Ran run = run_case("ridge");
   ASSERT_EQ(run.status, 0) << run.err;

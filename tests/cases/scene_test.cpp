@@ -178,5 +178,14 @@ TEST(LimitPoint, IsPassedByVolume) {
   EXPECT_FALSE(run.summary().contains("diagnosis"));
 }
 
+// π c10 (angle / height) R⁴ N·mm: places before and after a whole turn are the same, the states are not.
+TEST(WholeTurn, TwistsInAnyNumberOfIncrements) {
+  for (const char* set : {"steps.0.increments=1", "steps.0.increments=10", "solver.accuracy=fast"}) {
+    const Ran run = run_case("whole_turn", {set});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(probe(run, "moment"), .1234, .004) << set;
+  }
+}
+
 }  // namespace
 }  // namespace bulbus::test
