@@ -17,9 +17,6 @@ class ElasticBands final : public Term {
   const ElasticBand& band(const std::string& name) const { return bands_.at(name).band; }
 
   void add_residual(const State&, std::span<double>, std::span<double>) const override {}
-  void linearize(const State&) override {}
-  void add_action(std::span<const double>, std::span<double>) const override {}
-  void visit(const ContributionVisitor&) const override {}
   void begin_step(int step, const State& start) override;
   bool update_multipliers(const State& state) override;
   std::string refusal(const State& state) const override;

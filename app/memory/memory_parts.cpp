@@ -89,29 +89,36 @@ void add_coarser_levels(const RunSize& size, const LinearSettings& l, std::vecto
   parts.push_back({"base factors", base_bytes(size.levels.back(), l)});
 }
 
+// MUMPS's numbers for each aggregate, without symmetry twice as many: they grow with the neighbours, fewer
+// where the body is thin, and with the separators, and so with the body's extent. Measured on blocks,
+// cylinders, shells and eyes of 3,600 to 47,000 hexahedra.
+double factors_of_aggregate(const Size& s) {
+  const double round = sphericity(s.hexes, s.nodes), thin = std::min(1., .5 + .8 * round);
+  return (thin * 1350 + 18 * round * std::cbrt(s.nodes)) * 16;
+}
+
 // Levels of aggregates: half of the blocks with their places while they are gathered, all of them in the rows
 // of the levels, frames, weights and six vectors of the aggregates; each further level has a sixth of the
-// rows.
-double levels_bytes(double aggregates) {
+// rows, and the last one is factorised in double precision, both triangles.
+double levels_bytes(const Size& s, double aggregates, int factorised) {
   const double gathered = 8 * (48 * number + 40), block = 36 * number + 4,
                of_aggregate = 40 * number + 2 * 36 * number + 36 * number;
-  return aggregates * (gathered + 1.2 * (15 * block + of_aggregate)) + 5 * megabyte;
+  double last = aggregates;
+  while (6 * last > factorised) last /= 6;
+  return aggregates * (gathered + 1.2 * (15 * block + of_aggregate)) + last * 4 * factors_of_aggregate(s);
 }
 
 // Aggregates' matrix of 6 x 6 blocks, their triplets and those in single precision while the factors are
-// made, and the factors by MUMPS: an aggregate is coupled with fifteen others (half eyes at n = 8 and 14: 7.9
-// and 8.1 blocks in the upper triangle); factors grow with the neighbours, fewer where the body is thin, and
-// with the separators, and so with the body's extent. Measured on blocks, cylinders, shells and eyes of 3,600
-// to 47,000 hexahedra.
+// made, and the factors: an aggregate is coupled with fifteen others (half eyes at n = 8 and 14: 7.9 and 8.1
+// blocks in the upper triangle).
 double aggregation_bytes(const Size& s, const LinearSettings& l, bool symmetric) {
-  const double aggregates = s.nodes / l.aggregation.nodes, round = sphericity(s.hexes, s.nodes),
-               neighbours = 27 * std::min(1., .5 + .8 * round);
+  const double aggregates = s.nodes / l.aggregation.nodes;
   if (l.smoothing == Precision::single && 6 * aggregates > l.aggregation.factorised)
-    return levels_bytes(aggregates);
-  const double factors = (neighbours / 27 * 1350 + 18 * round * std::cbrt(s.nodes)) * 16 * aggregates,
-               triplet = 2 * sizeof(int) + number + single, block = 48 * number + 40 + 36 * triplet;
-  return (l.smoothing == Precision::full ? 1.4 : 1) * (symmetric ? 1 : 2) * factors +
-         (symmetric ? 8 : 15) * block * aggregates;
+    return levels_bytes(s, aggregates, l.aggregation.factorised);
+  const double triplet = 2 * sizeof(int) + number + single, block = 48 * number + 40 + 36 * triplet;
+  return aggregates *
+         ((l.smoothing == Precision::full ? 1.4 : 1) * (symmetric ? 1 : 2) * factors_of_aggregate(s) +
+          (symmetric ? 8 : 15) * block);
 }
 
 // Of hypre's hierarchies, and of the nodes' blocks.

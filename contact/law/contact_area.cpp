@@ -7,7 +7,7 @@
 namespace bulbus::inline contact {
 namespace {
 
-constexpr int halvings = 30;  // to 1e-9 of an edge
+constexpr int halvings = 30;     // to 1e-9 of an edge
 constexpr double in_full = .01;  // of the mean pressure
 
 // Mean of √d over the half edges beside a node at the distance θ from the end of contact, in lengths

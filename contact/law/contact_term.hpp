@@ -211,8 +211,8 @@ class ContactTerm final : public Term {
   std::vector<double> predicted_;  // pressure of every slot after the last Newton step, MPa; 0: not active
   std::vector<int> active_;        // slots with which that step was found
   bool stepped_ = false, retried_ = false,
-       settled_ = true;  // in this increment; at convergence, with another active set
-  std::vector<int> releases_;               // of every slot from tension in this increment
+       settled_ = true;        // in this increment; at convergence, with another active set
+  std::vector<int> releases_;  // of every slot from tension in this increment
 
   mutable GlobalSearch search_;
   mutable Clearances clearances_;

@@ -39,9 +39,9 @@ FactorReport SystemFactors::refused(const CoupledSystem& system, double limit_mb
   const double hexes = static_cast<double>(mesh.all_hexes),
                mb = 1e-6 *
                     (direct_matrix_bytes(hexes, symmetric) +
-                     (symmetric ? lu_of_ldlt : 1) *
-                         direct_factor_bytes(static_cast<double>(unknowns), hexes,
-                                             static_cast<double>(mesh.all_nodes), mesh.comm.size(), symmetric));
+                     (symmetric ? lu_of_ldlt : 1) * direct_factor_bytes(static_cast<double>(unknowns), hexes,
+                                                                        static_cast<double>(mesh.all_nodes),
+                                                                        mesh.comm.size(), symmetric));
   if (mb > limit_mb)
     return too_large(
         fmt::format("matrix and factors need about {:.0f} MB, more than the {:.0f} MB allowed", mb, limit_mb),
@@ -55,8 +55,7 @@ FactorReport SystemFactors::factorise(SharedSystem system) {
   const Comm& comm = problem.comm();
   const double limit_mb = comm.min(settings_.allowed_mb());
   if (!library_) library_ = make_factorisation(settings_, comm, limit_mb);
-  const bool symmetric = problem.symmetric(),
-             triangle = symmetric && library_->takes_upper_triangle();
+  const bool symmetric = problem.symmetric(), triangle = symmetric && library_->takes_upper_triangle();
   FactorReport report = refused(*system, limit_mb, triangle);
   if (report.ok)
     report =
