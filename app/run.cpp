@@ -40,8 +40,7 @@ std::string amg_of(Displacement by) {
 std::string name_of_direct(const LinearSettings& l) {
   const std::string ordering =
       l.ordering == Ordering::scotch ? "" : fmt::format(", ordering {}", word_of(l.ordering));
-  return fmt::format("direct ({}{}{}{})", name_of(l.direct), ordering,
-                     l.low_rank > 0 ? fmt::format(", low rank to {:g}", l.low_rank) : "",
+  return fmt::format("direct ({}{}{})", name_of(l.direct), ordering,
                      l.refinement == Refinement::gmres ? ", refined by GMRES" : "");
 }
 

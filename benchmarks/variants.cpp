@@ -8,8 +8,8 @@
 namespace bulbus::bench {
 namespace {
 
-// The direct solvers in all their orderings and low rank, alone and as preconditioners of GMRES; UMFPACK
-// where it is built in.
+// The direct solvers in all their orderings, alone and as a preconditioner of GMRES; UMFPACK where it is
+// built in.
 const std::vector<std::string> every_variant{"iterative",
                                              "iterative+displacement=hybrid",
                                              "iterative+displacement=boomeramg_nodal",
@@ -21,12 +21,7 @@ const std::vector<std::string> every_variant{"iterative",
                                              "direct+ordering=pord",
                                              "direct+ordering=auto",
                                              "direct+ranks=2",
-                                             "direct+low_rank=1e-8",
-                                             "direct+low_rank=1e-6",
-                                             "direct+low_rank=1e-4",
-                                             "direct+low_rank=1e-4+refinement=gmres",
-                                             "direct+low_rank=1e-2+refinement=gmres",
-                                             "direct+low_rank=1e-2+refinement=gmres+ranks=2",
+                                             "direct+refinement=gmres",
                                              "direct+library=superlu_dist",
                                              "direct+library=superlu_dist+threads=2",
                                              "direct+library=superlu_dist+ranks=2",
@@ -39,8 +34,6 @@ void set(SolverVariant& v, const std::string& key, const std::string& value) {
     l.direct = from_word<Direct>(value);
   else if (key == "ordering")
     l.ordering = from_word<Ordering>(value);
-  else if (key == "low_rank")
-    l.low_rank = std::stod(value);
   else if (key == "refinement")
     l.refinement = from_word<Refinement>(value);
   else if (key == "displacement")

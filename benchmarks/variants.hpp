@@ -8,7 +8,7 @@ namespace bulbus::bench {
 
 /// A way to solve linear systems, as command lines name it: `direct` or `iterative` with default settings,
 /// and what differs behind it, as in `direct+library=superlu_dist+threads=2`,
-/// `direct+low_rank=1e-4+refinement=gmres` or `iterative+displacement=hybrid`. The other keys are ordering
+/// `direct+ordering=metis+refinement=gmres` or `iterative+displacement=hybrid`. The other keys are ordering
 /// and ranks.
 struct SolverVariant {
   std::string name;

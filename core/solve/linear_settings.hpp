@@ -74,7 +74,6 @@ struct LinearSettings {
   Direct direct = Direct::mumps;
   Ordering ordering = Ordering::scotch;
   Refinement refinement = Refinement::none;
-  double low_rank = 0;
   Formulation formulation = Formulation::bordered;
   Displacement displacement = Displacement::automatic;
   TangentStorage op = TangentStorage::recompute;
@@ -165,11 +164,6 @@ void LinearSettings::describe_direct(V& v) {
          "superlu_dist, on any number of ranks; umfpack, on one, if the program was built with it; eigen, "
          "on one, up to 20,000 unknowns"}));
   v("ordering", ordering, of_mumps({"order of elimination in MUMPS; auto: its own choice"}));
-  v("low_rank", low_rank,
-    of_mumps(
-        About{"tolerance, relative to the scaled matrix, to which MUMPS compresses blocks of its factors "
-              "to low rank; 0: not at all. Solutions are as accurate as that, unless GMRES refines them"}
-            .between(0, 0.1)));
   v("refinement", refinement,
     of_direct({"gmres: solutions are those of GMRES, preconditioned by the factors, to the tolerance that "
                "Newton's iteration asks for; negative pivots are not counted then"}));

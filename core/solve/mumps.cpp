@@ -103,7 +103,6 @@ struct Mumps::InstanceOf final : Instance {
 
   int& control(int i) { return id.icntl[i - 1]; }
   int infog(int i) const { return id.infog[i - 1]; }
-  bool low_rank() const { return options.low_rank > 0; }
   double rinfog(int i) const { return id.rinfog[i - 1]; }
 
   bool run(Job job) {
@@ -132,16 +131,9 @@ struct Mumps::InstanceOf final : Instance {
     control(10) = options.refinements;
     if (options.block > 1) control(15) = -options.block;
     control(13) = 1;  // no ScaLAPACK at the root: its pivots would be missing in the inertia
-    // Entries are distributed, unless blocks are compressed: of a distributed matrix MUMPS 5.5.1 partitions
-    // separators by a graph that Scotch now and then dies of.
-    control(18) = low_rank() ? 0 : 3;
+    control(18) = 3;  // entries are distributed
     control(24) = options.null_pivots;
     control(28) = 1;  // sequential analysis
-    if (options.low_rank > 0) {
-      control(35) = 2;  // factors stay compressed for the solution
-      control(36) = 1;  // compressed before they update others
-      id.cntl[6] = static_cast<Number>(options.low_rank);
-    }
   }
 
   FactorReport& fail(std::string reason) {
@@ -156,7 +148,6 @@ struct Mumps::InstanceOf final : Instance {
 
   Taken take(Triplets t, long long n, bool symmetric, const KeepFactors& keep) override {
     check(t, n, comm);
-    if (low_rank() && comm.size() > 1) t = on_host(t);
     convert(t, symmetric);
     const bool comparable = analysed && id.n == n && (id.sym == 2) == symmetric;
     if (comparable && options.joined) join(t);
@@ -171,21 +162,11 @@ struct Mumps::InstanceOf final : Instance {
     factorised = false;
     if (!same) restart(symmetric);
     id.n = static_cast<MUMPS_INT>(n);
-    (low_rank() ? id.nnz : id.nnz_loc) = static_cast<MUMPS_INT8>(row.size());
-    (low_rank() ? id.irn : id.irn_loc) = row.data();
-    (low_rank() ? id.jcn : id.jcn_loc) = col.data();
-    (low_rank() ? id.a : id.a_loc) = value.data();
+    id.nnz_loc = static_cast<MUMPS_INT8>(row.size());
+    id.irn_loc = row.data();
+    id.jcn_loc = col.data();
+    id.a_loc = value.data();
     return same ? Taken::known : Taken::unknown;
-  }
-
-  // All ranks' entries on rank 0.
-  Triplets on_host(const Triplets& t) const {
-    const std::vector<long long> rows(t.row.begin(), t.row.end()), cols(t.col.begin(), t.col.end());
-    const auto all_rows = comm.gather(std::span<const long long>(rows)),
-               all_cols = comm.gather(std::span<const long long>(cols));
-    const auto all_values = comm.gather(std::span<const double>(t.value));
-    if (comm.rank() > 0) return {};
-    return {{all_rows.begin(), all_rows.end()}, {all_cols.begin(), all_cols.end()}, all_values};
   }
 
   // The order of elimination that MUMPS is given.
@@ -252,8 +233,8 @@ struct Mumps::InstanceOf final : Instance {
     if (!analysed) return fail();
     report.ok = true;
     report.ordering = options.ordering == Ordering::metis ? "METIS" : mumps_ordering(infog(7));
-    report.estimated_max_mb = infog(low_rank() ? 36 : 16);
-    report.estimated_mb = infog(low_rank() ? 37 : 17);
+    report.estimated_max_mb = infog(16);
+    report.estimated_mb = infog(17);
     report.estimated_entries = count(infog(20));
     report.estimated_flops = rinfog(1);
     return report;
@@ -285,8 +266,8 @@ struct Mumps::InstanceOf final : Instance {
     report.code = infog(1);
     report.memory_max_mb = infog(21);
     report.memory_mb = infog(22);
-    report.factor_entries = count(infog(low_rank() ? 35 : 29));
-    report.flops = rinfog(low_rank() ? 14 : 3);
+    report.factor_entries = count(infog(29));
+    report.flops = rinfog(3);
     report.negative_pivots = id.sym == 2 ? infog(12) : 0;
     report.null_pivots = infog(28);
     return report;

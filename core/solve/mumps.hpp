@@ -16,7 +16,6 @@ struct MumpsOptions {
   bool joined = false;  ///< entries that a matrix lacks of the last one become zeros, so that it needs no
                         ///< analysis; triplets come sorted, each once
   int refinements = 0;  ///< most steps of iterative refinement in a solve
-  double low_rank = 0;  ///< blocks of the factors are compressed to low rank with this tolerance; 0: none is
   bool null_pivots = false;  ///< pivots that vanish to rounding are found, and their unknowns set to zero
   int relaxations = 5;       ///< times that the workspace may be doubled when pivoting outgrows the estimate
   double memory_limit_mb =

@@ -6,7 +6,7 @@
 namespace bulbus::inline solve {
 
 /// Preconditioners of the whole system that are its factors by the direct solver of the settings: exact but
-/// for rounding, or as near as their low rank allows.
+/// for rounding.
 std::unique_ptr<PreconditionerFactory> make_factor_preconditioners(const LinearSettings& settings,
                                                                    Profiler& profiler);
 

@@ -59,10 +59,8 @@ std::unique_ptr<Factorisation> make_factorisation(const LinearSettings& settings
     case Direct::mumps:
       break;
   }
-  return std::make_unique<MumpsFactorisation>(comm, MumpsOptions{.ordering = settings.ordering,
-                                                                 .low_rank = settings.low_rank,
-                                                                 .null_pivots = true,
-                                                                 .memory_limit_mb = limit_mb});
+  return std::make_unique<MumpsFactorisation>(
+      comm, MumpsOptions{.ordering = settings.ordering, .null_pivots = true, .memory_limit_mb = limit_mb});
 }
 
 }  // namespace bulbus::inline solve
