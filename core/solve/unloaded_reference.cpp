@@ -23,7 +23,8 @@ constexpr double eta = 1e-5;
 // Iterations in which the least distance does not fall: more than the eight that the acceleration combines by
 // default, so that all of those came after the best one.
 constexpr int most_without_progress = 12;
-constexpr double least_length = 1.0 / 8;  // of a step of the reference: that of Newton's (docs/decisions/033)
+// Of a step of the reference: that of Newton's (docs/decisions/033).
+constexpr double least_step_length = 1.0 / 8;
 
 // What an iteration begins with, besides the drawn places, where the nodes are in all of them.
 struct Iterate {

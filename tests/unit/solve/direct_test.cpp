@@ -119,7 +119,8 @@ TEST_F(DirectTest, FactorsPreconditionGmres) {
     settings.refinement = Refinement::gmres;
     EXPECT_LT(relative_difference(solved_by(settings, 1e-11), x), 1e-8) << word_of(library);
     EXPECT_GE(iterations, 1) << word_of(library);
-    EXPECT_LE(iterations, 3) << word_of(library);
+    EXPECT_LE(iterations, library == Direct::superlu_dist ? 10 : 3)
+        << word_of(library);  // it exchanges no pivots
   }
 }
 
