@@ -56,8 +56,8 @@ bool allowed(const Vec3<double>& y, std::span<const FaceGap> faces, double radiu
 }
 
 // ∇∇|y| = (P − ŷŷᵀ)/|y| + Σ l_i/|y| ∇∇G_i, P onto the normals in action
-FaceGap at(const EdgeProjection& projection, std::span<const FaceGap* const> active,
-           const Mat3<double>& inverse, double radius) {
+FaceGap face_at(const EdgeProjection& projection, std::span<const FaceGap* const> active,
+                const Mat3<double>& inverse, double radius) {
   const double length = norm(projection.y);
   FaceGap g{length - radius, (1 / length) * projection.y};
   for (int r = 0; r < 3; ++r)
@@ -92,7 +92,7 @@ FaceGap rounded_gap(std::span<const FaceGap> faces, double radius) {
     const auto inverse = inverse_gram(active);
     const auto projection = inverse ? shortest(active, *inverse, radius) : std::nullopt;
     if (!projection || !(norm(projection->y) > 0) || !allowed(projection->y, faces, radius)) return {};
-    return at(*projection, active, *inverse, radius);
+    return face_at(*projection, active, *inverse, radius);
   };
   for (int many = 1; many <= 3; ++many)
     for (int i = 0; i < n; ++i)
