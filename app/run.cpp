@@ -17,6 +17,8 @@
 #include "app/records/summary.hpp"
 #include "app/report/report.hpp"
 #include "app/unloaded.hpp"
+#include "contact/crossings.hpp"
+#include "contact/entered_vertices.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/io/disk_file.hpp"
 #include "core/io/json_file.hpp"
@@ -229,7 +231,9 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   recorder.finish(state);
   for (const auto& told : {deep_contacts(*prepared.interactions, recorder.contacts()),
                            missed_tolerances(*prepared.interactions, recorder.contacts()),
-                           soft_contacts(problem, *prepared.interactions, state)})
+                           soft_contacts(problem, *prepared.interactions, recorder.contacts(), state),
+                           entered_vertices(problem, *prepared.interactions, state),
+                           crossed_surfaces(problem, *prepared.interactions, state)})
     for (const std::string& warning : told) {
       prepared.warnings.push_back(warning);
       log.warn(warning);

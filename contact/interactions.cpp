@@ -121,6 +121,10 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
         if (!model.sutures.contains(name))
           throw scene_error(fmt::format("steps.{}.sew.{}", k, name), "there is no suture '" + name + "'",
                             did_you_mean(name, keys(model.sutures), "Describe it under `sutures`."));
+        else if (force < 0)
+          throw scene_error(fmt::format("steps.{}.sew.{}", k, name),
+                            fmt::format("a string pulls, it cannot push with {:g} N", -force),
+                            "Give a force of 0 or more.");
   });
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     add_contact(base, model.contacts[i], "contacts." + std::to_string(i));

@@ -69,14 +69,15 @@ std::vector<std::string> missed_tolerances(const Interactions& interactions,
 }
 
 std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
-                                       const State& state) {
-  constexpr double soft = 0.05;
+                                       const std::vector<ContactStanding>& standings, const State& state) {
+  constexpr double soft = 0.05, just_touching = 1e-9;  // of the energy, of the thinner layer
   std::vector<std::string> sentences;
   if (interactions.contacts().empty()) return sentences;
   const Comm& comm = problem.comm();
   const double tissue = comm.sum(problem.solid().energy(state.x));
-  for (const auto& contact : interactions.contacts()) {
-    if (contact.spec.tolerance > 0) continue;
+  for (std::size_t k = 0; k < standings.size(); ++k) {
+    const auto& contact = interactions.contacts()[k];
+    if (contact.spec.tolerance > 0 || standings[k].penetration <= just_touching * contact.thickness) continue;
     double own = contact.term->potential(state);
     if (contact.exchanged) own += contact.exchanged->potential(state);
     own = comm.sum(own);

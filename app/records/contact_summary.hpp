@@ -24,9 +24,9 @@ std::vector<std::string> missed_tolerances(const Interactions& interactions,
                                            const std::vector<ContactStanding>& standings);
 
 /// A sentence for every contact without multipliers whose penetration holds more than a twentieth of the
-/// energy, its own and that of the tissue: of bodies in series its force is too small by that part.
-/// Collective.
+/// energy, its own and that of the tissue: of bodies in series its force is too small by that part. Contacts
+/// that just touch are left out. Collective.
 std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
-                                       const State& state);
+                                       const std::vector<ContactStanding>& standings, const State& state);
 
 }  // namespace bulbus::inline app

@@ -41,15 +41,15 @@ HexesOfFace hexes_of_faces(const Mesh& mesh) {
   return hexes;
 }
 
-// The way through the tissue from a face: hexahedra of one region, each across from the one before, and the
+// The column of tissue under a face: hexahedra of one region, each across from the one before, and the
 // last one's far face.
-struct Stack {
+struct HexColumn {
   std::vector<int> hexes;
   Quad end;
 };
 
-Stack way_under(const Mesh& mesh, const HexesOfFace& hexes, const Quad& face) {
-  Stack way{{}, face};
+HexColumn way_under(const Mesh& mesh, const HexesOfFace& hexes, const Quad& face) {
+  HexColumn way{{}, face};
   const auto found = hexes.find(key_of(face));
   if (found == hexes.end()) return way;
   int h = found->second.front();
@@ -68,13 +68,13 @@ double least_thickness(const Mesh& mesh, std::span<const Quad> faces) {
   const auto hexes = hexes_of_faces(mesh);
   double least = std::numeric_limits<double>::infinity();
   for (const Quad& face : faces)
-    if (const Stack way = way_under(mesh, hexes, face); !way.hexes.empty())
+    if (const HexColumn way = way_under(mesh, hexes, face); !way.hexes.empty())
       least = std::min(least, norm(minus(middle(mesh, way.end), middle(mesh, face))));
   return least;
 }
 
 // Of the refined parts of a way under a face.
-double refined_thickness(const Mesh& base, const Stack& way, const Quad& face, int refinements) {
+double refined_thickness(const Mesh& base, const HexColumn& way, const Quad& face, int refinements) {
   std::vector<bool> hexes(base.hexes.size());
   for (int h : way.hexes) hexes[h] = true;
   Extract column = extract(base, hexes, std::vector<bool>(base.points.size()));
@@ -95,7 +95,7 @@ Layer layer_under(const Mesh& base, std::span<const Quad> faces, int refinements
   Layer layer{std::numeric_limits<double>::infinity(), {}};
   if (refinements == 0) layer.thickness = least_thickness(base, faces);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const Stack way = way_under(base, hexes, faces[i]);
+    const HexColumn way = way_under(base, hexes, faces[i]);
     if (way.hexes.empty()) continue;
     layer.regions.insert(base.region[way.hexes.front()]);
     if (refinements > 0 && static_cast<int>(i) % comm.size() == comm.rank())

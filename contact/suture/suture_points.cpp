@@ -184,6 +184,13 @@ std::vector<SuturePoint> suture_points(const Mesh& mesh, const SutureSpec& spec,
   // an embedding is exact to rounding of the projection, not of the mesh
   double size = 0;
   for (const Point& p : mesh.points) size = std::max(size, norm(p));
+  if (points.size() == 2 && norm(points[0].place - points[1].place) <= 1e-6 * size)
+    throw scene_error(
+        key,
+        fmt::format("both of its points are at ({:.4g}, {:.4g}, {:.4g}) mm: the force would act "
+                    "twice there",
+                    points[0].place[0], points[0].place[1], points[0].place[2]),
+        "Move one of them, or leave it out.");
   for (SuturePoint& s : points)
     for (const std::string& plane : symmetry)
       if (const int c = axis_of(plane); std::abs(s.place[c]) <= 1e-6 * size) {

@@ -4,6 +4,7 @@
 #include <muParser.h>
 
 #include <cctype>
+#include <cfenv>
 #include <cmath>
 #include <vector>
 
@@ -98,8 +99,17 @@ void Formula::require_uniform() const {
                         "into several for a pressure that varies.");
 }
 
+// A comparison with what is not a number is false, whatever is meant: only the processor's flag tells of it.
 bool Formula::holds(const Vec3<double>& X) const {
+  std::feclearexcept(FE_INVALID);
   const double value = (*this)(X, 0, 0);
+  if (std::fetestexcept(FE_INVALID))
+    throw scene_error(
+        where_,
+        fmt::format("a part of the condition '{}' is not a number at X = {:.6g}, Y = {:.6g}, Z = {:.6g}",
+                    text_, X[0], X[1], X[2]),
+        "Every part must have a value at every node, or be left out where it has none: \"X > 1 ? sqrt(X - 1) "
+        "< 2 : 0\".");
   if (value != 0 && value != 1)
     throw scene_error(where_,
                       fmt::format("'{}' is no condition: at X = {:.6g}, Y = {:.6g}, Z = {:.6g} it is {:.6g}",

@@ -28,7 +28,7 @@ class Formula {
   /// Refuses a formula in X, Y or Z where one value holds for all places.
   void require_uniform() const;
   /// Whether a condition such as `X < 0.1` holds at a place. Throws InputError where its value is neither 0
-  /// nor 1.
+  /// nor 1, or a part of it is not a number.
   bool holds(const Vec3<double>& X) const;
   /// Refuses a formula in s or t where there are no steps.
   void require_timeless() const;

@@ -1,4 +1,6 @@
 // How a step changes loads, holds and liquids.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -77,7 +79,19 @@ void build_dofs(DofMap& dofs, int step) {
 
 }  // namespace
 
-void Problem::begin_step(int step, const State& start) { begin(step, start, &Term::begin_step); }
+// What liquids have is known where the steps before have been solved, not in a rehearsal.
+void Problem::begin_step(int step, const State& start) {
+  begin(step, start, &Term::begin_step);
+  for (const auto& [name, volume] : model_.steps[step].add) {
+    const std::string key = step_key(step, "add." + name);
+    const double there = multiplicity_ * liquids_[liquid_index(name, key)].scale();
+    if (there + volume <= 0)
+      throw scene_error(
+          key,
+          fmt::format("{:g} mm3 are drained from liquid '{}', which has {:.6g} mm3", -volume, name, there),
+          "Drain less than there is.");
+  }
+}
 
 void Problem::begin(int step, const State& start, void (Term::*begin_term)(int, const State&)) {
   const StepSpec& spec = model_.steps.at(step);

@@ -4,10 +4,14 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/error.hpp"
 #include "core/base/tensor.hpp"
+#include "core/mesh/faces.hpp"
+#include "core/mesh/geometry.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/validate.hpp"
 
@@ -17,53 +21,69 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-// Parts are the connected components of the hexahedra; bars alone do not join.
+// Parts are hexahedra that are joined by faces. Nodes of several parts, along an edge or at a corner, move
+// with each of them; bars alone do not join.
 struct Parts {
-  std::vector<int> of_node;  // -1 for nodes of bars only
+  std::vector<int> of_node;  // the first one; -1 for nodes of bars only
+  struct Joint {
+    int node, part;  // another part of a node
+  };
+  std::vector<Joint> joints;
   std::vector<std::string> name;
   std::vector<Vec3<double>> center;
   std::vector<double> size;
 };
 
 Parts find_parts(const Mesh& mesh) {
-  DisjointSets sets(static_cast<int>(mesh.points.size()));
-  for (const Hex& h : mesh.hexes)
-    for (int n : h) sets.join(n, h[0]);
+  DisjointSets sets(static_cast<int>(mesh.hexes.size()));
+  const FaceTable faces(mesh.hexes);
+  for (int f = 0; f < 6 * static_cast<int>(mesh.hexes.size()); ++f)
+    sets.join(f / 6, faces.first(face_nodes(mesh.hexes, f)) / 6);
   Parts parts;
+  std::set<std::pair<int, int>> more;
   parts.of_node.assign(mesh.points.size(), -1);
   std::map<int, int> number;
+  std::vector<int> of_hex;
   for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
-    const int r = sets.root(mesh.hexes[h][0]);
+    const int r = sets.root(static_cast<int>(h));
     const auto [entry, fresh] = number.emplace(r, static_cast<int>(number.size()));
+    of_hex.push_back(entry->second);
     const std::string& region = mesh.region_names[mesh.region[h]];
     if (fresh)
       parts.name.push_back(region);
     else if (std::string& name = parts.name[entry->second];
              ("+" + name + "+").find("+" + region + "+") == std::string::npos)
       name += "+" + region;
-    for (int n : mesh.hexes[h]) parts.of_node[n] = entry->second;
+    for (int n : mesh.hexes[h])
+      if (int& first = parts.of_node[n]; first < 0)
+        first = entry->second;
+      else if (first != entry->second)
+        more.emplace(n, entry->second);
   }
+  for (const auto& [node, part] : more) parts.joints.push_back({node, part});
   const std::size_t count = parts.name.size();
   parts.center.assign(count, {0, 0, 0});
   parts.size.assign(count, 0);
-  std::vector<double> nodes(count);
-  for (std::size_t n = 0; n < mesh.points.size(); ++n)
-    if (const int p = parts.of_node[n]; p >= 0) {
-      for (int c = 0; c < 3; ++c) parts.center[p][c] += mesh.points[n][c];
-      ++nodes[p];
+  std::vector<double> corners(count);
+  for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
+    for (int n : mesh.hexes[h]) {
+      Vec3<double>& center = parts.center[of_hex[h]];
+      center = center + mesh.points[n];
+      ++corners[of_hex[h]];
     }
   for (std::size_t p = 0; p < count; ++p)
-    for (double& c : parts.center[p]) c /= nodes[p];
-  for (std::size_t n = 0; n < mesh.points.size(); ++n)
-    if (const int p = parts.of_node[n]; p >= 0)
-      parts.size[p] = std::max(parts.size[p], norm(minus(mesh.points[n], parts.center[p])));
+    for (double& c : parts.center[p]) c /= corners[p];
+  for (std::size_t h = 0; h < mesh.hexes.size(); ++h)
+    for (int n : mesh.hexes[h]) {
+      double& size = parts.size[of_hex[h]];
+      size = std::max(size, norm(minus(mesh.points[n], parts.center[of_hex[h]])));
+    }
   return parts;
 }
 
-// Adds the row of weight · (d · displacement of the node) in terms of the part's shift and (scaled) spin.
-void add_row(const Mesh& mesh, const Parts& parts, int node, const Vec3<double>& d, double weight,
+// Adds the row of weight · (d · displacement of the node) in terms of the shift and (scaled) spin of part p.
+void add_row(const Mesh& mesh, const Parts& parts, int p, int node, const Vec3<double>& d, double weight,
              Vector& row) {
-  const int p = parts.of_node[node];
   if (p < 0) return;
   Vec3<double> r = minus(mesh.points[node], parts.center[p]);
   for (double& c : r) c /= parts.size[p];
@@ -78,8 +98,18 @@ class Constraints {
 
   void constrain(int node, const Vec3<double>& d) {
     Vector row = Vector::Zero(gram_.rows());
-    add_row(mesh_, parts_, node, d, 1, row);
+    add_row(mesh_, parts_, parts_.of_node[node], node, d, 1, row);
     add(row);
+  }
+  void add(const Parts::Joint& joint) {
+    for (int c = 0; c < 3; ++c) {
+      Vec3<double> d{0, 0, 0};
+      d[c] = 1;
+      Vector row = Vector::Zero(gram_.rows());
+      add_row(mesh_, parts_, parts_.of_node[joint.node], joint.node, d, 1, row);
+      add_row(mesh_, parts_, joint.part, joint.node, d, -1, row);
+      add(row);
+    }
   }
   void add(const Bar& bar) {
     Vec3<double> d{0, 0, 0};
@@ -91,7 +121,9 @@ class Constraints {
     Vector row = Vector::Zero(gram_.rows());
     for (const auto& [end, sign] : {std::pair{&bar.a, -1.0}, std::pair{&bar.b, 1.0}})
       for (int i = 0; i < 4; ++i)
-        if (end->weights[i] != 0) add_row(mesh_, parts_, end->nodes[i], d, sign * end->weights[i], row);
+        if (end->weights[i] != 0)
+          add_row(mesh_, parts_, parts_.of_node[end->nodes[i]], end->nodes[i], d, sign * end->weights[i],
+                  row);
     add(row);
   }
   const Matrix& gram() const { return gram_; }
@@ -165,6 +197,7 @@ void require_supported(const Mesh& mesh, const Model& model) {
   add_holds(mesh, model, constraints);
   for (const auto& [name, group] : mesh.bars)
     for (const Bar& bar : group) constraints.add(bar);
+  for (const Parts::Joint& joint : parts.joints) constraints.add(joint);
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(constraints.gram());
   const double largest = std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
   if (eigen.eigenvalues()[0] > 1e-9 * largest && largest > 1e-12) return;
@@ -172,11 +205,15 @@ void require_supported(const Mesh& mesh, const Model& model) {
   int worst = 0;
   for (int p = 1; p < static_cast<int>(parts.name.size()); ++p)
     if (mode.segment<6>(6 * p).norm() > mode.segment<6>(6 * worst).norm()) worst = p;
-  throw scene_error("fix",
-                    fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
-                                parts.name.size() == 1 ? "the model" : "a part of the model",
-                                parts.name[worst], describe(mode.segment<6>(6 * worst))),
-                    "Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars.");
+  throw scene_error(
+      "fix",
+      fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
+                  parts.name.size() == 1 ? "the model" : "a part of the model", parts.name[worst],
+                  describe(mode.segment<6>(6 * worst))),
+      std::string("Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars.") +
+          (parts.joints.empty() ? ""
+                                : " Hexahedra that share an edge or a corner, but no face, "
+                                  "turn about it: join them by faces."));
 }
 
 }  // namespace bulbus::inline problem

@@ -41,6 +41,18 @@ void keep_near_ones(const Mesh& mesh, int c, std::vector<bool>& nodes) {
     if (far[n]) nodes[n] = false;
 }
 
+// A plane that no node lies on cuts nothing: the whole would be two bodies.
+void require_cut(const Mesh& mesh, const std::string& plane) {
+  const int c = axis_of(plane);
+  const auto [low, high] = std::ranges::minmax_element(mesh.points, {}, [c](const Point& p) { return p[c]; });
+  if ((*low)[c] <= mesh_tolerance(mesh) && (*high)[c] >= -mesh_tolerance(mesh)) return;
+  throw scene_error(
+      "symmetry",
+      fmt::format("no node lies on the symmetry plane {} = 0: the mesh reaches from {:g} to {:g} mm", plane,
+                  (*low)[c], (*high)[c]),
+      fmt::format("Draw the mesh with its cut at {} = 0, or take the plane out of `symmetry`.", plane));
+}
+
 void require_one_side(const Mesh& mesh, const std::string& plane) {
   const double tolerance = mesh_tolerance(mesh);
   const int c = axis_of(plane);
@@ -124,6 +136,7 @@ void require_at_planes(const Mesh& mesh, const Model& model) {
   for (const std::string& plane : model.symmetry) {
     require_one_side(mesh, plane);
     require_held(mesh, plane);
+    require_cut(mesh, plane);
   }
 }
 

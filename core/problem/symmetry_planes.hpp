@@ -10,8 +10,8 @@ namespace bulbus::inline problem {
 void move_onto_planes(Mesh& mesh, const Model& model);
 
 /// Refuses a mesh that lies on both sides of a plane of symmetry, and one with faces of its boundary that lie
-/// along a plane, nearer to it than a fiftieth of their edges, and are not constrained there. Throws
-/// InputError with distance and place.
+/// along a plane, nearer to it than a fiftieth of their edges, and are not constrained there, and one that a
+/// plane does not meet. Throws InputError with distance and place.
 void require_at_planes(const Mesh& mesh, const Model& model);
 
 }  // namespace bulbus::inline problem

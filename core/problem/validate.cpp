@@ -8,6 +8,8 @@
 
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
+#include "core/mesh/generate/embed.hpp"
+#include "core/mesh/geometry.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/fibre_directions.hpp"
 #include "core/problem/plausible.hpp"
@@ -183,6 +185,28 @@ void check_probe(const Mesh& mesh, const Model& model, const ProbeSpec& p, const
     throw scene_error(key + ".since", "there is no step '" + p.since + "'", known(p.since, steps));
 }
 
+void check_bars(const Mesh& mesh, const Model& model) {
+  for (const auto& [name, spec] : model.bars)
+    if (!mesh.bars.contains(name))
+      throw scene_error("bars." + name, "the mesh has no bars '" + name + "'",
+                        known(name, names_of(mesh.bars)));
+  for (const auto& [name, group] : mesh.bars) {
+    if (!group.empty() && !model.bars.contains(name))
+      throw scene_error("bars", "bars '" + name + "' of the mesh have no stiffness",
+                        "Add `" + name + ": {E: ..., area: ...}` under `bars`.");
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Point a = position(mesh, group[i].a), b = position(mesh, group[i].b);
+      if (norm(b - a) > mesh_tolerance(mesh)) continue;
+      throw scene_error(
+          "bars." + name,
+          fmt::format("bar {} of '{}' has no length: both of its ends are at ({:.6g}, {:.6g}, "
+                      "{:.6g}) mm",
+                      i + 1, name, a[0], a[1], a[2]),
+          "Take it out of the mesh, or move one end; nodes that are to move as one are one node.");
+    }
+  }
+}
+
 }  // namespace
 
 std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model) {
@@ -231,14 +255,7 @@ std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model) {
 
 void validate(const Mesh& mesh, const Model& model) {
   check_regions(mesh, model);
-  for (const auto& [name, group] : mesh.bars)
-    if (!group.empty() && !model.bars.contains(name))
-      throw scene_error("bars", "bars '" + name + "' of the mesh have no stiffness",
-                        "Add `" + name + ": {E: ..., area: ...}` under `bars`.");
-  for (const auto& [name, spec] : model.bars)
-    if (!mesh.bars.contains(name))
-      throw scene_error("bars." + name, "the mesh has no bars '" + name + "'",
-                        known(name, names_of(mesh.bars)));
+  check_bars(mesh, model);
   for (const auto& [name, spec] : model.liquids)
     check_surface(mesh, spec.surface, "liquids." + name + ".surface");
   require_at_planes(mesh, model);

@@ -10,6 +10,7 @@
 #include "core/problem/material_stability.hpp"
 #include "core/problem/pressed_surfaces.hpp"
 #include "core/problem/probes/cancelled_figures.hpp"
+#include "core/problem/region_material.hpp"
 
 namespace bulbus::inline problem {
 namespace {
@@ -33,11 +34,26 @@ void warn_of_size(const Mesh& mesh, Warnings& warnings) {
         size);
 }
 
+// Bone has some 5 GPa, soft tissue less than a thousandth of that; a number in Pa or kPa is far above.
+constexpr double largest_modulus = 1e4;  // MPa
+
+void warn_of_stiffness(const Model& model, Warnings& warnings) {
+  for (const auto& [name, spec] : model.regions) {
+    const double mu = spec.rigid ? 0 : initial_shear_modulus(material_of(spec));
+    if (mu > largest_modulus)
+      warnings.push_back(fmt::format(
+          "region '{}' has the shear modulus {:.3g} MPa, as metals have: constants without a unit "
+          "are MPa. Write `kPa` or `Pa` behind them if that is meant, or `rigid: true`",
+          name, mu));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Mesh& mesh, const Model& model) {
   Warnings warnings;
   warn_of_size(mesh, warnings);
+  warn_of_stiffness(model, warnings);
   for (const Warnings& more : {coincident_nodes(mesh, model), overlapping_pressures(mesh, model),
                                cancelled_figures(model), unstable_regions(model)})
     warnings.insert(warnings.end(), more.begin(), more.end());

@@ -190,6 +190,28 @@ TEST(NarrowRod, ThatIsLetInDeepIsToldOf) {
   }
 }
 
+// Surfaces that no contact names go through one another unhindered.
+TEST(Crossing, OfSurfacesWithoutAContactIsToldOf) {
+  const Ran blocks = run_case("matching_nodes", {"contacts=[]", "probes=[]"});
+  EXPECT_EQ(blocks.status, 0) << blocks.err;
+  EXPECT_EQ(said(blocks, "' passes through region '"), 1);
+  EXPECT_EQ(said(run_case("matching_nodes"), "passes through"), 0);
+  const Ran rod = run_case("narrow_rod", {"contacts.0.slave=xmin"});
+  EXPECT_EQ(rod.status, 0) << rod.err;
+  EXPECT_EQ(said(rod, "rigid body 'rod' passes through region 'block'"), 1);
+}
+
+// It is 0.38 mm deep in the slab, and no point of the slave feels it.
+TEST(Tip, BetweenThePointsIsToldOf) {
+  for (const char* divisions : {"0", "2"}) {
+    const Ran run = run_case("tip", {std::string("contacts.0.divisions=") + divisions});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_LT(probe(run, "push"), 1) << divisions;
+    EXPECT_EQ(said(run, "'tip' enters 'zmax' by 0.38 mm"), 1) << divisions;
+  }
+  EXPECT_EQ(said(run_case("ridge"), "between the points"), 0);
+}
+
 // Of two blocks in series the force is too small by the part of the energy that the penalty holds.
 TEST(Penalty, ThatHoldsMuchOfTheEnergyIsToldOf) {
   const auto force_and_warnings = [](const char* penalty) {

@@ -84,6 +84,15 @@ TEST(WrongUnit, OfAPressureIsAskedBack) {
   EXPECT_EQ(run_case("wrong_unit", {"steps.0.pressures.inside=15 MPa"}, "s.yaml", "check").status, 0);
 }
 
+TEST(WrongUnit, OfAStiffnessIsToldOf) {
+  for (const auto& [c10, told] : {std::pair{"50000", true}, {"50000 Pa", false}}) {
+    const Ran run = run_case("wrong_unit", {"steps.0.pressures.inside=15 mmHg",
+                                            std::string("regions={shell: {c10: ") + c10 + "}}"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(warns(run, "as metals have"), told) << c10;
+  }
+}
+
 TEST(WrongUnit, OfADisplacementOrAnAngleIsAskedBack) {
   expect_refused(run_case("decimal_comma", {"steps.0.displace.0.z=100"}),
                  {"100 mm is 20.4 times the diagonal", "did you mean `100 um`?"});
@@ -185,6 +194,25 @@ TEST(WholeTurn, TwistsInAnyNumberOfIncrements) {
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_NEAR(probe(run, "moment"), .1234, .004) << set;
   }
+}
+
+// A comparison with what is not a number is false, and the set would lack these nodes in silence.
+TEST(NotANumber, IsRefusedInPartsOfConditions) {
+  const auto checked = [](const std::string& condition) {
+    return run_case("whole_turn", {"mesh.sets={a: \"" + condition + "\"}"}, "s.yaml", "check");
+  };
+  expect_refused(checked("sqrt(Z - 1) < 2"), {"mesh.sets.a", "is not a number at", "? "});
+  EXPECT_EQ(checked("Z > 1 ? sqrt(Z - 1) < 2 : 0").status, 0);
+  EXPECT_EQ(checked("sqrt(Z + 1) < 2").status, 0);
+}
+
+TEST(Drained, MoreThanThereIsIsRefused) {
+  std::ifstream in(std::string(BULBUS_DATA) + "/scenes/sphere_liquid.yaml");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  expect_refused(run_scene(text, {"mesh.shell.n=2", "steps.1.add={inside: -8 mL}"}),
+                 {"steps.1.add.inside", "8000 mm3 are drained", "Drain less"});
+  EXPECT_EQ(run_scene(text, {"mesh.shell.n=2", "steps.1.add={inside: -4.2 mL}"}, "check").status, 0)
+      << "as much as is drawn, but not as is there after the first step";
 }
 
 }  // namespace

@@ -107,6 +107,20 @@ TEST(OperationInput, SuturePointsLieOnTheirSurface) {
     expect_slip_refused(s);
 }
 
+TEST(OperationInput, StringsPullTwoPoints) {
+  expect_slip_refused({"points: [[2, .5, .5]]", "points: [[2, .5, .5], [2, .5, .5]]",
+                       "13: sutures.knot: both of its points are at (2, 0.5, 0.5) mm"});
+  expect_slip_refused({"{name: rest}", "{name: rest, sew: {knot: -0.1}}",
+                       "15: steps.0.sew.knot: a string pulls, it cannot push with 0.1 N"});
+}
+
+// Nodes that just touch bear nothing, and nothing is said of their energy.
+TEST(OperationInput, ContactsThatJustTouchAreNotToldOf) {
+  const Ran r = run_scene(replaced(scene, "point: [0, 0, 1.05]", "point: [0, 0, 1]"));
+  EXPECT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.summary()["warnings"].dump(), "[]");
+}
+
 TEST(OperationInput, OverlapsAtTheStartAreRefused) {
   expect_slip_refused(
       {"point: [0, 0, 1.05]", "point: [0, 0, .95]",

@@ -146,8 +146,8 @@ TEST(Touch, RodOnASphereOfNodes) {
   EXPECT_GT(way, 1.5);
 }
 
-// Contact is with the curved surface, and so is the touch: a few facets are as good as many, to a part of
-// their chord height.
+// Contact is with the curved surface, and so is the touch. The means of normals at a rod's corners, weighted
+// by areas, lean towards the side with two triangles and leave up to a third of the chord height.
 TEST(Touch, RodOfFewFacetsMeetsAsACircle) {
   constexpr double R = 2, z = 9;
   const RigidSurface rod = body({.cylinder = RodShape{{0, 0, z}, {1, 0, 0}, R, 20, 60}});
@@ -155,7 +155,7 @@ TEST(Touch, RodOfFewFacetsMeetsAsACircle) {
   for (double y = -.3; y < .3; y += .01) {
     const std::vector<double> point{0, y, 4};
     EXPECT_NEAR(way_to_touch(rod, rod.parts[0], {0, 0, -1}, point), z - std::sqrt(R * R - y * y) - 4,
-                .3 * chord_height)
+                .4 * chord_height)
         << y;
   }
 }

@@ -125,6 +125,26 @@ TEST(Support, OneOfTwoSeparateBlocksIsFree) {
   expect_complaint(s, "a part of the model (loose)");
 }
 
+// Two of four cells, which share an edge along z or, of eight, a corner.
+TEST(Support, PartsThatShareNoFaceAreHinged) {
+  for (const bool edge : {true, false}) {
+    Scene s = block();
+    const int last = edge ? 3 : 7;
+    Mesh cells = generate(BlockShape{.nx = 2, .ny = 2, .nz = edge ? 1 : 2});
+    cells.hexes = {cells.hexes[0], cells.hexes[last]};
+    cells.region.resize(2);
+    cells.surfaces.clear();
+    cells.node_sets = {{"first", {cells.hexes[0].begin(), cells.hexes[0].end()}},
+                       {"second", {cells.hexes[1].begin(), cells.hexes[1].end()}}};
+    s.mesh = cells;
+    s.model.fix.push_back({"first", {"x", "y", "z"}});
+    expect_complaint(s, edge ? "rotation about (0.00, 0.00, 1.00)" : "rotation about");
+    expect_complaint(s, "no face");
+    s.model.fix.push_back({"second", {"x", "y"}});
+    EXPECT_EQ(complaint(s), "");
+  }
+}
+
 TEST(Support, BallWithoutBarsIsFree) {
   expect_complaint(hanging_ball(false, 0), "a part of the model (ball)");
 }

@@ -114,6 +114,20 @@ TEST(Validate, MeshOnBothSidesOfASymmetryPlane) {
   expect_refused(s, "symmetry", "both sides of the symmetry plane y = 0");
 }
 
+TEST(Validate, SymmetryPlaneThatMeetsNoNode) {
+  for (const double shift : {.5, -1.5}) {
+    Scene s = sound();
+    for (Point& p : s.mesh.points) p[1] += shift;
+    expect_refused(s, "symmetry", "no node lies on the symmetry plane y = 0");
+  }
+}
+
+TEST(Validate, BarsHaveALength) {
+  Scene s = sound();
+  s.mesh.bars["ties"].push_back({at_node(1), at_node(1)});
+  expect_refused(s, "bars.ties", "bar 2 of 'ties' has no length");
+}
+
 TEST(Validate, StepsAreNeeded) {
   Scene s = sound();
   s.model.steps.clear();
