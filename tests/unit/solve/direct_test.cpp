@@ -29,7 +29,7 @@ struct DirectTest : testing::Test {
   Scene scene = filled_shell("octant");
   Problem problem{scene.mesh, scene.model, comm};
   State state = problem.initial_state();
-  CoupledSystem system{problem, direct_settings(Direct::mumps)};
+  SharedSystem system;
   std::vector<double> b;
 
   void SetUp() override {
@@ -37,7 +37,7 @@ struct DirectTest : testing::Test {
     state = shaken(problem, state, .02, 3);
     problem.begin_step(1, state);
     const Residual r = problem.residual(state);
-    system.linearize(state, r);
+    system = std::make_shared<const CoupledSystem>(problem, direct_settings(Direct::mumps), state, r);
     std::vector<double> prescribed(state.x.size());
     b = CoupledOperator(system).right_hand_side(r, prescribed);
   }
@@ -151,7 +151,9 @@ TEST_F(DirectTest, RefusesWhatALibraryCannotDo) {
 TEST_F(DirectTest, EigenIsForSmallSystems) {
   scene = stretched_block(18, ".1");
   Problem large(scene.mesh, scene.model, comm);
-  const CoupledSystem big(large, direct_settings(Direct::eigen));
+  const State start = large.initial_state();
+  const auto big = std::make_shared<const CoupledSystem>(large, direct_settings(Direct::eigen), start,
+                                                         large.residual(start));
   SystemFactors factors(direct_settings(Direct::eigen), profiler);
   const FactorReport report = factors.factorise(big);
   EXPECT_TRUE(report.too_large);
