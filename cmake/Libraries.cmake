@@ -33,7 +33,7 @@ find_path(SUPERLU_DIST_INCLUDE superlu_ddefs.h PATH_SUFFIXES superlu-dist REQUIR
 find_library(SUPERLU_DIST_LIBRARY superlu_dist REQUIRED)
 add_library(superlu_dist INTERFACE)
 target_include_directories(superlu_dist SYSTEM INTERFACE ${SUPERLU_DIST_INCLUDE})
-target_link_libraries(superlu_dist INTERFACE ${SUPERLU_DIST_LIBRARY} MPI::MPI_C)
+target_link_libraries(superlu_dist INTERFACE ${SUPERLU_DIST_LIBRARY} gomp MPI::MPI_C)  # gomp: to ask for one thread
 
 # Its licence is the GPL, which is then the program's too: for comparisons, not for packages.
 add_library(umfpack INTERFACE)

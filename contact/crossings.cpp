@@ -208,7 +208,6 @@ Crossings of_all_ranks(const Crossings& own, const Comm& comm) {
 
 std::vector<std::string> crossed_surfaces(const Problem& problem, const Interactions& interactions,
                                           const State& state) {
-  constexpr int at_once = 50000;  // hexahedra, whose lines take some 30 MB
   const LocalMesh& mesh = problem.mesh();
   const auto sides = sides_of_nodes(mesh, interactions);
   std::vector<std::string> names;
@@ -221,6 +220,9 @@ std::vector<std::string> crossed_surfaces(const Problem& problem, const Interact
   for (const auto& [name, body] : interactions.bodies()) names.push_back("rigid body '" + name + "'");
   Crossings own;
   const int count = static_cast<int>(mesh.hexes.size());
+  // The lines of a hexahedron take 3 kB: all at once would be more than the run itself. Each time all
+  // triangles are looked through.
+  const int at_once = std::max(2000, count / 50);
   for (int h = 0; h < count; h += at_once)
     cross_hexahedra(mesh, sides, state.x, all, h, std::min(h + at_once, count), own);
   std::vector<std::string> sentences;

@@ -126,6 +126,8 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
   MarchReport& report = place.report;
   double& done = place.done;
   const auto& steps = problem.model().steps;
+  // A run that goes on: ways of points begin where it rests, not where the next increment is extrapolated to.
+  if (place.begun) problem.residual(state);
   for (int& k = place.step; k < static_cast<int>(steps.size()); ++k, place.next_step()) {
     if (!place.begun) {
       observer.step_begins(k, steps[k], state);

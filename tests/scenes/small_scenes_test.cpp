@@ -175,16 +175,19 @@ TEST(Scenes, Twist) {
 }
 
 // At rest, between ends that are glued, checkerboard modes of the pressures make the first systems singular.
-// No multiple of them is in the solution, whose rounding another ordering would change.
-TEST(Scenes, TwistTakesTheSameIterationsByAnyOrdering) {
-  std::vector<int> iterations;
+// How much of them is in the solution depends on the ordering, but not on rounding.
+TEST(Scenes, TwistTakesTheSameIterationsEachTime) {
   for (const char* ordering : {"scotch", "metis", "amd", "pord"}) {
-    const Ran r("twist", {std::string("solver.linear.ordering=") + ordering});
-    ASSERT_EQ(r.status, 0) << r.err;
-    EXPECT_EQ(r.summary["negative_pivots"], 432);
-    iterations.push_back(r.summary["totals"]["newton_iterations"]);
+    std::vector<int> iterations;
+    for (int run = 0; run < 3; ++run) {
+      const Ran r("twist", {std::string("solver.linear.ordering=") + ordering});
+      ASSERT_EQ(r.status, 0) << r.err;
+      EXPECT_EQ(r.summary["negative_pivots"], 432);
+      iterations.push_back(r.summary["totals"]["newton_iterations"]);
+    }
+    EXPECT_EQ(iterations, std::vector<int>(3, iterations[0])) << ordering;
+    EXPECT_LE(iterations[0], 9) << ordering;
   }
-  for (int n : iterations) EXPECT_EQ(n, iterations[0]);
 }
 
 // The same figures by every direct solver, and by GMRES that factors precondition.
