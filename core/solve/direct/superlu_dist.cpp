@@ -21,7 +21,7 @@ int rows_of_grid(int ranks) {
 
 class SuperLuDist final : public Factorisation {
  public:
-  // By one thread: with two, Debian's 8.1 gave another solution in one of eight factorisations of one matrix.
+  // By one thread: with two, Debian's 8.1 gives wrong solutions now and then (docs/decisions/054).
   explicit SuperLuDist(const Comm& comm) : comm_(comm) {
     omp_set_num_threads(1);
     const int rows = rows_of_grid(comm.size());
