@@ -53,11 +53,12 @@ class Increments {
 
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
-// iterations (docs/decisions/017). First steps that are too long for the mesh are so with exact solves, too.
+// iterations (docs/decisions/017). First steps that are too long for the mesh are so with exact solves, too,
+// and so do active sets follow one another.
 constexpr double careful_eta = 1e-8;
 
 bool by_loose_solves(const NewtonReport& failed) {
-  return failed.outcome != Outcome::linear_solver_failed &&
+  return failed.outcome != Outcome::linear_solver_failed && failed.outcome != Outcome::cycling &&
          !(failed.outcome == Outcome::inverted_element && std::ssize(failed.iterations) <= first_steps);
 }
 
