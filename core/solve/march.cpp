@@ -54,7 +54,7 @@ class Increments {
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
 // iterations (docs/decisions/017). First steps that are too long for the mesh are so with exact solves, too,
-// and so do active sets follow one another.
+// and a cycle of active sets is one with them, too.
 constexpr double careful_eta = 1e-8;
 
 bool by_loose_solves(const NewtonReport& failed) {
