@@ -98,8 +98,9 @@ class Iteration {
     return report;
   }
 
-  // Moves the state by the solution, as far as no element inverts. Returns the part of the step taken.
-  double step() {
+  // Moves the state by at most `longest` times the solution, as far as no element inverts. Returns the part
+  // of the step taken.
+  double step(double longest) {
     const Layout& layout = system_->layout();
     const std::span<const double> solution(solution_);
     StateIncrement step{std::vector<double>(state_.x.size()), layout.primal(solution),
@@ -108,7 +109,7 @@ class Iteration {
     problem_.dofs().expand(state_, step.primal, step.dx);
     compute_prescribed();
     for (std::size_t i = 0; i < prescribed_.size(); ++i) step.dx[i] += prescribed_[i];
-    const double length = move_without_inversion(problem_, step, state_);
+    const double length = move_without_inversion(problem_, step, state_, longest);
     for (double& v : step.dx) v *= length;
     problem_.predict(system_->tangents(), step.dx);
     problem_.enclosed().settle(state_.lambda);
@@ -235,7 +236,8 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
       report.error = now.error;
     }
     if (number == last) return fail(Outcome::too_many_iterations);
-    if (cycle.found(now.error)) return fail(Outcome::cycling);
+    const double longest = cycle.longest_step(now.error);
+    if (longest == 0) return fail(Outcome::cycling);
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     iteration.linearise();
     try {
@@ -251,7 +253,7 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
       const bool too_large = now.linear.factor && now.linear.factor->too_large;
       return fail(too_large ? Outcome::too_large : Outcome::linear_solver_failed, now.linear.reason);
     }
-    now.step = iteration.step();
+    now.step = iteration.step(longest);
     report.iterations.push_back(now);
     observe(now);
     if (number < first_steps) length *= now.step;

@@ -25,9 +25,10 @@ std::vector<double> scaled_difference(double factor, std::span<const double> to,
 
 }  // namespace
 
-double move_without_inversion(const Problem& problem, const StateIncrement& increment, State& state) {
+double move_without_inversion(const Problem& problem, const StateIncrement& increment, State& state,
+                              double longest) {
   const double before = std::min(1.0, problem.comm().min(problem.solid().least_jacobian(state.x)));
-  for (double length = 1; length >= shortest_step; length /= 2) {
+  for (double length = longest; length >= shortest_step; length /= 2) {
     State trial = state;
     move(problem, increment, length, trial);
     if (problem.comm().min(problem.solid().least_jacobian(trial.x)) > least_volume * before) {

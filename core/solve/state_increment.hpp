@@ -14,9 +14,11 @@ struct StateIncrement {
   std::vector<double> dP;
 };
 
-/// Moves `state` by the longest of 1, ½, ¼, ... of the increment that inverts no element. Returns that part;
-/// 0 where none of at least 1/64 does. Collective.
-double move_without_inversion(const Problem& problem, const StateIncrement& increment, State& state);
+/// Moves `state` by the longest part of the increment that inverts no element: `longest`, its half, its
+/// quarter,
+/// ... Returns that part; 0 where none of at least 1/64 does. Collective.
+double move_without_inversion(const Problem& problem, const StateIncrement& increment, State& state,
+                              double longest = 1);
 
 /// Linear extrapolation: moves `state` on by `factor` times its way from `previous`, as far as no element
 /// inverts. Collective.
