@@ -1,45 +1,51 @@
 #include "app/eye/corneal_fit.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "core/base/dense.hpp"
 
 namespace bulbus::inline eye {
 namespace {
 
 constexpr int N = CornealSums::unknowns;
-using Normal = Eigen::Matrix<double, N, N, Eigen::RowMajor>;
-using Column = Eigen::Matrix<double, N, 1>;
 
 }  // namespace
 
 // Unknowns 2c, k, a, 2b.
 void CornealSums::add(const Vec3<double>& x) {
-  const Column row{x[0], x[1], x[2], 1, x[0] * x[0] - x[1] * x[1], x[0] * x[1]};
-  Eigen::Map<Normal>(v.data()) += row * row.transpose();
-  Eigen::Map<Column>(v.data() + N * N) += dot(x, x) * row;
+  const std::array<double, N> row{x[0], x[1], x[2], 1, x[0] * x[0] - x[1] * x[1], x[0] * x[1]};
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < N; ++j) v[N * i + j] += row[i] * row[j];
+    v[N * N + i] += dot(x, x) * row[i];
+  }
 }
 
 // Of F = 0 the curvatures are those of P ∇²F P / |∇F| with P = I − n nᵀ, n = ∇F / |∇F|.
 CornealVertex fitted_cornea(const CornealSums& sums) {
-  const Column u = Eigen::Map<const Normal>(sums.v.data())
-                       .colPivHouseholderQr()
-                       .solve(Eigen::Map<const Column>(sums.v.data() + N * N));
+  const auto u = solve_dense(std::span(sums.v).first<N * N>(), std::span(sums.v).last<N>());
   const double a = u[4], b = u[5] / 2;
   CornealVertex vertex;
   vertex.z = u[2] / 2 + std::sqrt(std::max(0., u[2] * u[2] / 4 + u[3]));
-  const Eigen::Vector3d gradient(-u[0], -u[1], 2 * vertex.z - u[2]);
-  Eigen::Matrix3d H;
-  H << 2 - 2 * a, -2 * b, 0, -2 * b, 2 + 2 * a, 0, 0, 0, 2;
-  const Eigen::Vector3d n = gradient.normalized(), e1 = (Eigen::Vector3d::UnitX() - n[0] * n).normalized(),
-                        e2 = n.cross(e1);
-  Eigen::Matrix<double, 3, 2> across;
-  across << e1, e2;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> curvatures(across.transpose() * H * across /
-                                                                  gradient.norm());
-  vertex.flat = curvatures.eigenvalues()[0], vertex.steep = curvatures.eigenvalues()[1];
-  const Eigen::Vector3d steep = across * curvatures.eigenvectors().col(1);
+  const Vec3<double> gradient{-u[0], -u[1], 2 * vertex.z - u[2]};
+  const double length = norm(gradient);
+  const auto times = [](double factor, Vec3<double> d) {
+    for (double& c : d) c *= factor;
+    return d;
+  };
+  const Vec3<double> n = times(1 / length, gradient), x{1, 0, 0};
+  const Vec3<double> across = minus(x, times(n[0], n)), e1 = times(1 / norm(across), across),
+                     e2 = cross(n, e1);
+  const auto second = [&](const Vec3<double>& d) {  // ∇²F d
+    return Vec3<double>{(2 - 2 * a) * d[0] - 2 * b * d[1], -2 * b * d[0] + (2 + 2 * a) * d[1], 2 * d[2]};
+  };
+  const double mixed = dot(e1, second(e2)) / length;
+  const SymmetricEigen curvatures =
+      symmetric_eigen(std::array{dot(e1, second(e1)) / length, mixed, mixed, dot(e2, second(e2)) / length});
+  vertex.flat = curvatures.values[0], vertex.steep = curvatures.values[1];
+  const auto steepest = curvatures.vector(1);
+  const Vec3<double> steep = minus(times(steepest[0], e1), times(-steepest[1], e2));
   vertex.meridian = std::fmod(std::atan2(steep[1], steep[0]) + std::numbers::pi, std::numbers::pi);
   return vertex;
 }

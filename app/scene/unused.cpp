@@ -13,19 +13,19 @@ namespace bulbus::inline app {
 namespace {
 
 // "solver.linear.gamma" is "solver" and "linear.gamma"; the second may be empty.
-std::pair<std::string, std::string> split(const std::string& path) {
+std::pair<std::string, std::string> head_and_rest(const std::string& path) {
   const auto dot = path.find('.');
   return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
 }
 
 std::string word_at(const YamlNode& map, const std::string& path) {
-  const auto [name, rest] = split(path);
+  const auto [name, rest] = head_and_rest(path);
   const YamlNode* entry = map.find(name);
   return !entry ? "" : rest.empty() ? entry->text : word_at(*entry, rest);
 }
 
 void remove(YamlNode& map, const std::string& path) {
-  const auto [name, rest] = split(path);
+  const auto [name, rest] = head_and_rest(path);
   YamlNode* entry = map.find(name);
   if (!entry) return;
   if (!rest.empty()) return remove(*entry, rest);

@@ -1,12 +1,15 @@
 // Rigid motions that nothing prevents: the null space of all holds and bars on the rigid motions of the
 // mesh's parts.
 #include <fmt/format.h>
-#include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <span>
 
+#include "core/base/dense.hpp"
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/error.hpp"
 #include "core/base/tensor.hpp"
@@ -18,8 +21,7 @@
 namespace bulbus::inline problem {
 namespace {
 
-using Matrix = Eigen::MatrixXd;
-using Vector = Eigen::VectorXd;
+using Vector = std::vector<double>;
 
 // Parts are hexahedra that are joined by faces. Nodes of several parts, along an edge or at a corner, move
 // with each of them; bars alone do not join.
@@ -94,10 +96,10 @@ void add_row(const Mesh& mesh, const Parts& parts, int p, int node, const Vec3<d
 class Constraints {
  public:
   Constraints(const Mesh& mesh, const Parts& parts)
-      : mesh_(mesh), parts_(parts), gram_(Matrix::Zero(6 * parts.name.size(), 6 * parts.name.size())) {}
+      : mesh_(mesh), parts_(parts), size_(6 * parts.name.size()), gram_(size_ * size_) {}
 
   void constrain(int node, const Vec3<double>& d) {
-    Vector row = Vector::Zero(gram_.rows());
+    Vector row(size_);
     add_row(mesh_, parts_, parts_.of_node[node], node, d, 1, row);
     add(row);
   }
@@ -105,7 +107,7 @@ class Constraints {
     for (int c = 0; c < 3; ++c) {
       Vec3<double> d{0, 0, 0};
       d[c] = 1;
-      Vector row = Vector::Zero(gram_.rows());
+      Vector row(size_);
       add_row(mesh_, parts_, parts_.of_node[joint.node], joint.node, d, 1, row);
       add_row(mesh_, parts_, joint.part, joint.node, d, -1, row);
       add(row);
@@ -118,7 +120,7 @@ class Constraints {
         for (int c = 0; c < 3; ++c) d[c] += sign * end->weights[i] * mesh_.points[end->nodes[i]][c];
     const double length = norm(d);
     for (double& c : d) c /= length;
-    Vector row = Vector::Zero(gram_.rows());
+    Vector row(size_);
     for (const auto& [end, sign] : {std::pair{&bar.a, -1.0}, std::pair{&bar.b, 1.0}})
       for (int i = 0; i < 4; ++i)
         if (end->weights[i] != 0)
@@ -126,20 +128,21 @@ class Constraints {
                   row);
     add(row);
   }
-  const Matrix& gram() const { return gram_; }
+  const Vector& gram() const { return gram_; }
 
  private:
   // rank-one update of the touched 6×6 (or 12×12) entries only
   void add(const Vector& row) {
-    std::vector<int> used;
-    for (int i = 0; i < row.size(); ++i)
+    std::vector<std::size_t> used;
+    for (std::size_t i = 0; i < size_; ++i)
       if (row[i] != 0) used.push_back(i);
-    for (int i : used)
-      for (int j : used) gram_(i, j) += row[i] * row[j];
+    for (std::size_t i : used)
+      for (std::size_t j : used) gram_[i * size_ + j] += row[i] * row[j];
   }
   const Mesh& mesh_;
   const Parts& parts_;
-  Matrix gram_;
+  std::size_t size_;
+  Vector gram_;  // size_ × size_
 };
 
 void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
@@ -178,13 +181,13 @@ void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
 }
 
 // "shift along (0, 0, 1)" or "rotation about (0, 0, 1)", whichever is the larger part of the motion.
-std::string describe(const Vector& motion) {
-  const Eigen::Vector3d shift = motion.head<3>(), spin = motion.tail<3>();
-  const bool turns = spin.norm() > shift.norm();
-  Eigen::Vector3d d = (turns ? spin : shift).normalized();
-  Eigen::Index largest;
-  d.cwiseAbs().maxCoeff(&largest);
-  d = (100 / (d[largest] < 0 ? -1.0 : 1.0) * d).array().round() / 100 + 0.0;  // no "-0.00"
+std::string describe(std::span<const double> motion) {
+  const Vec3<double> shift{motion[0], motion[1], motion[2]}, spin{motion[3], motion[4], motion[5]};
+  const bool turns = norm(spin) > norm(shift);
+  Vec3<double> d = turns ? spin : shift;
+  const double largest = *std::ranges::max_element(d, {}, [](double v) { return std::abs(v); });
+  const double scale = std::copysign(100 / norm(d), largest);
+  for (double& c : d) c = std::round(scale * c) / 100 + 0.0;  // no "-0.00"
   return fmt::format("{} ({:.2f}, {:.2f}, {:.2f})", turns ? "rotation about" : "shift along", d[0], d[1],
                      d[2]);
 }
@@ -198,18 +201,21 @@ void require_supported(const Mesh& mesh, const Model& model) {
   for (const auto& [name, group] : mesh.bars)
     for (const Bar& bar : group) constraints.add(bar);
   for (const Parts::Joint& joint : parts.joints) constraints.add(joint);
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(constraints.gram());
-  const double largest = std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
-  if (eigen.eigenvalues()[0] > 1e-9 * largest && largest > 1e-12) return;
-  const Vector mode = eigen.eigenvectors().col(0);
+  const SymmetricEigen eigen = symmetric_eigen(constraints.gram());
+  const double largest = std::max(eigen.values.back(), 1e-300);
+  if (eigen.values.front() > 1e-9 * largest && largest > 1e-12) return;
+  const auto motion = [&](int part) { return eigen.vector(0).subspan(6 * part, 6); };
+  const auto square = [](std::span<const double> v) {
+    return std::inner_product(v.begin(), v.end(), v.begin(), 0.0);
+  };
   int worst = 0;
   for (int p = 1; p < static_cast<int>(parts.name.size()); ++p)
-    if (mode.segment<6>(6 * p).norm() > mode.segment<6>(6 * worst).norm()) worst = p;
+    if (square(motion(p)) > square(motion(worst))) worst = p;
   throw scene_error(
       "fix",
       fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
                   parts.name.size() == 1 ? "the model" : "a part of the model", parts.name[worst],
-                  describe(mode.segment<6>(6 * worst))),
+                  describe(motion(worst))),
       std::string("Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars.") +
           (parts.joints.empty() ? ""
                                 : " Hexahedra that share an edge or a corner, but no face, "

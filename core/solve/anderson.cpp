@@ -1,7 +1,9 @@
 #include "core/solve/anderson.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <cmath>
 #include <numeric>
+
+#include "core/base/dense.hpp"
 
 namespace bulbus::inline solve {
 namespace {
@@ -36,22 +38,23 @@ std::vector<double> AndersonAcceleration::coefficients(std::span<const double> f
     for (int j = 0; j < m; ++j) sums.push_back(product(differences_[i].f, differences_[j].f));
   }
   comm_.sum(sums);
-  Eigen::MatrixXd gram(m, m);
-  Eigen::VectorXd right(m), scale(m);
+  std::vector<double> gram(m * m), right(m), scale(m), gamma(m);
   for (int i = 0; i < m; ++i) {
     const double square = sums[i * (m + 1) + 1 + i];
     scale[i] = square > 0 ? 1 / std::sqrt(square) : 0;
   }
   for (int i = 0; i < m; ++i) {
     right[i] = scale[i] * sums[i * (m + 1)];
-    for (int j = 0; j < m; ++j) gram(i, j) = scale[i] * scale[j] * sums[i * (m + 1) + 1 + j];
+    for (int j = 0; j < m; ++j) gram[i * m + j] = scale[i] * scale[j] * sums[i * (m + 1) + 1 + j];
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  Eigen::VectorXd parts = eigen.eigenvectors().transpose() * right;
-  for (int i = 0; i < m; ++i)
-    parts[i] = eigen.eigenvalues()[i] > least_eigenvalue * m ? parts[i] / eigen.eigenvalues()[i] : 0;
-  const Eigen::VectorXd gamma = scale.cwiseProduct(eigen.eigenvectors() * parts);
-  return {gamma.begin(), gamma.end()};
+  const SymmetricEigen eigen = symmetric_eigen(gram);
+  for (int k = 0; k < m; ++k) {
+    if (!(eigen.values[k] > least_eigenvalue * m)) continue;
+    const auto v = eigen.vector(k);
+    const double part = std::inner_product(v.begin(), v.end(), right.begin(), 0.0) / eigen.values[k];
+    for (int i = 0; i < m; ++i) gamma[i] += scale[i] * part * v[i];
+  }
+  return gamma;
 }
 
 std::vector<double> AndersonAcceleration::next(std::span<const double> x, std::span<const double> f) {

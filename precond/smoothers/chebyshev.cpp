@@ -1,10 +1,10 @@
 #include "precond/smoothers/chebyshev.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "core/base/dense.hpp"
 #include "core/base/inner_product.hpp"
 #include "core/base/memory.hpp"
 
@@ -39,13 +39,15 @@ Spectrum lanczos(const LinearOperator& A, const Preconditioner& D, int steps, co
     for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
   }
   if (diagonal.empty()) return {1, 1};
-  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(diagonal.size(), diagonal.size());
-  for (std::size_t k = 0; k < diagonal.size(); ++k) {
-    T(k, k) = diagonal[k];
-    if (k > 0) T(k, k - 1) = std::abs(off[k - 1]), T(k - 1, k) = off[k - 1];
+  const std::size_t m = diagonal.size();
+  std::vector<double> T(m * m);
+  for (std::size_t k = 0; k < m; ++k) {
+    T[k * m + k] = diagonal[k];
+    if (k > 0) T[k * m + k - 1] = std::abs(off[k - 1]), T[(k - 1) * m + k] = off[k - 1];
   }
-  const Eigen::VectorXd e = Eigen::EigenSolver<Eigen::MatrixXd>(T, false).eigenvalues().real();
-  return {e.minCoeff(), e.maxCoeff()};
+  const auto values = eigenvalues_real_parts(T);
+  const auto [lowest, highest] = std::ranges::minmax(values);
+  return {lowest, highest};
 }
 
 DampedSpectrum::DampedSpectrum(std::shared_ptr<const LinearOperator> A,

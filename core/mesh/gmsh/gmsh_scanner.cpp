@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
 #include "core/base/error.hpp"
 #include "core/base/parse_number.hpp"
+#include "core/base/printable.hpp"
 #include "core/base/whole_file.hpp"
 
 namespace bulbus::inline mesh {
@@ -28,7 +28,7 @@ void GmshScanner::need(std::size_t count) const {
 }
 
 void GmshScanner::skip_space() {
-  for (; at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])); ++at_)
+  for (; at_ < text_.size() && is_blank(text_[at_]); ++at_)
     if (text_[at_] == '\n') ++line_;
 }
 
@@ -41,7 +41,7 @@ std::string_view GmshScanner::word() {
   skip_space();
   need(1);
   const std::size_t start = at_;
-  while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+  while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
   return std::string_view(text_).substr(start, at_ - start);
 }
 

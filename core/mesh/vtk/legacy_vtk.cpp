@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <charconv>
 #include <limits>
 #include <map>
@@ -17,8 +16,6 @@ namespace bulbus::inline mesh {
 namespace {
 
 const char* const write_again = "write the file again; it may have been cut off";
-
-bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 // Blanks in names are written as %20.
 std::string decoded(std::string_view name) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/base/error.hpp"
 #include "core/base/printable.hpp"
@@ -13,7 +12,6 @@ namespace {
 
 constexpr int deepest = 30;
 
-bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 bool is_name(char c) { return !is_blank(c) && std::string_view("<>/=\"'").find(c) == std::string_view::npos; }
 
 std::string without_entities(std::string_view text) {
