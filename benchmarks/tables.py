@@ -118,9 +118,10 @@ def beside_paper(report):
     return [PAPER] + [{**row, "wall_min": row["wall_s"] / 60} for row in report["rows"]]
 
 
-def from_rest(report):
+def from_rest():
     """Runs of the working mesh and finer ones; of one that does not fit, what its memory would be."""
-    rows = [row for row in report["rows"] if row["n"] >= 14]
+    names = [n for n in ("direct_vs_iterative", "direct_vs_iterative_56") if (HERE / "results" / f"{n}.json").exists()]
+    rows = [row for name in names for row in result(name)["rows"] if row["n"] >= 14]
     return [row if not row.get("too_large") else
             {**{k: row[k] for k in ("n", "unknowns", "method")}, "peak_mb": f"{row['estimated_mb']:,.0f} (estimate: refused)"} for row in rows]
 
@@ -337,7 +338,7 @@ def scaling_blocks():
 
 def pages():
     """Path, text as it is and text as it should be of every page with tables."""
-    blocks = {"README.md": {"tables": table(from_rest(result("direct_vs_iterative")), SUMMARY),
+    blocks = {"README.md": {"tables": table(from_rest(), SUMMARY),
                             "operation": table(beside_paper(result("operation")), OPERATION), "large": large_facts()},
               "docs/benchmarks.md": {"best": best_table(), "tables": all_tables(recorded())},
               "docs/trade.md": {"trade": trade_tables()},
