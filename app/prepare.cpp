@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/problem/reference_model.hpp"
 #include "core/problem/symmetry_planes.hpp"
+#include "core/problem/refined_forces.hpp"
 #include "core/problem/validate.hpp"
 #include "core/problem/warnings.hpp"
 #include "core/solve/direct/make_factorisation.hpp"
@@ -83,6 +84,7 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
+  if (meshes.refinements > 0) require_forces_kept(meshes.base, model);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
   if (scene.reference) check_reference(*scene.reference, meshes.base, model, levels);
   Prepared prepared{std::make_unique<Problem>(std::move(levels), model),
