@@ -1,4 +1,6 @@
 // Contacts that were passed through, or whose sides were treated unequally.
+#include <fmt/format.h>
+
 #include "tests/cases/run_case.hpp"
 #include "tests/support/not_empty.hpp"
 
@@ -194,6 +196,21 @@ TEST(NarrowRod, ThatIsLetInDeepIsToldOf) {
 // Surfaces that no contact names go through one another unhindered.
 TEST(Crossing, OfSurfacesWithoutAContactIsToldOf) {
   const Ran blocks = run_case("matching_nodes", {"contacts=[]", "probes=[]"});
+// A plane without a size ends nowhere on the model, and comes to touch alike whatever the model's size.
+TEST(Plate, SqueezesBlocksOfAnySizeAlike) {
+  const double l = .9, exact = 2 * .05 * (1 / (l * l) - l) * 4e4;  // of the whole, in N at 100 mm
+  for (const char* size : {"1e-5", "1", "20"}) {
+    const double s = std::stod(size);
+    const auto times = [&](double x) { return fmt::format("{}", x * s); };
+    const Ran run = run_case("plate", {fmt::format("mesh.block.upper=[{0}, {0}, {1}]", times(100), times(50)),
+                                       fmt::format("rigid_bodies.plate.plane.point=[0, 0, {}]", times(50.5)),
+                                       "contacts.0.tolerance=" + times(1e-4),
+                                       fmt::format("steps.0.move.0.translate=[0, 0, {}]", times(-5))});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(probe(run, "force") / (s * s * exact), 1, 2e-4) << size;
+  }
+}
+
   EXPECT_EQ(blocks.status, 0) << blocks.err;
   EXPECT_EQ(said(blocks, "' passes through region '"), 1);
   EXPECT_EQ(said(run_case("matching_nodes"), "passes through"), 0);
