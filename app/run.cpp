@@ -9,6 +9,7 @@
 #include "app/memory/memory_forecast.hpp"
 #include "app/memory/sizes.hpp"
 #include "app/prepare.hpp"
+#include "app/records/alternating_pressures.hpp"
 #include "app/records/contact_summary.hpp"
 #include "app/records/dumping_solver.hpp"
 #include "app/records/folder.hpp"
@@ -171,6 +172,8 @@ std::vector<std::string> warnings_of(const Prepared& prepared, const Recorder& r
   const auto scope = profiler.clock.measure("checks of the last state");
   const auto& contacts = recorder.contacts();
   std::vector<std::string> all;
+  if (const auto pressures = alternating_pressures(*prepared.problem, state))
+    all.push_back(sentence(*pressures));
   for (const auto& told :
        {deep_contacts(*prepared.interactions, contacts), missed_tolerances(*prepared.interactions, contacts),
         soft_contacts(*prepared.problem, *prepared.interactions, contacts, state),

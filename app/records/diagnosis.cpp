@@ -59,6 +59,7 @@ std::string diagnosis(const FailureFacts& f) {
         "a wrong unit: the pressure given is {:.3g} times the largest shear modulus. Numbers without a unit "
         "are MPa: write `15 mmHg` or `2 kPa`.",
         f.largest_pressure);
+  if (f.alternating) return "a checkerboard of pressures: " + sentence(*f.alternating) + ".";
   const bool unstable = f.surplus_pivots > 0, steeper = f.softening > steep;
   if (f.pressure_grows && f.progress > 0 && (steeper || unstable)) return limit_point(f);
   if (f.displacement > far_away)

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/solve/newton.hpp"
+#include "app/records/alternating_pressures.hpp"
 
 namespace bulbus::inline app {
 
@@ -25,6 +26,7 @@ struct FailureFacts {
   double displacement = 0;  ///< largest, over the model's size
   bool contacts = false, touching = false;
 };
+  std::optional<AlternatingPressures> alternating;
 
 /// One line: the most likely cause, and what to try. Never empty.
 std::string diagnosis(const FailureFacts& facts);

@@ -80,6 +80,7 @@ FailureFacts Witness::facts(const State& last, bool touching) const {
   f.least_jacobian = cells.least_jacobian;
   f.contacts = !problem_.model().contacts.empty();
   f.touching = touching;
+  f.alternating = alternating_pressures(problem_, last);
   return f;
 }
 
