@@ -222,6 +222,26 @@ TEST(Plate, SqueezesBlocksOfAnySizeAlike) {
 // It is 0.38 mm deep in the slab, and no point of the slave feels it.
 TEST(Tip, BetweenThePointsIsToldOf) {
   for (const char* divisions : {"0", "2"}) {
+// With the coarser side as the slave a ninth of the force is lost.
+TEST(CoarseSlave, IsToldOf) {
+  const double exact = 400 * (1 / (.85 * .85) - .85);
+  const auto force_and_warnings = [&](const std::vector<std::string>& set) {
+    const Ran run = run_case("coarse_slave", set);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return std::pair(std::abs(probe(run, "push")) / exact, said(run, "2.2 times as large"));
+  };
+  const auto [coarse, told] = force_and_warnings({});
+  EXPECT_LT(coarse, .95);
+  EXPECT_EQ(told, 1);
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{"contacts.0.slave=lowtop", "contacts.0.master=highbot"},
+        {"contacts.0.two_way=true", "contacts.0.tolerance=0", "contacts.0.penalty=100"}}) {
+    const auto [fine, untold] = force_and_warnings(set);
+    EXPECT_NEAR(fine, 1, .02);
+    EXPECT_EQ(untold, 0);
+  }
+}
+
     const Ran run = run_case("tip", {std::string("contacts.0.divisions=") + divisions});
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_LT(probe(run, "push"), 1) << divisions;
