@@ -20,7 +20,7 @@ double clearance(std::span<const double> points) {
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t i = c; i < points.size(); i += 3)
       extent = std::max(extent, std::abs(points[i] - points[c]));
-  return std::min(near_touch * extent, farthest_touch);
+  return extent > 0 ? std::min(near_touch * extent, farthest_touch) : farthest_touch;
 }
 
 Vec3<double> turned(const Mat3<double>& R, const Vec3<double>& v) {
