@@ -68,7 +68,7 @@ std::string diagnosis(const FailureFacts& f) {
         "with "
         "`fix`, `symmetry`, `displace` or bars.",
         f.displacement);
-  if (f.touching && f.outcome == Outcome::inadmissible) return "contact that is refused: " + f.reason + ".";
+  if (f.outcome == Outcome::inadmissible) return "a state that is refused: " + f.reason + ".";
   if (f.least_jacobian < squeezed || f.outcome == Outcome::inverted_element) {
     if (!f.squeezed_region.empty() && f.least_jacobian < squeezed) return inverting(f);
     if (f.touching) return jumping_contact;
