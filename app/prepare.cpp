@@ -5,7 +5,9 @@
 #include "app/records/record_names.hpp"
 #include "app/scene/contact_limits.hpp"
 #include "app/scene/size_limits.hpp"
+#include "contact/coarse_slaves.hpp"
 #include "core/base/error.hpp"
+#include "core/problem/nodal_forces.hpp"
 #include "core/problem/reference_model.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/validate.hpp"
@@ -82,6 +84,7 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);
+  if (meshes.refinements > 0) require_forces_kept(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
   if (scene.reference) check_reference(*scene.reference, meshes.base, model, levels);
@@ -95,8 +98,8 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
   prepared.warnings = warnings_of(meshes.base, model);
-  const auto& of_steps = prepared.problem->warnings();
-  prepared.warnings.insert(prepared.warnings.end(), of_steps.begin(), of_steps.end());
+  for (const auto& more : {prepared.problem->warnings(), coarse_slaves(meshes.base, model)})
+    prepared.warnings.insert(prepared.warnings.end(), more.begin(), more.end());
   prepared.interactions = Interactions::attach(*prepared.problem, meshes.base);
   for (const auto& [name, body] : prepared.interactions->bodies())
     prepared.warnings.insert(prepared.warnings.end(), body->warnings.begin(), body->warnings.end());

@@ -9,6 +9,7 @@
 #include "app/memory/memory_forecast.hpp"
 #include "app/memory/sizes.hpp"
 #include "app/prepare.hpp"
+#include "app/records/alternating_pressures.hpp"
 #include "app/records/contact_summary.hpp"
 #include "app/records/dumping_solver.hpp"
 #include "app/records/folder.hpp"
@@ -165,6 +166,23 @@ void note_in_log(const ResultsFolder& folder, const std::string& fault) {
   }
 }
 
+// What the last state tells. Collective.
+std::vector<std::string> warnings_of(const Prepared& prepared, const Recorder& recorder, const State& state,
+                                     Profiler& profiler) {
+  const auto scope = profiler.clock.measure("checks of the last state");
+  const auto& contacts = recorder.contacts();
+  std::vector<std::string> all;
+  if (const auto pressures = alternating_pressures(*prepared.problem, state))
+    all.push_back(sentence(*pressures));
+  for (const auto& told :
+       {deep_contacts(*prepared.interactions, contacts), missed_tolerances(*prepared.interactions, contacts),
+        soft_contacts(*prepared.problem, *prepared.interactions, contacts, state),
+        entered_vertices(*prepared.problem, *prepared.interactions, state),
+        crossed_surfaces(*prepared.problem, *prepared.interactions, state)})
+    std::ranges::copy(told, std::back_inserter(all));
+  return all;
+}
+
 int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene_path, const Comm& comm,
              Log::Screen screen, const std::string& checkpoint) {
   const double start = Clock::now();
@@ -229,15 +247,10 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   const MarchReport report = march(problem, *solver, state, scene.solver, profiler, recorder, place);
 
   recorder.finish(state);
-  for (const auto& told : {deep_contacts(*prepared.interactions, recorder.contacts()),
-                           missed_tolerances(*prepared.interactions, recorder.contacts()),
-                           soft_contacts(problem, *prepared.interactions, recorder.contacts(), state),
-                           entered_vertices(problem, *prepared.interactions, state),
-                           crossed_surfaces(problem, *prepared.interactions, state)})
-    for (const std::string& warning : told) {
-      prepared.warnings.push_back(warning);
-      log.warn(warning);
-    }
+  for (const std::string& warning : warnings_of(prepared, recorder, state, profiler)) {
+    prepared.warnings.push_back(warning);
+    log.warn(warning);
+  }
   std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
   profiler.memory.set("mesh", problem.mesh().bytes());
   return conclude(report, report.converged ? "" : recorder.diagnosis(state));

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "contact/search/position_codes.hpp"
 #include "core/mesh/faces.hpp"
+#include "core/mesh/sorted.hpp"
 
 namespace bulbus::inline contact {
 namespace {
@@ -45,14 +45,7 @@ struct Boundary {
   std::vector<int> part;  // of a triangle: its region, or behind the regions a body
 };
 
-using Key = std::array<long long, 4>;
 constexpr std::size_t of_face = 9;  // numbers: its four nodes, their sides, its region
-
-Key sorted_nodes(std::span<const long long> face) {
-  Key key{face[0], face[1], face[2], face[3]};
-  std::ranges::sort(key);
-  return key;
-}
 
 int region_of(const LocalMesh& mesh, int hex) {
   int r = 0;
@@ -60,15 +53,13 @@ int region_of(const LocalMesh& mesh, int hex) {
   return r;
 }
 
-// Faces that one hexahedron of this rank has; what two ranks have is inside.
+// The outer faces of this rank's hexahedra, those of all ranks one after the other.
 std::vector<long long> faces_of_all(const LocalMesh& mesh, const std::vector<Sides>& sides,
                                     std::span<const double> x, std::vector<double>& places) {
-  const FaceTable table(mesh.hexes);
   std::vector<long long> own;
   std::vector<double> own_places;
-  for (int f = 0; f < 6 * static_cast<int>(mesh.hexes.size()); ++f) {
+  for (int f : outer_faces(mesh.hexes)) {
     const Quad q = face_nodes(mesh.hexes, f);
-    if (table.count(q) != 1) continue;
     for (int n : q) own.push_back(mesh.number[n]);
     for (int n : q) own.push_back(static_cast<long long>(sides[n]));
     own.push_back(region_of(mesh, f / 6));
@@ -78,25 +69,26 @@ std::vector<long long> faces_of_all(const LocalMesh& mesh, const std::vector<Sid
   return mesh.comm.gather(std::span<const long long>(own));
 }
 
+// What two ranks have as an outer face lies between them.
 void add_mesh(std::span<const long long> faces, std::span<const double> places, Boundary& all) {
-  std::set<Key> outer;
-  for (std::size_t i = 0; i < faces.size(); i += of_face)
-    if (const auto [known, fresh] = outer.insert(sorted_nodes(faces.subspan(i))); !fresh) outer.erase(known);
   std::unordered_map<long long, int> corners;
-  for (std::size_t i = 0; i < faces.size(); i += of_face) {
-    if (!outer.contains(sorted_nodes(faces.subspan(i)))) continue;
-    std::array<int, 4> q;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const auto [corner, fresh] = corners.emplace(faces[i + c], static_cast<int>(corners.size()));
-      q[c] = corner->second;
-      if (!fresh) continue;
-      const Vec3<double> x = at(places, static_cast<int>(4 * i / of_face + c));
-      all.places.insert(all.places.end(), x.begin(), x.end());
-      all.sides.push_back(static_cast<Sides>(faces[i + 4 + c]));
-      all.number.push_back(faces[i + c]);
-    }
+  std::vector<Quad> quads(faces.size() / of_face);
+  for (std::size_t i = 0; i < 4 * quads.size(); ++i) {
+    const long long* face = &faces[i / 4 * of_face];
+    const auto [corner, fresh] = corners.emplace(face[i % 4], static_cast<int>(corners.size()));
+    quads[i / 4][i % 4] = corner->second;
+    if (!fresh) continue;
+    all.places.insert(all.places.end(), &places[3 * i], &places[3 * i] + 3);
+    all.sides.push_back(static_cast<Sides>(face[4 + i % 4]));
+    all.number.push_back(face[i % 4]);
+  }
+  std::map<Quad, int> ranks;
+  for (const Quad& q : quads) ++ranks[sorted(q)];
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    const Quad& q = quads[i];
+    if (ranks[sorted(q)] > 1) continue;
     for (const auto& t : {std::array{q[0], q[1], q[2]}, {q[0], q[2], q[3]}})
-      all.triangles.push_back(t), all.part.push_back(static_cast<int>(faces[i + 8]));
+      all.triangles.push_back(t), all.part.push_back(static_cast<int>(faces[of_face * i + 8]));
   }
 }
 
@@ -121,26 +113,23 @@ void add_bodies(const Interactions& interactions, int part, Boundary& all) {
 constexpr std::array<double, 4> off_middle{.4, .28, .19, .13};
 struct Line {
   Vec3<double> a, b;
-  int hex;
 };
 
-std::vector<Line> lines_of(const LocalMesh& mesh, std::span<const double> x, int first, int last) {
+std::vector<Line> lines_of(const LocalMesh& mesh, std::span<const double> x, int hex) {
   std::vector<Line> lines;
-  for (int h = first; h < last; ++h) {
-    std::array<Vec3<double>, 6> end{};
-    for (int f = 0; f < 6; ++f) {
-      const Quad q = face_nodes(mesh.hexes, 6 * h + f);
-      for (int i = 0; i < 4; ++i) {
-        end[f] = end[f] + off_middle[i] * at(x, q[i]);
-        if (q[i] < q[(i + 1) % 4]) lines.push_back({at(x, q[i]), at(x, q[(i + 1) % 4]), h});
-      }
+  std::array<Vec3<double>, 6> end{};
+  for (int f = 0; f < 6; ++f) {
+    const Quad q = face_nodes(mesh.hexes, 6 * hex + f);
+    for (int i = 0; i < 4; ++i) {
+      end[f] = end[f] + off_middle[i] * at(x, q[i]);
+      if (q[i] < q[(i + 1) % 4]) lines.push_back({at(x, q[i]), at(x, q[(i + 1) % 4])});
     }
-    for (int f = 0; f < 6; ++f)
-      for (int g = f + 1; g < 6; ++g) {
-        const Quad p = face_nodes(mesh.hexes, 6 * h + f), q = face_nodes(mesh.hexes, 6 * h + g);
-        if (std::ranges::find_first_of(p, q) == p.end()) lines.push_back({end[f], end[g], h});
-      }
   }
+  for (int f = 0; f < 6; ++f)
+    for (int g = f + 1; g < 6; ++g) {
+      const Quad p = face_nodes(mesh.hexes, 6 * hex + f), q = face_nodes(mesh.hexes, 6 * hex + g);
+      if (std::ranges::find_first_of(p, q) == p.end()) lines.push_back({end[f], end[g]});
+    }
   return lines;
 }
 
@@ -168,28 +157,39 @@ void keep_least(Crossings& all, const std::pair<int, int>& parts, const Vec3<dou
   if (!fresh) known->second = std::min(known->second, place);
 }
 
+// The triangles near a hexahedron that are not its own and that no contact keeps out of it.
+std::vector<int> unheld(const LocalMesh& mesh, const std::vector<Sides>& sides, const Boundary& all,
+                        const Hex& hex, std::span<const int> near) {
+  Sides own = 0;
+  for (int n : hex) own |= sides[n];
+  std::vector<int> triangles;
+  for (int t : near) {
+    const auto& c = all.triangles[t];
+    const auto joined = [&](int n) {
+      return std::ranges::any_of(c, [&](int k) { return all.number[k] == mesh.number[n]; });
+    };
+    if (!opposed(own, all.sides[c[0]] | all.sides[c[1]] | all.sides[c[2]]) &&
+        std::ranges::none_of(hex, joined))
+      triangles.push_back(t);
+  }
+  return triangles;
+}
+
 void cross_hexahedra(const LocalMesh& mesh, const std::vector<Sides>& sides, std::span<const double> x,
                      const Boundary& all, int first, int last, Crossings& found) {
-  const auto lines = lines_of(mesh, x, first, last);
-  std::vector<double> ends;
-  for (const Line& l : lines)
-    for (const Vec3<double>& p : {l.a, l.b}) ends.insert(ends.end(), p.begin(), p.end());
-  const Candidates near = find_candidates(ends, all.triangles, all.places, 0, 2);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Hex& hex = mesh.hexes[lines[i].hex];
-    Sides own = 0;
-    for (int n : hex) own |= sides[n];
-    for (int t : near.of(static_cast<int>(2 * i))) {
-      const auto& c = all.triangles[t];
-      const auto joined = [&](int n) {
-        return std::ranges::any_of(c, [&](int k) { return all.number[k] == mesh.number[n]; });
-      };
-      if (opposed(own, all.sides[c[0]] | all.sides[c[1]] | all.sides[c[2]]) ||
-          !crosses(lines[i], {at(all.places, c[0]), at(all.places, c[1]), at(all.places, c[2])}) ||
-          std::ranges::any_of(hex, joined))
-        continue;
-      keep_least(found, std::minmax(region_of(mesh, lines[i].hex), all.part[t]), lines[i].a);
-    }
+  std::vector<double> corners;
+  for (int h = first; h < last; ++h)
+    for (int n : mesh.hexes[h]) corners.insert(corners.end(), &x[3 * n], &x[3 * n] + 3);
+  const Candidates near = find_candidates(corners, all.triangles, all.places, 0, 8);
+  for (int h = first; h < last; ++h) {
+    const auto triangles = unheld(mesh, sides, all, mesh.hexes[h], near.of(8 * (h - first)));
+    if (triangles.empty()) continue;
+    for (const Line& line : lines_of(mesh, x, h))
+      for (int t : triangles) {
+        const auto& c = all.triangles[t];
+        if (crosses(line, {at(all.places, c[0]), at(all.places, c[1]), at(all.places, c[2])}))
+          keep_least(found, std::minmax(region_of(mesh, h), all.part[t]), line.a);
+      }
   }
 }
 
@@ -220,9 +220,9 @@ std::vector<std::string> crossed_surfaces(const Problem& problem, const Interact
   for (const auto& [name, body] : interactions.bodies()) names.push_back("rigid body '" + name + "'");
   Crossings own;
   const int count = static_cast<int>(mesh.hexes.size());
-  // The lines of a hexahedron take 3 kB: all at once would be more than the run itself. Each time all
+  // The corners of a hexahedron take 200 bytes, half of what a run does: not all at once. Each time all
   // triangles are looked through.
-  const int at_once = std::max(2000, count / 50);
+  const int at_once = std::max(10000, count / 10);
   for (int h = 0; h < count; h += at_once)
     cross_hexahedra(mesh, sides, state.x, all, h, std::min(h + at_once, count), own);
   std::vector<std::string> sentences;

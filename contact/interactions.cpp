@@ -76,6 +76,12 @@ void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& mo
   motion.set_poses(std::move(poses));
 }
 
+// A plane of no given size reaches past the model on all sides.
+RigidBodySpec sized(RigidBodySpec spec, const Mesh& base) {
+  if (spec.plane && !spec.plane->size) spec.plane->size = std::max(usual_plane, 2 * diagonal(base));
+  return spec;
+}
+
 }  // namespace
 
 std::shared_ptr<Interactions> Interactions::attach(Problem& problem, const Mesh& base) {
@@ -98,7 +104,7 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
   problem.comm().together([&] {
     for (const auto& [name, spec] : model.rigid_bodies) {
       bodies_[name] = std::make_shared<RigidSurface>(
-          make_rigid_surface(name, spec, "rigid_bodies." + name, model.symmetry));
+          make_rigid_surface(name, sized(spec, base), "rigid_bodies." + name, model.symmetry));
       refuse_out_of_sight(*bodies_[name], farthest, "rigid_bodies." + name);
       motions_.emplace(name, bodies_[name]);
     }

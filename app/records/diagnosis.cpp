@@ -59,6 +59,7 @@ std::string diagnosis(const FailureFacts& f) {
         "a wrong unit: the pressure given is {:.3g} times the largest shear modulus. Numbers without a unit "
         "are MPa: write `15 mmHg` or `2 kPa`.",
         f.largest_pressure);
+  if (f.alternating) return "a checkerboard of pressures: " + sentence(*f.alternating) + ".";
   const bool unstable = f.surplus_pivots > 0, steeper = f.softening > steep;
   if (f.pressure_grows && f.progress > 0 && (steeper || unstable)) return limit_point(f);
   if (f.displacement > far_away)
@@ -67,6 +68,7 @@ std::string diagnosis(const FailureFacts& f) {
         "with "
         "`fix`, `symmetry`, `displace` or bars.",
         f.displacement);
+  if (f.outcome == Outcome::inadmissible) return "a state that is refused: " + f.reason + ".";
   if (f.least_jacobian < squeezed || f.outcome == Outcome::inverted_element) {
     if (!f.squeezed_region.empty() && f.least_jacobian < squeezed) return inverting(f);
     if (f.touching) return jumping_contact;

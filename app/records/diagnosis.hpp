@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
 #include <string>
 
+#include "app/records/alternating_pressures.hpp"
 #include "core/solve/newton.hpp"
 
 namespace bulbus::inline app {
@@ -8,6 +10,7 @@ namespace bulbus::inline app {
 /// What is known of a run that did not converge, in its last converged state.
 struct FailureFacts {
   Outcome outcome = Outcome::converged;  ///< of the last attempt
+  std::string reason;                    ///< of its failure
   std::string step;
   double progress = 0;          ///< part of the step that converged
   bool pressure_grows = false;  ///< the step changes a given pressure
@@ -23,6 +26,7 @@ struct FailureFacts {
   long long squeezed_hex = 0;    ///< its number, from 1
   double least_jacobian = 1;
   double displacement = 0;  ///< largest, over the model's size
+  std::optional<AlternatingPressures> alternating;
   bool contacts = false, touching = false;
 };
 

@@ -45,7 +45,10 @@ void Witness::increment_done(const Increment& increment, const State& state) {
   pivots_ = increment.newton.negative_pivots;
 }
 
-void Witness::increment_cut(const NewtonReport& report) { outcome_ = report.outcome; }
+void Witness::increment_cut(const NewtonReport& report) {
+  outcome_ = report.outcome;
+  reason_ = report.reason;
+}
 
 // At a limit point the response grows as the square root of the distance to it: its slope without bound.
 double Witness::softening() const {
@@ -61,6 +64,7 @@ double Witness::softening() const {
 FailureFacts Witness::facts(const State& last, bool touching) const {
   const LocalMesh& mesh = problem_.mesh();
   FailureFacts f{.outcome = outcome_,
+                 .reason = reason_,
                  .step = problem_.model().steps[step_].name,
                  .progress = last_.progress,
                  .pressure_grows = pressure_grows_};
@@ -76,6 +80,7 @@ FailureFacts Witness::facts(const State& last, bool touching) const {
   f.displacement = mesh.comm.max(way) / mesh.comm.max(size);
   const StrainedCells cells = strained_cells(problem_, last.x);
   f.unstable_region = cells.unstable_region, f.unstable_hexes = cells.unstable;
+  f.alternating = alternating_pressures(problem_, last);
   f.squeezed_region = cells.squeezed_region, f.squeezed_hex = cells.squeezed,
   f.least_jacobian = cells.least_jacobian;
   f.contacts = !problem_.model().contacts.empty();

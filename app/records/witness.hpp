@@ -34,6 +34,7 @@ class Witness {
   Response start_, first_, before_, last_;
   int done_ = 0;  // increments of the step
   Outcome outcome_ = Outcome::converged;
+  std::string reason_;
 };
 
 }  // namespace bulbus::inline app

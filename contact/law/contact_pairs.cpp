@@ -134,12 +134,12 @@ void ContactTerm::follow(const MasterSurface& master, double motion, const Way& 
   if (over && p.gap < 0) chosen.triangle = t, chosen.distance = 0;
 }
 
-// Too far away to touch, and without a multiplier that could pull it back.
+// Too far away to touch, and without a multiplier or a predicted pressure that could pull it back.
 bool ContactTerm::idle(int point) const {
   if (!clearances_.far(point)) return false;
   for (std::size_t first = point * master_.pieces(); first < current_.pressure.size(); first += slots())
     for (int k = 0; k < master_.pieces(); ++k)
-      if (current_.pressure[first + k] != 0) return false;
+      if (current_.pressure[first + k] != 0 || predicted_[first + k] != 0) return false;
   return true;
 }
 

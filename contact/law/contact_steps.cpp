@@ -113,15 +113,13 @@ void ContactTerm::recall(std::span<const double> rows) {
   found_.key.clear();
   start_.resumed = true;
   if (!master_.rigid()) return;
-  const auto places = master_.places({});
-  start_.places.assign(places.begin(), places.end());
+  start_.places = master_.places({});
 }
 
 // Where an increment ends the next one's ways begin.
 void ContactTerm::leave(const State& state) {
   start_.points = outermost(state);
-  const auto places = master_.places(state);
-  start_.places.assign(places.begin(), places.end());
+  start_.places = master_.places(state);
   start_.resumed = false;
 }
 

@@ -12,7 +12,16 @@
 namespace bulbus::inline contact {
 namespace {
 
-constexpr double clearance = 1e-6;  // mm between a part brought to touch and the first node
+// Between a part brought to touch and the first of its slave's points: of the slave's extent, and mm at most.
+constexpr double near_touch = 1e-7, farthest_touch = 1e-6;
+
+double clearance(std::span<const double> points) {
+  double extent = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = c; i < points.size(); i += 3)
+      extent = std::max(extent, std::abs(points[i] - points[c]));
+  return extent > 0 ? std::min(near_touch * extent, farthest_touch) : farthest_touch;
+}
 
 Vec3<double> turned(const Mat3<double>& R, const Vec3<double>& v) {
   return {R(0, 0) * v[0] + R(0, 1) * v[1] + R(0, 2) * v[2], R(1, 0) * v[0] + R(1, 1) * v[1] + R(1, 2) * v[2],
@@ -129,7 +138,7 @@ void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> s
           "part " + std::to_string(p) + " of '" + surface_->name +
               "' meets no node of the surfaces it is in contact with",
           "Place the body so that its way leads to them, and name them as slaves of a contact with it.");
-    start_[p].shift = start_[p].shift + (way - clearance) * d;
+    start_[p].shift = start_[p].shift + (way - clearance(slaves)) * d;
   }
 }
 

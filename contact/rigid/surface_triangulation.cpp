@@ -75,7 +75,7 @@ double enclosed_volume(std::span<const double> points, std::span<const std::arra
 
 SurfaceTriangulation triangulated(const PlaneShape& plane, const std::string& key) {
   const auto [u, v] = across(direction(plane.normal, key + ".normal"));
-  const double h = plane.size / 2;
+  const double h = plane.size.value_or(usual_plane) / 2;
   SurfaceTriangulation surface;
   for (const auto& [a, b] : {std::pair{-h, -h}, {h, -h}, {h, h}, {-h, h}})
     surface.add(plane.point + a * u + b * v);

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <span>
 
 #include "contact/surfaces/facets.hpp"
@@ -16,8 +17,8 @@ struct MasterSurface {
     Vec3<double> center;
     double radius;
   };
-  /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. The surface and its
-  /// places must stay.
+  /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. The surface must
+  /// stay, its places and normals too, or be those of `shape`.
   MasterSurface(const Facets& facets, std::span<const double> places,
                 std::span<const CornerNormals> normals = {});
   Triangle corners(int triangle) const { return corners_of(facets, places, triangle); }
@@ -27,8 +28,9 @@ struct MasterSurface {
   std::span<const CornerNormals> normals;
   bool edges = true;  ///< triangles whose planes differ by more than 30 degrees do not share their normals
   double rim = 0.01;  ///< how far a triangle reaches past an edge without a neighbour, in its heights
-  std::vector<Sphere> spheres;  ///< around every triangle
-  double largest_radius = 0;    ///< of them
+  std::vector<Sphere> spheres;        ///< around every triangle
+  double largest_radius = 0;          ///< of them
+  std::shared_ptr<const void> shape;  ///< what places and normals are part of, if nobody else keeps it
 };
 
 /// Where the line x + d N meets a triangle's plane. With A = x1 − x, B = x2 − x, C = x3 − x the weights of

@@ -30,19 +30,24 @@ Master::Master(std::shared_ptr<const RigidSurface> surface)
                 static_cast<int>(k));
 }
 
-std::span<const double> Master::places(const State& state) const {
+std::vector<double> Master::places(const State& state) const {
   if (surface_) return surface_->places;
-  places_.clear();
-  for (int n : nodes_) places_.insert(places_.end(), &state.x[3 * n], &state.x[3 * n] + 3);
-  return places_;
+  std::vector<double> places;
+  places.reserve(3 * nodes_.size());
+  for (int n : nodes_) places.insert(places.end(), &state.x[3 * n], &state.x[3 * n] + 3);
+  return places;
 }
 
 MasterSurface Master::at(const State& state) const {
-  if (surface_) return {facets(), places(state), surface_->normals};
-  const auto now = places(state);
-  normals_ = node_normals_->at_corners(now);
-  MasterSurface faces(facets(), now, normals_);
-  faces.edges = false, faces.rim = fading_rim;
+  if (surface_) return {facets(), surface_->places, surface_->normals};
+  struct Shape {
+    std::vector<double> places;
+    std::vector<CornerNormals> normals;
+  };
+  const auto now = std::make_shared<Shape>(Shape{places(state), {}});
+  now->normals = node_normals_->at_corners(now->places);
+  MasterSurface faces(facets(), now->places, now->normals);
+  faces.edges = false, faces.rim = fading_rim, faces.shape = now;
   return faces;
 }
 

@@ -22,6 +22,7 @@ class Master {
   const Facets& facets() const { return surface_ ? surface_->facets : faces_; }
   int pieces() const { return pieces_; }
   int piece_of(int triangle) const { return piece_[triangle]; }
+  /// Of a rigid body until its next motion.
   MasterSurface at(const State& state) const;
   /// Which components of the nodes' normals vanish, as of symmetry planes that they lie on: of each of
   /// nodes().
@@ -30,8 +31,8 @@ class Master {
   std::vector<NormalShare> turning(int node, std::span<const double> places) const {
     return node_normals_->turning(node, places);
   }
-  /// Where its corners are, 3 numbers each, mm; until the next call or the next motion of a rigid body.
-  std::span<const double> places(const State& state) const;
+  /// Where its corners are, 3 numbers each, mm.
+  std::vector<double> places(const State& state) const;
   /// The mesh nodes of its corners, ascending; none of a rigid body.
   const std::vector<int>& nodes() const { return nodes_; }
   /// Triangles that one of a rigid body meets in a sharp convex edge or corner; none of a surface of the
@@ -51,8 +52,6 @@ class Master {
   int pieces_ = 1;
   std::vector<int> piece_, nodes_;
   std::optional<MasterNormals> node_normals_;  // of a surface of the mesh
-  mutable std::vector<double> places_;
-  mutable std::vector<CornerNormals> normals_;
 };
 
 }  // namespace bulbus::inline contact

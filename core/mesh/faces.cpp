@@ -26,6 +26,14 @@ Quad face_nodes(const std::vector<Hex>& hexes, int face) {
   return {h[f[0]], h[f[1]], h[f[2]], h[f[3]]};
 }
 
+std::vector<int> outer_faces(const std::vector<Hex>& hexes) {
+  const FaceTable table(hexes);
+  std::vector<int> outer;
+  for (int f = 0; f < 6 * static_cast<int>(hexes.size()); ++f)
+    if (table.count(face_nodes(hexes, f)) == 1) outer.push_back(f);
+  return outer;
+}
+
 FaceTable::FaceTable(const std::vector<Hex>& hexes) : hexes_(&hexes), start_(node_count(hexes) + 1, 0) {
   const int faces = 6 * static_cast<int>(hexes.size());
   std::vector<int> low(faces);

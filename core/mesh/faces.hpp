@@ -8,6 +8,9 @@ namespace bulbus::inline mesh {
 /// Nodes of face `face` = 6·hexahedron + local face, normal out of that hexahedron.
 Quad face_nodes(const std::vector<Hex>& hexes, int face);
 
+/// Faces that one hexahedron alone has, ascending; numbered 6·hexahedron + local face.
+std::vector<int> outer_faces(const std::vector<Hex>& hexes);
+
 /// All faces of a list of hexahedra, found by their nodes in any order. Faces are numbered 6·hexahedron +
 /// local face.
 class FaceTable {

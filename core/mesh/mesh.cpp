@@ -45,13 +45,10 @@ int add_node(Mesh& mesh, const Parameters& parameters) {
 }
 
 std::vector<Quad> boundary_faces(const Mesh& mesh, std::vector<int>* owner) {
-  const FaceTable table(mesh.hexes);
   std::vector<Quad> faces;
   if (owner) owner->clear();
-  for (int f = 0; f < 6 * static_cast<int>(mesh.hexes.size()); ++f) {
-    const Quad q = face_nodes(mesh.hexes, f);
-    if (table.count(q) != 1) continue;
-    faces.push_back(q);
+  for (int f : outer_faces(mesh.hexes)) {
+    faces.push_back(face_nodes(mesh.hexes, f));
     if (owner) owner->push_back(f / 6);
   }
   return faces;

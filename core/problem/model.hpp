@@ -132,7 +132,9 @@ struct LoadSpec {
     v("dead", dead, About{"pressure per reference area in a fixed direction instead"});
     v("direction", direction, About{"direction of a dead pressure; zero: against the reference normal"});
     v("set", set, About{"nodes that carry `force`"});
-    v("force", force, About{"force on every node of the set", Quantity::force});
+    v("force", force,
+      About{"force on every node of the set; refused where `mesh.refine` gives the set more nodes",
+            Quantity::force});
   }
 };
 

@@ -241,6 +241,12 @@ void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) 
   }
   for (const std::string& name : spec.couple) {
     const int i = liquid_index(name, step_key(step, "couple"));
+    if (spec.pressures.contains(name))
+      throw scene_error(step_key(step, "pressures." + name),
+                        "liquid '" + name +
+                            "' is enclosed in this step: its pressure is an unknown, and the "
+                            "one given would be passed over",
+                        "Give the pressure in a step before, or take the liquid out of `couple`.");
     if (!liquids_[i].coupled()) liquids_[i].enclose(liquids_[i].volume(start.x), start.P[i]);
   }
   for (const auto& [name, volume] : spec.add) {

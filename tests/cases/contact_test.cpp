@@ -1,4 +1,6 @@
 // Contacts that were passed through, or whose sides were treated unequally.
+#include <fmt/format.h>
+
 #include "tests/cases/run_case.hpp"
 #include "tests/support/not_empty.hpp"
 
@@ -137,7 +139,10 @@ TEST(Punch, BetweenTheNodesOfTheSlaveIsRefusedUnlessItIsFelt) {
   const Ran one_way = run_case("punch");
   EXPECT_EQ(one_way.status, 1);
   for (const char* part : {"enters between the nodes", "two_way: true"})
-    EXPECT_NE(reason(one_way).find(part), std::string::npos) << reason(one_way);
+    for (const char* key : {"reason", "diagnosis"}) {
+      const std::string told = one_way.summary()[key];
+      EXPECT_NE(told.find(part), std::string::npos) << key << ": " << told;
+    }
   std::vector<double> push;
   for (const std::vector<std::string>& set :
        {std::vector<std::string>{"contacts.0.two_way=true"},
@@ -191,6 +196,21 @@ TEST(NarrowRod, ThatIsLetInDeepIsToldOf) {
   }
 }
 
+// A plane without a size ends nowhere on the model, and comes to touch alike whatever the model's size.
+TEST(Plate, SqueezesBlocksOfAnySizeAlike) {
+  const double l = .9, exact = 2 * .05 * (1 / (l * l) - l) * 4e4;  // of the whole, in N at 100 mm
+  for (const char* size : {"1e-5", "1", "20"}) {
+    const double s = std::stod(size);
+    const auto times = [&](double x) { return fmt::format("{}", x * s); };
+    const Ran run = run_case("plate", {fmt::format("mesh.block.upper=[{0}, {0}, {1}]", times(100), times(50)),
+                                       fmt::format("rigid_bodies.plate.plane.point=[0, 0, {}]", times(50.5)),
+                                       "contacts.0.tolerance=" + times(1e-4),
+                                       fmt::format("steps.0.move.0.translate=[0, 0, {}]", times(-5))});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(probe(run, "force") / (s * s * exact), 1, 2e-4) << size;
+  }
+}
+
 // Surfaces that no contact names go through one another unhindered.
 TEST(Crossing, OfSurfacesWithoutAContactIsToldOf) {
   const Ran blocks = run_case("matching_nodes", {"contacts=[]", "probes=[]"});
@@ -200,6 +220,26 @@ TEST(Crossing, OfSurfacesWithoutAContactIsToldOf) {
   const Ran rod = run_case("narrow_rod", {"contacts.0.slave=xmin"});
   EXPECT_EQ(rod.status, 0) << rod.err;
   EXPECT_EQ(said(rod, "rigid body 'rod' passes through region 'block'"), 1);
+}
+
+// With the coarser side as the slave a ninth of the force is lost.
+TEST(CoarseSlave, IsToldOf) {
+  const double exact = 400 * (1 / (.85 * .85) - .85);
+  const auto force_and_warnings = [&](const std::vector<std::string>& set) {
+    const Ran run = run_case("coarse_slave", set);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return std::pair(std::abs(probe(run, "push")) / exact, said(run, "2.2 times as large"));
+  };
+  const auto [coarse, told] = force_and_warnings({});
+  EXPECT_LT(coarse, .95);
+  EXPECT_EQ(told, 1);
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{"contacts.0.slave=lowtop", "contacts.0.master=highbot"},
+        {"contacts.0.two_way=true", "contacts.0.tolerance=0", "contacts.0.penalty=100"}}) {
+    const auto [fine, untold] = force_and_warnings(set);
+    EXPECT_NEAR(fine, 1, .02);
+    EXPECT_EQ(untold, 0);
+  }
 }
 
 // It is 0.38 mm deep in the slab, and no point of the slave feels it.

@@ -155,6 +155,30 @@ TEST(PressureOnce, TwoOnOneSurfaceAreRefused) {
                  {"loads.1.set", "two forces"});
 }
 
+TEST(ForceOnNodes, OnASetThatRefinementGivesMoreNodesIsRefused) {
+  const auto pulled = [](const std::string& set, const std::string& refine) {
+    return run_case("partitioned_mesh", {"steps.0.displace=[]", "mesh.refine=" + refine,
+                                         "mesh.sets.tip=X > 1.999 && Y < 0.001 && Z < 0.001",
+                                         "steps.0.loads=[{set: " + set + ", force: [1e-6, 0, 0]}]"});
+  };
+  expect_refused(pulled("xmax", "1"), {"loads.0.set", "mesh.refine", "dead: true"});
+  EXPECT_EQ(pulled("xmax", "0").status, 0);
+  EXPECT_EQ(pulled("tip", "1").status, 0);
+}
+
+TEST(ForceOnNodes, OfAPlaneOfSymmetryIsWarnedOf) {
+  const auto warned = [](const std::string& symmetry) {
+    const Ran run =
+        run_case("partitioned_mesh", {"steps.0.displace=[]", "symmetry=" + symmetry, "fix=[{set: xmin}]",
+                                      "steps.0.loads=[{set: xmax, force: [1e-6, 0, 0]}]"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.summary()["warnings"].dump().find("3 of 9 nodes of set 'xmax' lie on a plane") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(warned("[y]"));
+  EXPECT_FALSE(warned("[]"));
+}
+
 TEST(PressureOnce, OverlappingSurfacesAreWarnedOf) {
   const Edit second = [](const std::string& text) {  // names the faces of xmax once more
     std::string more = replaced(text, "8\n2 10", "9\n2 99 \"again\"\n2 10");

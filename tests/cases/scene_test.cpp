@@ -101,6 +101,11 @@ TEST(WrongUnit, OfADisplacementOrAnAngleIsAskedBack) {
                  {"is it in degrees?", "'30 deg'"});
 }
 
+TEST(GivenPressure, OfALiquidThatIsEnclosedInTheSameStepIsRefused) {
+  expect_refused(run_case("limit_point", {"steps.0.couple=[inside]"}),
+                 {"steps.0.pressures.inside", "enclosed in this step", "a step before"});
+}
+
 TEST(ReactionAcrossSymmetry, IsToldAndTheDrawnPartIsGiven) {
   const Ran whole = run_case("reaction_across_symmetry");
   ASSERT_EQ(whole.status, 0) << whole.err;

@@ -86,6 +86,23 @@ TEST(UnstableMaterial, IsSolvedByMumpsWhereGmresFails) {
   EXPECT_EQ(alone.summary["direct_solves"], 0);
 }
 
+// Its nine hexahedra carry pressures of alternating sign, 48 times their shear modulus: an unstable
+// equilibrium, in which the chamber that was filled has the lower pressure.
+TEST(Membrane, OfTooFewHexahedraIsToldOf) {
+  const Ran coarse = run_case("membrane", {"solver.linear.method=direct"});
+  EXPECT_EQ(coarse.status, 0) << coarse.err;
+  EXPECT_LT(probe(coarse, "one"), probe(coarse, "two"));
+  const std::string told = coarse.summary()["warnings"].dump();
+  EXPECT_NE(told.find("region 'membrane' alternates"), std::string::npos) << told;
+  const Ran alone = run_case("membrane", {"solver.linear.fallback=none", "solver.stepping.minimum=0.1"});
+  EXPECT_EQ(alone.status, 1);
+  EXPECT_NE(alone.summary()["diagnosis"].get<std::string>().find("mesh: {refine: 1}"), std::string::npos);
+  const Ran fine = run_case("membrane", {"solver.linear.fallback=none", "mesh.refine=1"});
+  EXPECT_EQ(fine.status, 0) << fine.err;
+  EXPECT_GT(probe(fine, "one"), probe(fine, "two"));
+  EXPECT_TRUE(fine.summary()["warnings"].empty()) << fine.summary()["warnings"];
+}
+
 // The block leaves the symmetric branch that the direct solver stays on: more increments, the same end.
 TEST(DeepOverlap, IsResolved) {
   const Result run = result_of("deep_overlap", {});

@@ -34,15 +34,19 @@ struct RotationSpec {
   }
 };
 
+/// Edge of a plane of no given size in front of models that are smaller, mm.
+inline constexpr double usual_plane = 50;
+
 /// A square sheet; the body is behind it.
 struct PlaneShape {
   Point point{0, 0, 0}, normal{0, 0, 1};
-  double size = 50;
+  std::optional<double> size;
   template <class V>
   void describe(V&& v) {
     v("point", point, About{"middle of the sheet", Quantity::length});
     v("normal", normal, About{"normal out of the body"});
-    v("size", size, About{"edge", Quantity::length}.positive());
+    v("size", size,
+      About{"edge; without it 50 mm, or twice the diagonal of a larger model", Quantity::length}.positive());
   }
 };
 

@@ -31,6 +31,19 @@ TEST_F(ActiveSet, APairOfPredictedPressurePullsBackUntilTheIncrementEnds) {
   EXPECT_FALSE(term.update_multipliers(open));
 }
 
+TEST_F(ActiveSet, APairThatHasOpenedFarPullsBackHoweverOftenItIsLookedAt) {
+  ContactTerm term = two.term(contact_spec(50, .02));
+  term.begin_step(0, closed);
+  step_from(closed, dx, term);
+  open.x[z] = closed.x[z] + .08;  // farther than the depth, where nothing matters that was not predicted
+  State beside = open;
+  beside.x[z] += 1e-6;
+  const auto pulled = force(term, open);
+  EXPECT_GT(pulled[z], 0);
+  force(term, beside);
+  EXPECT_EQ(force(term, open), pulled);
+}
+
 TEST_F(ActiveSet, APairThatIsReleasedAgainAndAgainFollowsTheLawForTheRestOfTheIncrement) {
   for (int k = 0; k < 3; ++k) {
     step_from(closed, dx, term);

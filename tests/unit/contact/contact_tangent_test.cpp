@@ -62,6 +62,19 @@ TEST_F(OnABentSheet, TangentIsExactInEveryTriangleThatANodeSlidesThrough) {
   EXPECT_GE(seen.size(), 6u);
 }
 
+TEST_F(OnABentSheet, TangentIsOfItsStateWhateverStateWasLookedAtBefore) {
+  term.begin_step(0, state);
+  const auto d = noise_vector(state.x.size(), 5);
+  const auto expected = action(d);
+  std::vector<double> elsewhere = state.x;
+  const auto way = noise_vector(state.x.size(), 6);
+  for (double size : {1e-6, .05, .5}) {
+    for (std::size_t i = 0; i < way.size(); ++i) elsewhere[i] = state.x[i] + size * way[i];
+    force(elsewhere);
+    EXPECT_EQ(bulbus::action(term, state, d), expected) << size;
+  }
+}
+
 TEST_F(OnABentSheet, ForceAndTangentTurnWithTheWhole) {
   const Mat3<double> R = rotation({.4, -1.9, .7});
   const auto turned = [&](std::span<const double> v) {
