@@ -25,7 +25,7 @@ std::vector<std::string> table_of(const std::vector<ComparedFigure>& figures, co
                                        text_of(f.second),
                                        both ? fmt::format("{:.2e}", f.difference()) : "-",
                                        both ? fmt::format("{:.2e}", f.relative()) : "-",
-                                       f.differs(options) ? "differs" : ""};
+                                       f.verdict(options)};
     for (std::size_t c = 0; c < row.size(); ++c) columns[c].push_back(row[c]);
   }
   return aligned(columns, static_cast<int>(columns.size()) - 1);

@@ -20,7 +20,7 @@ namespace {
 
 using json = nlohmann::json;
 
-const RecordNames study_records{{"study.log", "study.csv", "study.json", "study.svg"}};
+const RecordNames study_records{{"study.log", "study.csv", study_file, "study.svg"}};
 
 void tell(const Log& log, const std::vector<std::string>& lines) {
   if (!lines.empty()) log.info("");
@@ -129,7 +129,7 @@ class StudyRunner {
   void write() const {
     write_whole(folder_ + "/study.csv",
                 [&](const std::string& file) { write_study_csv(file, study_, results_); });
-    write_json(folder_ + "/study.json", json_of(study_, results_, trends_of(study_, results_)));
+    write_json(folder_ + "/" + study_file, json_of(study_, results_, trends_of(study_, results_)));
     write_whole(folder_ + "/study.svg", svg_of(chart_of(study_, results_)));
   }
 

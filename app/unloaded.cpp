@@ -72,7 +72,7 @@ void refuse_unstable(const Problem& problem, UnloadedReport& report) {
       report.negative_pivots - stable_pivots(problem));
 }
 
-// All of the finest mesh at its reference places, on the first rank.
+// All of the finest mesh at its reference positions, on the first rank.
 void write_unloaded(const Prepared& prepared, const std::string& path) {
   const LocalMesh& local = prepared.problem->mesh();
   std::vector<double> mine;

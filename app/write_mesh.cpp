@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "app/commands.hpp"
+#include "app/export/exported_material.hpp"
 #include "app/eye/tissues.hpp"
 #include "app/scene/size_limits.hpp"
 #include "app/version.hpp"
@@ -95,6 +96,7 @@ int export_scene(const Scene& scene, const std::string& scene_path, const std::s
   comm.together([&] {
     if (comm.rank() > 0) return;
     mesh = mesh_of_model(scene, model);
+    refuse_unwritten_laws(model);
     told = exported_model(model, mesh);
   });
   const std::string heading = heading_of(scene, scene_path);

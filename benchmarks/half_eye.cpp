@@ -24,12 +24,12 @@ Model half_eye_model() {
                                                                  {"lens", 1.}})
     m.regions[region].c10 = c10;
   m.bars["zonules"] = {};
-  m.liquids["vitreous"] = {.surface = "wet", .K = 2083.3};
+  m.liquids["vitreous"] = {.surface = "cavity", .K = 2083.3};
   m.symmetry = {"x"};
   m.fix = {{.set = "nerve_end"}};
   StepSpec pressurise{.name = "pressurise"}, indent{.name = "indent", .increments = 4};
   pressurise.pressures["vitreous"] = mmhg_15;
-  indent.couple = {"vitreous"};
+  indent.enclose = {"vitreous"};
   DisplaceSpec band{.set = "equator_band", .radial = "-2"};
   band.from = "start";
   indent.displace = {band};

@@ -149,7 +149,7 @@ bool crosses(const Line& line, const Triangle& v) {
   return true;
 }
 
-// Of two parts, the least place by its coordinates.
+// Of two parts, the least position by its coordinates.
 using Crossings = std::map<std::pair<int, int>, Vec3<double>>;
 
 void keep_least(Crossings& all, const std::pair<int, int>& parts, const Vec3<double>& place) {

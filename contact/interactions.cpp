@@ -261,7 +261,7 @@ std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::s
   return found;
 }
 
-// Current places of all points that may touch a body, of all ranks.
+// Current positions of all points that may touch a body, of all ranks.
 std::vector<double> Interactions::slaves_of(const std::string& body, const State& state) const {
   std::vector<double> mine;
   for (const Contact& c : contacts_)

@@ -20,7 +20,7 @@ BlockTriangular::BlockTriangular(SharedSystem system,
       work_(system_->layout().primal()) {
   const auto& g = system_->liquid_columns();
   for (int i = 0; i < static_cast<int>(g.size()); ++i)
-    if (system_->problem().liquids()[i].coupled()) coupled_.push_back(i);
+    if (system_->problem().liquids()[i].enclosed()) coupled_.push_back(i);
   const int n = static_cast<int>(coupled_.size());
   if (columns->size() != coupled_.size()) {
     columns->clear();

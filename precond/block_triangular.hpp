@@ -12,7 +12,8 @@ namespace bulbus::inline precond {
 /// Â⁻¹ g of every liquid with an unknown pressure, on primal vectors.
 using LiquidColumns = std::vector<std::vector<double>>;
 
-/// Block upper-triangular preconditioner of the bordered system:
+/// Block upper-triangular preconditioner of the bordered system, with a Schur complement of the element
+/// pressures and one of the cavity pressures (formulation, section 9.2):
 ///
 ///     [ Â_ω   B    −(I − ωC) G ]        Ŝ: see PressureSchur
 ///     [ 0    −Ŝ     0          ]        S_c = C + Gᵀ Â_ω⁻¹ G (I − ωC),   C = V_i/K

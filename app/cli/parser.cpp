@@ -8,6 +8,7 @@
 
 #include "app/new/starting_scene.hpp"
 #include "app/version.hpp"
+#include "core/base/did_you_mean.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -70,6 +71,26 @@ std::vector<std::string> scene_before_restart(std::vector<std::string> arguments
   return arguments;
 }
 
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+// Of an option that the command lacks, or else of an argument too many.
+InputError unexpected(const CLI::App& command, const std::vector<std::string>& extras,
+                      const std::string& help) {
+  const auto option = std::ranges::find_if(extras, [](const std::string& e) { return e.starts_with("-"); });
+  const std::string called = "'bulbus " + command.get_name() + "' ";
+  if (option == extras.end()) return input_error(called + "takes no further '" + extras.front() + "'", help);
+  const std::string name = option->substr(0, option->find('='));
+  return input_error(called + "has no option '" + name + "'",
+                     did_you_mean(name, option_names(command), help));
+}
+
 }  // namespace
 
 struct Parser::Declared {
@@ -86,6 +107,27 @@ struct Parser::Declared {
     declare_files();
     declare_records();
     declare_about();
+  }
+
+  void refuse_unknown_command(const std::vector<std::string>& arguments) const {
+    if (arguments.empty()) throw input_error("no command is given", "'bulbus help' lists the commands");
+    std::vector<std::string> names;
+    for (const CLI::App* c : app.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(c->get_name());
+    const std::string& first = arguments.front();
+    if (first.starts_with("-") || std::ranges::find(names, first) != names.end()) return;
+    throw input_error("there is no command '" + first + "'",
+                      did_you_mean(first, names, "'bulbus help' lists the commands"));
+  }
+
+  InputError wrong_usage(const CLI::ParseError& fault) const {
+    const auto commands = app.get_subcommands();
+    const CLI::App& at = commands.empty() ? app : *commands.front();
+    const std::string name = commands.empty() ? "" : " " + at.get_name();
+    const std::string help = "'bulbus" + name + " --help' tells what it takes";
+    if (const auto extras = app.remaining(true); !commands.empty() && !extras.empty())
+      return unexpected(at, extras, help);
+    return input_error("bulbus" + name + ": " + fault.what(), help);
   }
 
  private:
@@ -212,7 +254,8 @@ struct Parser::Declared {
   void declare_about() {
     CLI::App* help = command("help", "explain a command or a key; without a topic, list the topics");
     help->add_option("TOPIC", given.topic,
-                     "scene, study, log, a command, or a key such as probes, solver.linear or increments");
+                     "scene, study, units, log, a command, a key such as probes, solver.linear or "
+                     "increments, or a value such as gap");
     help->add_flag("--expert", given.expert, "of a scene, the settings for experts too");
     help->add_flag("--all", given.all, "of a scene, those for debugging as well");
     CLI::App* schema = command("schema", "print the JSON schema of a scene or a study, for editors");
@@ -240,11 +283,14 @@ std::optional<int> Parser::parse(std::vector<std::string> arguments, const Termi
   app.formatter(std::make_shared<WrappingFormatter>(to.width));
   for (CLI::App* command : app.get_subcommands({})) command->formatter(app.get_formatter());
   try {
+    declared_->refuse_unknown_command(arguments);
     arguments = scene_before_restart(one_set_each(arguments));
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     app.parse(arguments);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e, out, err) == 0 ? 0 : 2;
+    if (e.get_exit_code() != 0) throw declared_->wrong_usage(e);
+    app.exit(e, out, err);
+    return 0;
   }
   declared_->given.command = app.get_subcommands().front()->get_name();
   declared_->given.restarts = declared_->restart->count() > 0;

@@ -15,8 +15,8 @@ class Parser {
   Parser();
   ~Parser();
 
-  /// Reads a command line. Where it asks for help, for the version, or is wrong, that is printed and the exit
-  /// status comes out: 0 or 2.
+  /// Reads a command line. Where it asks for help or for the version, that is printed and the exit status
+  /// comes out: 0. Throws InputError where it is wrong.
   std::optional<int> parse(std::vector<std::string> arguments, const Terminal& to, std::ostream& out,
                            std::ostream& err);
   const Arguments& given() const;

@@ -1,11 +1,14 @@
 #include "app/cli/topics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <ostream>
 
 #include "app/records/log_columns.hpp"
 #include "app/scene/help.hpp"
 #include "core/base/did_you_mean.hpp"
+#include "core/base/units.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -41,6 +44,25 @@ std::string path_of(const std::string& topic) {
   return topic;
 }
 
+std::string key_or_word_help(const std::string& topic, Level most, const Terminal& to) {
+  const std::string key = key_help(path_of(topic), most, to).value_or(""),
+                    word = word_help(topic, to).value_or("");
+  return key + (key.empty() || word.empty() ? "" : "\n") + word;
+}
+
+std::string units_help(const Terminal& to) {
+  using Q = Quantity;
+  std::string text = wrapped("A number without a unit is in the first of its line.", to.width) + "\n";
+  for (const auto& [name, quantity] : {std::pair{"length", Q::length},
+                                       {"area", Q::area},
+                                       {"volume", Q::volume},
+                                       {"force", Q::force},
+                                       {"stress", Q::stress},
+                                       {"angle", Q::angle}})
+    text += entry(name, fmt::format("{}", fmt::join(units_of(quantity), ", ")), to);
+  return text;
+}
+
 std::string log_help(const Terminal& to) {
   std::string text;
   for (const LogTable& table : log_tables()) {
@@ -55,6 +77,7 @@ std::string log_help(const Terminal& to) {
 const std::vector<Topic>& topics() {
   static const std::vector<Topic> all{{"scene", "every key of a scene file, for everyday use"},
                                       {"study", "every key of a study file"},
+                                      {"units", "the units that a number may carry"},
                                       {"log", "the columns of the log of a run"}};
   return all;
 }
@@ -82,12 +105,14 @@ int print_topic(const Parser& parser, const Terminal& to, std::ostream& out, std
     out << scene_help(most, to);
   } else if (topic == "study") {
     out << study_help(to);
+  } else if (topic == "units") {
+    out << units_help(to);
   } else if (topic == "log") {
     out << log_help(to);
   } else if (std::ranges::find(commands, topic, &CommandOutline::name) != commands.end()) {
     return Parser().parse({topic, "--help"}, to, out, err).value_or(0);
-  } else if (const auto text = key_help(path_of(topic), most, to)) {
-    out << *text;
+  } else if (const auto text = key_or_word_help(topic, most, to); !text.empty()) {
+    out << text;
   } else {
     throw input_error("there is no topic '" + topic + "'",
                       did_you_mean(path_of(topic), all_names(parser), "'bulbus help' lists the topics"));

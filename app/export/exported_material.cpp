@@ -20,12 +20,17 @@ double ExportedMaterial::coefficient(int r, int s) const {
 
 double ExportedMaterial::shear() const { return 2 * (coefficient(1, 0) + coefficient(0, 1)); }
 
+void refuse_unwritten_laws(const Model& model) {
+  for (const auto& [region, law] : model.regions)
+    if (!is_polynomial(material_of(law)))
+      throw scene_error(
+          "regions." + region,
+          "a law that is no polynomial of I1 and I2, such as `fung` or `fibres`, has no equivalent in the "
+          "file",
+          "Give its coefficients c10 ... c30, or a format's own law by hand in the mesh alone (.msh).");
+}
+
 ExportedMaterial exported_material(const RegionSpec& spec) {
-  if (spec.fung || spec.fibres)
-    throw input_error(
-        std::string("a region with the law `") + (spec.fung ? "fung" : "fibres") +
-            "` has no equivalent in the file",
-        "Give its coefficients c10 ... c30, or a format's own law by hand in the mesh alone (.msh).");
   ExportedMaterial material;
   for (const auto& term : terms_of(spec)) material.c[{term.r, term.s}] += term.c;
   std::erase_if(material.c, [](const auto& entry) { return entry.second == 0; });

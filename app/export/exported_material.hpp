@@ -14,7 +14,10 @@ struct ExportedMaterial {
   double shear() const;                     ///< initial shear modulus
 };
 
-/// Of a deformable region.
+/// Throws InputError for a region whose law `ExportedMaterial` cannot hold.
+void refuse_unwritten_laws(const Model& model);
+
+/// Of a deformable region whose law is a polynomial.
 ExportedMaterial exported_material(const RegionSpec& spec);
 
 }  // namespace bulbus::inline app

@@ -48,7 +48,7 @@ std::string pressed_twice(const Model& model, const Mesh& mesh, int step) {
 
 std::string untold(const Model& model, const Mesh& mesh, int step) {
   const StepSpec& spec = model.steps[step];
-  if (!spec.couple.empty()) return "liquid '" + spec.couple[0] + "' is enclosed as a fluid cavity";
+  if (!spec.enclose.empty()) return "liquid '" + spec.enclose[0] + "' is enclosed as a fluid cavity";
   if (!spec.add.empty()) return "the volume of liquid '" + spec.add.begin()->first + "' is prescribed";
   if (!spec.move.empty()) return "rigid body '" + spec.move[0].body + "' moves";
   if (!spec.sew.empty()) return "suture '" + spec.sew.begin()->first + "' pulls";

@@ -56,13 +56,13 @@ struct EyeSettings {
 
 /// Regions "cornea", "sclera", "ciliary_body", "choroid", "retina", "optic_nerve", "lens".
 ///
-/// Surfaces, normals out of the solid. These four make up the boundary: "wet" (what the liquid touches;
+/// Surfaces, normals out of the solid. These four make up the boundary: "cavity" (what the liquid touches;
 /// closed but for the plane x = 0), "outside", "nerve_end", "symmetry" (x = 0). Parts of them:
 /// "outer_sclera", "outer_cornea", "nerve_side", "inner_retina", "lens_surface".
 ///
-/// A detachment adds to "wet" both sides of the detached retina, the tear's edge and the choroid under them,
-/// and names "retina_back" (the detached retina's outer side) and "retina_bed" (the choroid's inner side
-/// under it and under the tear). Where the retina is attached again, the two share their nodes.
+/// A detachment adds to "cavity" both sides of the detached retina, the tear's edge and the choroid under
+/// them, and names "retina_back" (the detached retina's outer side) and "retina_bed" (the choroid's inner
+/// side under it and under the tear). Where the retina is attached again, the two share their nodes.
 ///
 /// Node sets: "apex" (the cornea's anterior pole), "retina_pole" (the retina's, inside), "nerve_ring" (outer
 /// sclera, the ring next to the nerve's edge), "equator_band" (outer sclera, |z| <= band_half_width),

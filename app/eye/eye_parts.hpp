@@ -26,7 +26,7 @@ void add_lens(Mesh& mesh, const EyeMap& map);
 /// Names the boundary; `outer` flags the nodes of the outer surface of sclera and cornea.
 void name_eye_surfaces(Mesh& mesh, const EyeShape& shape, const std::vector<bool>& outer);
 
-/// Adds the bars "zonules" between "lens_surface" and the ciliary body's wet faces.
+/// Adds the bars "zonules" between "lens_surface" and the ciliary body's faces in the cavity.
 void add_zonules(Mesh& mesh, const EyeSettings& settings);
 
 }  // namespace bulbus::inline eye

@@ -38,7 +38,7 @@ void name_eye_surfaces(Mesh& mesh, const EyeShape& shape, const std::vector<bool
       add("outside");
       add(region == cornea ? "outer_cornea" : "outer_sclera");
     } else {
-      add("wet");
+      add("cavity");
       if (region == retina && among(q, hex, 0)) add("inner_retina");
       if (region == retina && among(q, hex, 4)) add("retina_back");
       if (region == choroid) add("retina_bed");

@@ -68,7 +68,7 @@ std::vector<Quad> ciliary_faces(const Mesh& mesh) {
   std::vector<bool> belongs(mesh.points.size(), false);
   for (int k : nodes_of(mesh, "ciliary_body")) belongs[k] = true;
   std::vector<Quad> faces;
-  for (const Quad& q : mesh.surfaces.at("wet"))
+  for (const Quad& q : mesh.surfaces.at("cavity"))
     if (belongs[q[0]] && belongs[q[1]] && belongs[q[2]] && belongs[q[3]]) faces.push_back(q);
   return faces;
 }

@@ -97,9 +97,9 @@ double factors_of_aggregate(const Size& s) {
   return (thin * 1350 + 18 * round * std::cbrt(s.nodes)) * 16;
 }
 
-// Levels of aggregates: half of the blocks with their places while they are gathered, all of them in the rows
-// of the levels, frames, weights and six vectors of the aggregates; each further level has a sixth of the
-// rows, and the last one is factorised in double precision, both triangles.
+// Levels of aggregates: half of the blocks with their positions while they are gathered, all of them in the
+// rows of the levels, frames, weights and six vectors of the aggregates; each further level has a sixth of
+// the rows, and the last one is factorised in double precision, both triangles.
 double levels_bytes(const Size& s, double aggregates, int factorised) {
   const double gathered = 8 * (48 * number + 40), block = 36 * number + 4,
                of_aggregate = 40 * number + 2 * 36 * number + 36 * number;

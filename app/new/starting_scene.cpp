@@ -74,10 +74,11 @@ void write_starting_scene(std::string name, const std::string& kind, const Comm&
       write_whole(mesh, [](const std::string& file) { write_gmsh(standing_bar(), file, {false, false}); });
     write_whole(scene, text_for(kind, stem));
   });
+  const std::size_t width = scene.size() + std::string("check ").size();
   out << scene << (kind == "mesh" ? " and " + mesh : "") << "\n"
-      << "  bulbus check " << scene << "    what it describes; solves nothing\n"
-      << "  bulbus run " << scene << "      solves it into results/" << stem << "\n"
-      << "  bulbus help               what its keys mean\n";
+      << fmt::format("  bulbus {:<{}}    {}\n", "check " + scene, width, "what it describes; solves nothing")
+      << fmt::format("  bulbus {:<{}}    {}\n", "run " + scene, width, "solves it into results/" + stem)
+      << fmt::format("  bulbus {:<{}}    {}\n", "help scene", width, "what its keys mean");
 }
 
 }  // namespace bulbus::inline app

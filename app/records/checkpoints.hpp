@@ -32,7 +32,7 @@ class Checkpoint {
   /// Throws InputError if it is damaged, or of another problem. Collective.
   Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
   const MarchProgress& place() const { return place_; }
-  /// Reference places of the finest mesh, 3 per local node, of a scene with a reference, and how they were
+  /// Reference positions of the finest mesh, 3 per local node, of a scene with a reference, and how they were
   /// found.
   const std::vector<double>& unloaded() const { return unloaded_; }
   const UnloadedReport& reference() const { return reference_; }

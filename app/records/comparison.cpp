@@ -63,7 +63,7 @@ std::vector<ComparedFigure> compared_figures(const History& a, const History& b)
       ComparedFigure figure{.step = step, .probe = probe};
       add_probe(a, step, probe, figure.first, figure);
       add_probe(b, step, probe, figure.second, figure);
-      figures.push_back(figure);
+      if (figure.first || figure.second) figures.push_back(figure);
     }
   }
   if (figures.empty())
@@ -71,8 +71,14 @@ std::vector<ComparedFigure> compared_figures(const History& a, const History& b)
   return figures;
 }
 
+std::string ComparedFigure::verdict(const CompareOptions& options) const {
+  if (!second) return "only in the first";
+  if (!first) return "only in the second";
+  return differs(options) ? "differs" : "";
+}
+
 bool ComparedFigure::differs(const CompareOptions& options) const {
-  if (!first || !second) return first.has_value() != second.has_value();
+  if (!first || !second) return true;
   const double size = std::abs(difference());
   return !(size <= options.absolute || size <= options.relative * largest);
 }

@@ -13,7 +13,7 @@ struct CompareOptions {
   double absolute = 0;     ///< in the probe's unit
 };
 
-/// The figures of two runs at the end of a step; none where a run does not know one.
+/// A figure of two runs at the end of a step; one of them may lack it.
 struct ComparedFigure {
   std::string step, probe, unit;
   std::optional<double> first, second;
@@ -21,10 +21,12 @@ struct ComparedFigure {
   double difference() const { return *second - *first; }
   double relative() const { return largest > 0 ? difference() / largest : 0; }
   bool differs(const CompareOptions& options) const;
+  /// In words, for tables; empty where it does not differ.
+  std::string verdict(const CompareOptions& options) const;
 };
 
-/// Of every step its time, where the two ends are not the same, and its probes. Throws InputError if a probe
-/// has two units, or there is nothing to compare.
+/// Of every step its time, where the two ends are not the same, and the probes that at least one of the runs
+/// has. Throws InputError if a probe has two units, or there is nothing to compare.
 std::vector<ComparedFigure> compared_figures(const History& first, const History& second);
 
 }  // namespace bulbus::inline app

@@ -23,14 +23,14 @@ std::string limit_point(const FailureFacts& f) {
     return fmt::format(
         "a limit point: under the given pressure the displacements of step '{}' grow without bound beyond "
         "{:.4g} of its way. Prescribe "
-        "displacements (`displace`), or enclose a liquid behind the surface and give its volume (`couple` "
+        "displacements (`displace`), or enclose a liquid behind the surface and give its volume (`enclose` "
         "and `add`), in place of the pressure.",
         f.step, f.progress);
   return fmt::format(
       "a limit point: liquid '{0}' bears no more than about {1:.4g} kPa ({2:.4g} mmHg, the last stable "
       "pressure); beyond, its volume grows without "
-      "more pressure. Give the volume in place of the pressure: `couple: [{0}]` and `add: {{{0}: ...}}` in a "
-      "step of its own.",
+      "more pressure. Give the volume in place of the pressure: `enclose: [{0}]` and `add: {{{0}: ...}}` in "
+      "a step of its own.",
       f.liquid, 1e3 * f.pressure, f.pressure / mmHg);
 }
 

@@ -111,6 +111,7 @@ History read_history(const std::string& folder) {
   const std::string path = folder + "/" + history_file;
   std::ifstream in(path);
   std::string line;
+  refuse_study_folder(folder);
   if (!in || !std::getline(in, line)) throw no_history({path, 0}, "cannot be read");
   const std::vector<std::string> header = cells_of(line);
   if (header.size() < before + after || header[1] != "step" || header[2] != "time")

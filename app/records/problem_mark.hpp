@@ -12,7 +12,7 @@ struct ProblemMark {
   std::string scene;  ///< YAML
   std::string files;  ///< a line for each: hash and key
   std::vector<double>
-      mesh;  ///< hexahedra, nodes, a hash of who is whose corner, and weighted sums of the places
+      mesh;  ///< hexahedra, nodes, a hash of who is whose corner, and weighted sums of the positions
   void serialize(Archive& archive);
 };
 

@@ -47,6 +47,13 @@ RecordNames record_names(const Scene& scene) {
   return records;
 }
 
+void refuse_study_folder(const std::string& folder) {
+  if (std::filesystem::exists(std::filesystem::path(folder) / study_file))
+    throw input_error(
+        folder, 0, "is the folder of a study, not of a run",
+        "Name one of its runs, such as " + (std::filesystem::path(folder) / "run_001").string() + ".");
+}
+
 void refuse_outside(const Scene& scene) {
   const std::filesystem::path dump = scene.solver.linear.dump;
   const bool control = std::ranges::any_of(dump.string(), [](unsigned char c) { return c < ' '; });

@@ -13,6 +13,8 @@ inline constexpr const char *summary_file = "summary.json", *history_file = "his
                             *series_file = "result.hdf.series", *bodies_index = "bodies.pvd",
                             *lines_index = "lines.pvd", *checkpoint_file = "checkpoint.h5",
                             *report_file = "report.html", *unloaded_file = "unloaded.msh";
+/// Of the folder of a study.
+inline constexpr const char* study_file = "study.json";
 /// Those of an increment: result_0012.hdf, bodies_0012.vtp, lines_0012.vtp.
 std::string result_file(int increment);
 std::string bodies_file(int increment);
@@ -31,6 +33,9 @@ struct RecordNames {
 };
 /// Of a run of the scene: without increments that come of cuts.
 RecordNames record_names(const Scene& scene);
+
+/// Throws InputError if the folder is that of a study, where one of a run is wanted.
+void refuse_study_folder(const std::string& folder);
 
 /// Throws InputError if something of the scene would be written outside of the folder of the results, or in
 /// place of a record.

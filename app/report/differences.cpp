@@ -12,7 +12,7 @@ namespace {
 std::string cell_of(const std::optional<double>& value) { return value ? html::number(*value) : "–"; }
 
 // The probe of one row, or none: the column `time` is no probe.
-std::vector<std::string> row_of(const ComparedFigure& f, bool differs) {
+std::vector<std::string> row_of(const ComparedFigure& f, const CompareOptions& options) {
   const bool both = f.first && f.second;
   return {html::escaped(f.step),
           html::escaped(f.probe),
@@ -21,7 +21,7 @@ std::vector<std::string> row_of(const ComparedFigure& f, bool differs) {
           cell_of(f.second),
           both ? fmt::format("{:+.3g}", f.difference() + 0.) : "–",
           both ? fmt::format("{:+.2g} %", 100 * f.relative() + 0.) : "–",
-          differs ? "differs" : ""};
+          f.verdict(options)};
 }
 
 }  // namespace
@@ -33,9 +33,8 @@ Differences differences_of(const RunRecord& a, const RunRecord& b) {
       {"after", "figure", "unit", "first", "second", "difference", "of the largest value", ""}, {}, 3};
   std::size_t different = 0;
   for (const ComparedFigure& f : figures) {
-    const bool differs = f.differs(options);
-    different += differs ? 1 : 0;
-    table.rows.push_back(row_of(f, differs));
+    different += f.differs(options) ? 1 : 0;
+    table.rows.push_back(row_of(f, options));
   }
   const std::string verdict =
       fmt::format("{} of {} figures differ by more than {:g} of the probe's largest value.", different,

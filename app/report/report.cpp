@@ -64,7 +64,7 @@ void claim(const fs::path& file) {
   manifest.add({name});
 }
 
-bool is_of_a_study(const std::string& folder) { return fs::exists(fs::path(folder) / "study.json"); }
+bool is_of_a_study(const std::string& folder) { return fs::exists(fs::path(folder) / study_file); }
 
 }  // namespace
 

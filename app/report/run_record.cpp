@@ -67,6 +67,7 @@ RunRecord read_run(const std::string& folder) {
   RunRecord run{.folder = folder, .summary = summary_in(folder)};
   if (!run.summary.is_object()) run.summary = json::object();
   const bool has_history = std::filesystem::exists(folder + "/" + history_file);
+  if (!has_history) refuse_study_folder(folder);
   if (!has_history && run.summary.empty())
     throw input_error(folder, 0, "has neither history.csv nor summary.json",
                       "Name the folder of the results of a run or of a study.");

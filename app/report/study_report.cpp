@@ -67,9 +67,9 @@ std::string trends_of_study(const json& study) {
 }  // namespace
 
 std::string study_report(const std::string& folder) {
-  const json study = json::parse(content_of(fs::path(folder) / "study.json"), nullptr, false);
+  const json study = json::parse(content_of(fs::path(folder) / study_file), nullptr, false);
   if (!study.is_object() || !study.contains("runs"))
-    throw input_error(folder + "/study.json", 0, "is no record of a study", "Run the study again.");
+    throw input_error(folder + "/" + study_file, 0, "is no record of a study", "Run the study again.");
   const std::string title = study.value("title", "").empty() ? folder : study.value("title", ""),
                     figure = content_of(fs::path(folder) / "study.svg");
   std::size_t converged = 0;

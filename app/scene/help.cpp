@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <span>
 
 namespace bulbus::inline app {
@@ -60,6 +61,13 @@ std::string paragraph(const std::string& text, const Terminal& to) {
   return text.empty() ? "" : wrapped(text, to.width ? to.width : 110) + "\n";
 }
 
+// The path of the key that it is below; empty at the root.
+std::string path_around(const KeyLine& k) {
+  const std::string plain = plain_path(k.path);
+  const auto end = plain.rfind('.');
+  return end == std::string::npos ? "" : plain.substr(0, end);
+}
+
 // Keys of that path; or, where there is none, of that name.
 std::vector<std::size_t> found(const Keys& keys, const std::string& path) {
   std::vector<std::size_t> by_path, by_name;
@@ -76,12 +84,37 @@ std::string help_on(const Keys& keys, const std::string& path, Level most, const
   for (const std::size_t i : found(keys, path)) {
     const auto shown = std::span(keys).subspan(i, size_with_keys_below(keys, i));
     const Level level = std::max(most, keys[i].level);  // who asks for it sees it
-    const std::string plain = plain_path(keys[i].path), around = plain.substr(0, plain.rfind('.'));
+    const std::string plain = plain_path(keys[i].path), around = path_around(keys[i]);
     if (!text.empty()) text += "\n";
-    if (around != plain) text += "in " + bold(around, to) + ":\n";
+    if (!around.empty()) text += "in " + bold(around, to) + ":\n";
     text += texts_of(shown, level, to);
     if (const std::string left = what_is_left_out(shown, level, plain); !left.empty())
       text += "\n" + paragraph(left, to);
+  }
+  return text;
+}
+
+bool mentions(const std::string& text, const std::string& word) {
+  const auto inside = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const auto end = at + word.size();
+    if ((at == 0 || !inside(text[at - 1])) && (end == text.size() || !inside(text[end]))) return true;
+  }
+  return false;
+}
+
+// Where a key may have this word as its value, and the keys beside it that speak of the word.
+std::string uses_of(const Keys& keys, const std::string& word, const Terminal& to) {
+  std::string text;
+  for (const KeyLine& k : keys) {
+    if (std::ranges::find(k.words, word) == k.words.end()) continue;
+    text += (text.empty() ? "" : "\n") +
+            paragraph(fmt::format("'{}' is a value of {}: {}", word, plain_path(k.path), k.about), to);
+    std::string beside;
+    for (const KeyLine& other : keys)
+      if (&other != &k && path_around(other) == path_around(k) && mentions(other.help, word))
+        beside += text_of(other, 1, to);
+    if (!beside.empty()) text += "keys beside it that say more:\n" + beside;
   }
   return text;
 }
@@ -111,6 +144,12 @@ std::string study_help(const Terminal& to) {
 std::optional<std::string> key_help(const std::string& path, Level most, const Terminal& to) {
   std::string text = help_on(scene_keys(), path, most, to);
   if (text.empty()) text = help_on(study_keys(), path, most, to);
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+std::optional<std::string> word_help(const std::string& word, const Terminal& to) {
+  std::string text = uses_of(scene_keys(), word, to);
+  if (text.empty()) text = uses_of(study_keys(), word, to);
   return text.empty() ? std::nullopt : std::optional(text);
 }
 

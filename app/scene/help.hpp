@@ -20,6 +20,10 @@ std::string study_help(const Terminal& to = {});
 std::optional<std::string> key_help(const std::string& path, Level most = Level::everyday,
                                     const Terminal& to = {});
 
+/// Which keys may have that word as their value (`gap`: probes.kind), and the keys beside them that speak of
+/// it. None if there is no such key.
+std::optional<std::string> word_help(const std::string& word, const Terminal& to = {});
+
 /// The JSON schema (draft 2020-12) of a scene or a study, for editors that complete and check YAML.
 nlohmann::json scene_schema();
 nlohmann::json study_schema();

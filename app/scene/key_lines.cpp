@@ -77,6 +77,7 @@ void add_keys(const SchemaNode& t, const SchemaNode& around, const std::string& 
                    .path = before + t.key,
                    .depth = depth,
                    .facts = facts(t),
+                   .about = t.about.help,
                    .help = t.about.help + words + own_conditions(t, around),
                    .words = truth ? std::vector<std::string>{"true", "false"} : t.about.choices,
                    .level = t.about.level,

@@ -13,7 +13,8 @@ struct KeyLine {
   std::string path;
   int depth = 0;                   ///< keys around it
   std::string facts;               ///< "number in MPa, default 1, above 0"
-  std::string help;                ///< with words and conditions
+  std::string about;               ///< what it is
+  std::string help;                ///< the same with words and conditions
   std::vector<std::string> words;  ///< the values it may have; empty: any of its type
   Level level = Level::everyday;
   bool group = false;     ///< a map of keys that are known, which has no value of its own

@@ -6,7 +6,7 @@
 
 namespace bulbus::inline app {
 
-/// Adds node sets: the nodes whose places satisfy the condition. Throws InputError with the key
+/// Adds node sets: the nodes whose positions satisfy the condition. Throws InputError with the key
 /// `mesh.sets.NAME` where a condition is none, holds at no node, or the mesh has the name already.
 void add_sets(Mesh& mesh, const std::map<std::string, std::string>& conditions);
 

@@ -81,6 +81,15 @@ std::string read_formula(const YamlNode& entry, const std::string& key, const Ab
          (is_bare(entry.text) || unit_of(about.quantity).empty() ? "" : " " + unit_of(about.quantity));
 }
 
+// For a key that belongs into a map beside it: rigid_bodies.NAME.width, where band.width is meant.
+std::string one_level_below(const YamlNode& map, const std::string& key,
+                            const std::vector<std::string>& known) {
+  for (std::size_t i = 0; i < map.items.size(); ++i)
+    if (map.items[i].is(YamlNode::Kind::map) && map.items[i].find(key))
+      return "did you mean '" + below(map.keys[i], key) + "'?";
+  return "known here: " + alternatives(known);
+}
+
 }  // namespace
 
 void refuse(const YamlNode& entry, const std::string& key, const std::string& what,
@@ -101,7 +110,7 @@ void check_keys(const YamlNode& map, const std::string& key, const std::vector<s
     throw input_error(map.key_places[i].file, map.key_places[i].line,
                       "unknown key '" + map.keys[i] + "'" + (key.empty() ? "" : " in " + key),
                       number ? "numbers have a decimal point: write 0.1, not 0,1"
-                             : did_you_mean(map.keys[i], known, "known here: " + alternatives(known)));
+                             : did_you_mean(map.keys[i], known, one_level_below(map, map.keys[i], known)));
   }
 }
 

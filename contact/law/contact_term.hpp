@@ -20,7 +20,7 @@ namespace bulbus::inline contact {
 
 /// The two sides as this rank holds them.
 struct ContactSides {
-  std::span<const double> X;  ///< reference places of the local nodes
+  std::span<const double> X;  ///< reference positions of the local nodes
   int owned;                  ///< the first ones are owned
   std::span<const Quad>
       slave;  ///< local nodes, at least all faces that touch an owned node; normals outwards
@@ -49,12 +49,12 @@ struct ContactDefaults {
 /// rigid body is taken once a pressure was predicted, where the body is hollow at once; that of a deformable
 /// master once pressure and prediction agree within a factor of two, between 0.01 and 1 shear moduli.
 ///
-/// Newton's method is a primal-dual active set method (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13,
-/// 2002; Hüeber and Wohlmuth, CMAME 194, 2005): a pair whose pressure the last linear solution predicts to be
-/// positive stays active where the curved way of the nodes has opened it (still_active). At convergence no
-/// pair is in tension, and the law above is the one that is balanced.
+/// Active-set update: Newton's method is a primal-dual active set method (Hintermüller, Ito and Kunisch, SIAM
+/// J. Optim. 13, 2002; Hüeber and Wohlmuth, CMAME 194, 2005): a pair whose pressure the last linear solution
+/// predicts to be positive stays active where the curved way of the nodes has opened it (still_active). At
+/// convergence no pair is in tension, and the law above is the one that is balanced.
 ///
-/// Pairs are a function of the state, of the rigid body's places, of what commit() has left and, within an
+/// Pairs are a function of the state, of the rigid body's positions, of what commit() has left and, within an
 /// increment, of predict().
 class ContactTerm final : public Term {
  public:
@@ -100,7 +100,7 @@ class ContactTerm final : public Term {
   const ContactMemory& memory() const { return committed_; }
   int searches() const { return search_.searches(); }
 
-  /// Current places of the slave points, their chordal offset added along the normal; 3 each, mm.
+  /// Current positions of the slave points, their chordal offset added along the normal; 3 each, mm.
   std::vector<double> outermost(const State& state) const { return outermost(state.x, shape(state.x)); }
   /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;

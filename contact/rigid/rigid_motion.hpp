@@ -18,8 +18,8 @@ class RigidMotion {
   /// Sets surface->places from here on.
   explicit RigidMotion(std::shared_ptr<RigidSurface> surface);
 
-  /// A step begins that moves the body. `slaves`: current places (3 each) of the nodes that it may touch, of
-  /// ALL ranks; read only where the move counts from touch. `key` is the path of the move in the scene.
+  /// A step begins that moves the body. `slaves`: current positions (3 each) of the nodes that it may touch,
+  /// of ALL ranks; read only where the move counts from touch. `key` is the path of the move in the scene.
   /// Throws InputError if a part has no direction to close along, or never meets a slave.
   void begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key);
   /// Places at the part s of the step done.

@@ -4,7 +4,7 @@
 
 namespace bulbus::inline contact {
 
-/// Largest distance between two places of one point, 3 numbers each.
+/// Largest distance between two positions of one point, 3 numbers each.
 double greatest_motion(std::span<const double> now, std::span<const double> before);
 
 /// Which points are too far from the surface to matter: each once measured, less what points and surface have

@@ -5,7 +5,7 @@
 
 namespace bulbus::inline contact {
 
-/// A way from one place to another, mm.
+/// A way from one position to another, mm.
 struct Way {
   Vec3<double> from, to;
 };
@@ -15,10 +15,10 @@ struct Way {
 /// weights of the projection change linearly:
 ///     t = G0 / (G0 − G1),  L = (1 − t) L0 + t L1
 /// exact where the surface moves rigidly. Crossings that miss a triangle by a twentieth of its height count:
-/// whether the point is inside is then decided where it is now. `before`: places of the corners at the start
-/// of the way, none of which has moved farther than `motion` (mm); `candidates`: all triangles within the
-/// length of the way, relative to the surface, of its end. `on_surface`: gaps that are 0 but for rounding,
-/// mm.
+/// whether the point is inside is then decided where it is now. `before`: positions of the corners at the
+/// start of the way, none of which has moved farther than `motion` (mm); `candidates`: all triangles within
+/// the length of the way, relative to the surface, of its end. `on_surface`: gaps that are 0 but for
+/// rounding, mm.
 int entered_through(const MasterSurface& now, std::span<const double> before, double motion, const Way& way,
                     std::span<const int> candidates, double on_surface);
 

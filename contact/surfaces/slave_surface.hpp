@@ -23,7 +23,7 @@ class SlaveSurface {
     std::vector<double> areas;          ///< mm²
   };
 
-  /// `X`: reference places of the local nodes, the first `owned` of them owned; `faces`: all that touch an
+  /// `X`: reference positions of the local nodes, the first `owned` of them owned; `faces`: all that touch an
   /// owned node; nodes in `excluded` (ascending) are left out; `symmetry`: the planes ("x", "y", "z") where
   /// that coordinate is 0.
   SlaveSurface(std::span<const double> X, int owned, std::span<const Quad> faces,

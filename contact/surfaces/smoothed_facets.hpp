@@ -19,9 +19,9 @@ using CornerNormals = std::array<Vec3<double>, 3>;
 /// flat. Sharper edges stay edges.
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places);
 
-/// The projection of x on a triangle along the normals interpolated between its corners, x = Σ L_i x_i + g n
-/// with n = Σ L_i n_i. The projection, g and n go on from one triangle to the next without a jump where the
-/// two share their normals.
+/// Closest-point projection (formulation, section 5.2): that of x on a triangle along the normals
+/// interpolated between its corners, x = Σ L_i x_i + g n with n = Σ L_i n_i. The projection, g and n go on
+/// from one triangle to the next without a jump where the two share their normals.
 struct PointOnNormals {
   std::array<double, 3> weights;  ///< L
   double along;                   ///< g, in lengths of n

@@ -63,7 +63,7 @@ class Meridian {
     int segment = -1;
     Point2 p{};
   };
-  /// The outermost point at an axial place; segment −1 if there is none.
+  /// The outermost point at an axial position; segment −1 if there is none.
   Spot at(double axial) const {
     Spot best;
     for (int s = 0; s < static_cast<int>(segments_.size()); ++s) {
@@ -95,7 +95,7 @@ class Meridian {
     }
     return from.p;  // once around a closed curve
   }
-  /// The end of a segment on the side of the smaller axial place.
+  /// The end of a segment on the side of the smaller axial position.
   int lower_end(int segment) const {
     return segments_[segment].ends[0][0] < segments_[segment].ends[1][0] ? 0 : 1;
   }

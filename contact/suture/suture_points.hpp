@@ -23,8 +23,8 @@ std::vector<SuturePoint> suture_points(const Mesh& mesh, const SutureSpec& spec,
                                        std::span<const std::string> symmetry, const std::string& key);
 
 /// Two points of a surface at half the spacing, measured along its meridian, on either side of the axial
-/// place; where the meridian passes that place twice, of the outer branch. The one at the smaller axial place
-/// first. Throws InputError.
+/// place; where the meridian passes that place twice, of the outer branch. The one at the smaller axial
+/// position first. Throws InputError.
 std::array<Point, 2> points_on_meridian(const Mesh& mesh, const SutureSpec& spec, const std::string& key);
 
 /// Weights ∫ N dA / ∫ dA over the part of the surface within the circle of the given area about its nearest

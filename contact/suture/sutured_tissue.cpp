@@ -7,7 +7,7 @@
 namespace bulbus::inline contact {
 namespace {
 
-// Indices in the Mesh of some local nodes, of all ranks, ascending; with their places.
+// Indices in the Mesh of some local nodes, of all ranks, ascending; with their positions.
 std::vector<int> gathered(const LocalMesh& mesh, const std::vector<int>& nodes,
                           std::vector<Point>* places = nullptr) {
   const auto drawn = mesh.drawn_places();

@@ -126,7 +126,7 @@ inline double norm(const Vec3<double>& a) { return std::sqrt(dot(a, a)); }
 inline Vec3<double> minus(const Vec3<double>& a, const Vec3<double>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-/// The n-th of vectors that stand one after another, three numbers each: places or displacements of nodes.
+/// The n-th of vectors that stand one after another, three numbers each: positions or displacements of nodes.
 inline Vec3<double> at(std::span<const double> v, int n) { return {v[3 * n], v[3 * n + 1], v[3 * n + 2]}; }
 
 }  // namespace bulbus

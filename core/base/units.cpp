@@ -51,8 +51,7 @@ std::string trimmed(const std::string& s) {
 
 std::string known_units(Quantity q) {
   std::string list;
-  for (const auto& [name, unit] : units())
-    if (unit.quantity == q) list += (list.empty() ? "" : ", ") + name;
+  for (const std::string& name : units_of(q)) list += (list.empty() ? "" : ", ") + name;
   return list;
 }
 
@@ -77,6 +76,13 @@ std::string unit_of(Quantity q) {
     default:
       return "";
   }
+}
+
+std::vector<std::string> units_of(Quantity q) {
+  std::vector<std::string> names{unit_of(q)};
+  for (const auto& [name, unit] : units())
+    if (unit.quantity == q && name != names.front()) names.push_back(name);
+  return names;
 }
 
 double parse_quantity(const std::string& text, Quantity q) {

@@ -12,7 +12,7 @@ namespace bulbus::inline element {
 ///     d = x2 − x1,  e = (d·d − L²)/(2L²),  S = E e,  force on end 2 = A S d / L
 class Bars {
  public:
-  /// `X`: reference places of the local nodes.
+  /// `X`: reference positions of the local nodes.
   Bars(std::span<const double> X, std::span<const Bar> bars, double E, double area, bool tension_only);
 
   void add_residual(std::span<const double> x, std::span<double> force,

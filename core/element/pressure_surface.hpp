@@ -10,6 +10,7 @@ namespace bulbus::inline element {
 
 /// Faces under a fluid's pressure: a×b = ∂x/∂ξ × ∂x/∂η points out of the fluid, into the solid. 2×2 Gauss
 /// points.
+/// Volume, volume gradient and linearisation of a fluid cavity (formulation, section 2.2):
 ///     V = ⅓ Σ ∫ (x − x0)·(a×b),   g_I = ∂V/∂x_I = Σ N_I (a×b),   force of the fluid on the solid: P g
 /// Sums are over this rank's faces; nodal vectors have 3 numbers per local node and are added to.
 class PressureSurface {

@@ -166,7 +166,7 @@ Modes<T> volume_gradient_of(Product product) {
   return b;
 }
 
-/// b = ∂V/∂(modes) of the hexahedron with places x, exact:
+/// b = ∂V/∂(modes) of the hexahedron with positions x, exact:
 ///     V = 8 [ l₀·(l₁×l₂) − ⅓ Σ l_d·(t_e×t_f) ],   (d, e, f) cyclic
 template <class T>
 Modes<T> volume_gradient(const Modes<T>& x) {

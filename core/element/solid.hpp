@@ -32,7 +32,7 @@ struct CellStress {
 ///     R_u = Σ ∫ (τ + λJ I) : ∇ₓN dV0,   R_λ = V_e − V0_e
 class Solid {
  public:
-  /// `X`: reference places. The hexahedra of a region are consecutive; those of no region are rigid: they
+  /// `X`: reference positions. The hexahedra of a region are consecutive; those of no region are rigid: they
   /// have a volume, but neither forces nor a volume equation.
   Solid(std::vector<double> X, std::span<const Hex> hexes, std::vector<SolidRegion> regions);
 

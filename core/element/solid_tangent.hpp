@@ -11,7 +11,8 @@
 
 namespace bulbus::inline element {
 
-/// How the tangent gets the strain at its Gauss points.
+/// How the tangent gets the strain at its Gauss points: caching it, or computing it anew at every
+/// application.
 enum class StrainSource { recompute, cache };
 
 /// Numbers that do not change, shared by all that need them.

@@ -7,9 +7,10 @@
 
 namespace bulbus::inline io {
 
-/// Writes what `serialize` gives to its Archive as an HDF5 file that any number of ranks can read. The file
-/// is complete on the disk before it takes its name: whatever ends the program, the old file is there or the
-/// new one. Collective. Throws std::runtime_error on every rank.
+/// Checkpoint format: what `serialize` gives to its Archive, a group or dataset per name, as an HDF5 file
+/// that any number of ranks can read, with a check sum (CheckpointSum). The file is complete on the disk
+/// before it takes its name: whatever ends the program, the old file is there or the new one. Collective.
+/// Throws std::runtime_error on every rank.
 void write_checkpoint(const std::string& path, const LocalMesh& mesh,
                       const std::function<void(Archive&)>& serialize);
 

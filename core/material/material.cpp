@@ -23,6 +23,12 @@ double initial_shear_modulus(const Material& material) {
   return std::visit([&](const auto& m) { return m.shear_modulus(identity); }, material);
 }
 
+bool is_polynomial(const Material& material) {
+  return std::holds_alternative<NeoHooke>(material) ||
+         std::holds_alternative<Isotropic<MooneyRivlin>>(material) ||
+         std::holds_alternative<Isotropic<Polynomial>>(material);
+}
+
 bool always_stable(const Material& material) {
   return std::holds_alternative<NeoHooke>(material) || std::holds_alternative<Fung>(material) ||
          std::holds_alternative<FibreReinforced>(material);

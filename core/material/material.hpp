@@ -196,6 +196,9 @@ Material make_material(const std::vector<Polynomial::Term>& terms);
 /// have no part in it.
 double initial_shear_modulus(const Material& material);
 
+/// Is W a polynomial of Ī1 and Ī2, which its terms say all of?
+bool is_polynomial(const Material& material);
+
 /// Is the law stable in every state by its form (see core/problem/material_stability)? Its energy is then a
 /// rising convex function of Σ e^(2ε), ε the logarithmic stretches.
 bool always_stable(const Material& material);

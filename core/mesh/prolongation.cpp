@@ -14,7 +14,7 @@ struct Weights {
   double value[8];
 };
 
-// Trilinear weights at ξ in the unit cube and, linearised, at the place x beside it.
+// Trilinear weights at ξ in the unit cube and, linearised, at the position x beside it.
 Weights weights_at(const Hex& hex, std::span<const double> places, const double* xi, const double* x) {
   double N[8], dN[8][3], rest[3];
   Mat3<double> a{};

@@ -48,9 +48,9 @@ class Prolongation {
 
   /// Trilinear in a hexahedron around the node, extended to where the node really is: a curved surface lies
   /// beside the coarser faces, and with plain means of the parents a rigid rotation would strain it. Linear
-  /// fields of the places are reproduced.
+  /// fields of the positions are reproduced.
   ///     w_a = N_a(ξ) + ∇N_a(ξ)·(∂x/∂ξ)⁻¹ (x_fine − x(ξ)),   ξ amid the parents
-  /// `x`: places on both meshes; `stiffness` per coarser hexahedron: the stiffest around a node is taken.
+  /// `x`: positions on both meshes; `stiffness` per coarser hexahedron: the stiffest around a node is taken.
   Interpolation at(std::span<const double> coarse_x, std::span<const double> fine_x,
                    std::span<const double> stiffness) const;
   /// coarse = fine at the coarser nodes. Collective.

@@ -19,9 +19,9 @@ struct RefinedMesh {
   std::vector<int> parents_of(int node) const;
 };
 
-/// New places: where the mesh has an analytic shape (Mesh::place), at the means of the parents' parameters;
-/// else the means of the parents' places. Regions, surfaces and bars carry over; a node set gains the nodes
-/// whose parents are all in it, in the order of their parents.
+/// New positions: where the mesh has an analytic shape (Mesh::place), at the means of the parents'
+/// parameters; else the means of the parents' places. Regions, surfaces and bars carry over; a node set gains
+/// the nodes whose parents are all in it, in the order of their parents.
 RefinedMesh refine(const Mesh& mesh);
 
 /// A mesh and how many times it is to be refined.

@@ -67,7 +67,7 @@ class DofMap {
   /// x += step · dx for nodes and poses; rigid nodes are placed again. Collective.
   void move(State& state, std::span<const double> dx, std::span<const double> primal, double step) const;
 
-  /// `factor` times the motions of the rigid bodies from one place to another: a primal vector's tail on
+  /// `factor` times the motions of the rigid bodies from one position to another: a primal vector's tail on
   /// every rank.
   std::vector<double> motion(std::span<const Pose> from, std::span<const Pose> to, double factor) const;
 

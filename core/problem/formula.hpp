@@ -6,7 +6,7 @@
 
 namespace bulbus::inline problem {
 
-/// A number, with or without the unit it is kept in, or an expression in the reference place X, Y, Z (mm),
+/// A number, with or without the unit it is kept in, or an expression in the reference position X, Y, Z (mm),
 /// the part s of the step done and the time t. Comparisons (<, <=, >, >=, ==, !=, &&, ||) are 1 where they
 /// hold, else 0.
 class Formula {

@@ -20,12 +20,12 @@ class Liquid {
   /// Collective.
   double volume(std::span<const double> x) const { return comm_.sum(surface_.volume(x, x0_)); }
 
-  bool coupled() const { return coupled_; }
+  bool enclosed() const { return enclosed_; }
   /// The pressure is an unknown from here on: V_i := V, P_i := P, so that the law holds as it is.
-  void enclose(double V, double P) { coupled_ = true, V_i_ = V_start_ = V, P_i_ = P; }
+  void enclose(double V, double P) { enclosed_ = true, V_i_ = V_start_ = V, P_i_ = P; }
   /// The pressure is given by a function of the part of the step done.
   void prescribe_pressure(std::function<double(double s)> pressure) {
-    coupled_ = false, given_ = std::move(pressure);
+    enclosed_ = false, given_ = std::move(pressure);
   }
   double given(double s) const { return given_ ? given_(s) : 0; }
 
@@ -35,14 +35,14 @@ class Liquid {
   void freeze();
 
   /// D = V − V_i + (P − P_i) V_i / K; zero where the pressure is given.
-  double violation(double V, double P) const { return coupled_ ? V - V_i_ + (P - P_i_) * compliance() : 0; }
+  double violation(double V, double P) const { return enclosed_ ? V - V_i_ + (P - P_i_) * compliance() : 0; }
   /// V_i / K, mm³/MPa
-  double compliance() const { return (coupled_ ? V_i_ : V_scale_) / K_; }
+  double compliance() const { return (enclosed_ ? V_i_ : V_scale_) / K_; }
   /// A volume that makes violations relative.
-  double scale() const { return coupled_ ? V_i_ : V_scale_; }
+  double scale() const { return enclosed_ ? V_i_ : V_scale_; }
   void set_scale(double V) { V_scale_ = V; }
   /// V_i and P_i; a given pressure comes from the steps.
-  void serialize(Archive& archive) { archive.scalars("liquid " + name_, coupled_, V_i_, V_start_, P_i_); }
+  void serialize(Archive& archive) { archive.scalars("liquid " + name_, enclosed_, V_i_, V_start_, P_i_); }
 
  private:
   std::string name_;
@@ -50,13 +50,13 @@ class Liquid {
   Point x0_;
   double K_;
   Comm comm_;
-  bool coupled_ = false;
+  bool enclosed_ = false;
   double V_i_ = 0, V_start_ = 0, P_i_ = 0, added_ = 0, V_scale_ = 1;
   std::function<double(double)> given_;
 };
 
 inline void Liquid::freeze() {
-  if (coupled_) {
+  if (enclosed_) {
     V_start_ += added_;
     V_i_ = V_start_;
     added_ = 0;

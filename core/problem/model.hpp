@@ -84,7 +84,7 @@ struct FixSpec {
 };
 
 /// Prescribed displacement of a set. A plain number is reached linearly by the end of the step; a formula in
-/// X, Y, Z (mm, reference place), s (0 to 1 over the step) and t (steps done + s) is taken as it stands.
+/// X, Y, Z (mm, reference position), s (0 to 1 over the step) and t (steps done + s) is taken as it stands.
 struct DisplaceSpec {
   using Rotation = RotationSpec;
   std::string set;
@@ -143,7 +143,7 @@ struct StepSpec {
   std::string name;
   int increments = 1;
   std::map<std::string, std::string> pressures;
-  std::vector<std::string> couple;
+  std::vector<std::string> enclose;
   std::map<std::string, double> add;
   std::vector<DisplaceSpec> displace;
   std::vector<LoadSpec> loads;
@@ -159,8 +159,9 @@ struct StepSpec {
       About{"liquids whose pressure is given, and the pressure reached at the end of the step",
             Quantity::stress}
           .expression());
-    v("couple", couple,
-      About{"liquids enclosed from here on: V_i and P_i are taken at the start of the step"});
+    v("enclose", enclose,
+      About{"liquids enclosed from here on: V_i and P_i are taken at the start of the step"}.formerly(
+          "couple"));
     v("add", add,
       About{"volume added to (or, negative, drained from) an enclosed liquid of the whole model in this step",
             Quantity::volume});

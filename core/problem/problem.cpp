@@ -119,7 +119,7 @@ void Problem::set_progress(double s, State& state) {
   for (const auto& term : terms()) term->set_progress(s);
   for (std::size_t i = 0; i < liquids_.size(); ++i) {
     liquids_[i].set_progress(s);
-    if (!liquids_[i].coupled()) state.P[i] = liquids_[i].given(s);
+    if (!liquids_[i].enclosed()) state.P[i] = liquids_[i].given(s);
   }
   State coarse{.P = state.P};
   if (coarser_) coarser_->set_progress(s, coarse);
@@ -166,7 +166,7 @@ Residual Problem::residual(const State& state) const {
       for (std::size_t k = 0; k < own.size(); ++k) r.force[k] += own[k];
       add_reference_force(own, r.reference_force);
     }
-    r.liquid.push_back(l.violation(l.coupled() ? l.volume(state.x) : 0, state.P[i]));
+    r.liquid.push_back(l.violation(l.enclosed() ? l.volume(state.x) : 0, state.P[i]));
   }
   mesh_.halo.accumulate_ghosts(r.force);
   mesh_.halo.accumulate_ghosts(r.reference_force, 1);

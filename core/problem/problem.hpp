@@ -48,7 +48,7 @@ class Problem {
   /// The same of a model that validate() lets pass on the base mesh; `levels` as from distribute_levels().
   /// Collective.
   Problem(std::vector<MeshLevel> levels, const Model& model);
-  /// Gives its meshes back, for another model or other reference places, and is of no use afterwards.
+  /// Gives its meshes back, for another model or other reference positions, and is of no use afterwards.
   std::vector<MeshLevel> take_levels() &&;
 
   const LocalMesh& mesh() const { return mesh_; }
@@ -62,7 +62,8 @@ class Problem {
   /// that refines none. It follows this problem through the steps.
   const Problem* coarser() const { return coarser_.get(); }
   const Prolongation& prolongation() const { return *level_.prolongation; }
-  /// Nodal places as they are at the coarser nodes, element pressures as means over the children. Collective.
+  /// Nodal positions as they are at the coarser nodes, element pressures as means over the children.
+  /// Collective.
   State coarsened(const State& state) const;
   /// Every term but the solid and the liquids.
   std::vector<std::shared_ptr<Term>> terms() const;

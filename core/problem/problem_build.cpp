@@ -116,7 +116,7 @@ void Problem::build_bodies_and_solid() {
     std::vector<int> nodes =
         mesh_.region_nodes[std::ranges::find(mesh_.region_names, r.name) - mesh_.region_names.begin()];
     std::erase_if(nodes, [&](int n) { return n >= mesh_.owned || rigid_node[n]; });
-    // forces of a strain of 1e-7 on the faces of the region's hexahedra: rounded places leave strains of
+    // forces of a strain of 1e-7 on the faces of the region's hexahedra: rounded positions leave strains of
     // 1e-14 in thin cells, and a softer region feels those of its neighbour
     double areas = 0;
     for (int h = r.first; h < r.first + r.count; ++h)

@@ -239,25 +239,25 @@ void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) 
     const int i = liquid_index(name, key);
     liquids_[i].prescribe_pressure(ramp(std::make_shared<Formula>(pressure, key), start.P[i], step));
   }
-  for (const std::string& name : spec.couple) {
-    const int i = liquid_index(name, step_key(step, "couple"));
+  for (const std::string& name : spec.enclose) {
+    const int i = liquid_index(name, step_key(step, "enclose"));
     if (spec.pressures.contains(name))
       throw scene_error(step_key(step, "pressures." + name),
                         "liquid '" + name +
                             "' is enclosed in this step: its pressure is an unknown, and the "
                             "one given would be passed over",
-                        "Give the pressure in a step before, or take the liquid out of `couple`.");
-    if (!liquids_[i].coupled()) liquids_[i].enclose(liquids_[i].volume(start.x), start.P[i]);
+                        "Give the pressure in a step before, or take the liquid out of `enclose`.");
+    if (!liquids_[i].enclosed()) liquids_[i].enclose(liquids_[i].volume(start.x), start.P[i]);
   }
   for (const auto& [name, volume] : spec.add) {
     const std::string key = step_key(step, "add." + name);
     const int i = liquid_index(name, key);
-    if (!liquids_[i].coupled())
+    if (!liquids_[i].enclosed())
       throw scene_error(
           key,
           "liquid '" + name +
               "' is not enclosed in this step: its pressure is given, so adding volume means nothing",
-          "List it under `couple`.");
+          "List it under `enclose`.");
     liquids_[i].add(volume / multiplicity_);
   }
 }

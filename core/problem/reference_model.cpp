@@ -11,7 +11,7 @@ bool counts_from_reference(const DisplaceSpec& d) {
   return d.affine || (d.from == "reference" && (d.x || d.y || d.z || d.radial || d.by));
 }
 
-// In the first step reference and start are both the unloaded places.
+// In the first step reference and start are both the unloaded positions.
 void refuse_ambiguous(const Model& model) {
   for (std::size_t k = 1; k < model.steps.size(); ++k)
     for (std::size_t i = 0; i < model.steps[k].displace.size(); ++i)

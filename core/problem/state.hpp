@@ -15,7 +15,7 @@ struct Pose {
 
 /// All that changes during a run, on one rank.
 struct State {
-  std::vector<double> x;       ///< places of the local nodes, ghosts included, mm
+  std::vector<double> x;       ///< positions of the local nodes, ghosts included, mm
   std::vector<double> lambda;  ///< Cauchy mean stress of the local hexahedra, MPa
   std::vector<double> P;       ///< pressure of every liquid, the same on every rank, MPa
   std::vector<Pose> bodies;    ///< the same on every rank

@@ -14,7 +14,7 @@ struct StrainedCells {
   double least_jacobian = 1;
 };
 
-/// Of the places x of the local nodes. Collective.
+/// Of the positions x of the local nodes. Collective.
 StrainedCells strained_cells(const Problem& problem, std::span<const double> x);
 
 }  // namespace bulbus::inline problem

@@ -20,7 +20,7 @@ CoupledOperator::CoupledOperator(SharedSystem system, const LiquidAugmentation& 
   if (!system_->eliminated()) return;
   for (std::size_t i = 0; i < omega_.size(); ++i) {
     const int liquid = static_cast<int>(i);
-    omega_[i] = system_->problem().liquids()[i].coupled() ? 1 / system_->compliance(liquid) : 0;
+    omega_[i] = system_->problem().liquids()[i].enclosed() ? 1 / system_->compliance(liquid) : 0;
   }
 }
 

@@ -54,7 +54,7 @@ void CoupledSystem::compute_liquid_columns() {
   const auto& liquids = problem_.liquids();
   g_.assign(liquids.size(), {});
   for (std::size_t i = 0; i < liquids.size(); ++i) {
-    if (!liquids[i].coupled()) continue;
+    if (!liquids[i].enclosed()) continue;
     std::vector<double> local(state().x.size());
     liquids[i].surface().add_gradient(state().x, 1, local);
     problem_.mesh().halo.accumulate_ghosts(local);
@@ -158,7 +158,7 @@ void CoupledSystem::apply_tissue(std::span<const double> xu, std::span<const dou
 std::vector<double> CoupledSystem::prescribed_fluxes(std::span<const double> increments) const {
   std::vector<double> flux(g_.size());
   for (std::size_t i = 0; i < g_.size(); ++i)
-    if (problem_.liquids()[i].coupled()) {
+    if (problem_.liquids()[i].enclosed()) {
       std::vector<double> g(increments.size());
       problem_.liquids()[i].surface().add_gradient(state().x, 1, g);
       flux[i] = local_inner_product(g, increments);  // this rank's faces; increments are known on ghosts

@@ -72,7 +72,7 @@ class CoupledSystem {
   /// The same of nodal increments (3 per local node) that are prescribed. Collective.
   std::vector<double> prescribed_fluxes(std::span<const double> increments) const;
 
-  /// (1 + γ) μ_e / V0_e: the inverse of the element-pressure Schur complement, diagonal part.
+  /// (1 + γ) μ_e / V0_e: the diagonal part of Ŝ⁻¹ (formulation, section 9.5).
   std::vector<double> inverse_pressure_schur() const;
   /// V0_e / ((1 + γ) μ_e): minus the diagonal of a rigid hexahedron's row, whose pressure stays as it is.
   double rigid_compliance(int hex) const;

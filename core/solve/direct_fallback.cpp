@@ -40,7 +40,7 @@ bool solve_once(const CoupledOperator& A, Mumps& mumps, std::span<const double> 
   if (!mumps.solve(without_augmentation(A, b), x)) return false;
   if (!system.eliminated()) return true;
   for (int i = 0; i < system.layout().liquids; ++i)  // its unknown is ΔP + gᵀ Δu K/V_i
-    if (system.problem().liquids()[i].coupled())
+    if (system.problem().liquids()[i].enclosed())
       system.layout().pressures(x)[i] = -system.layout().pressures(b)[i] / system.compliance(i);
   return true;
 }

@@ -90,7 +90,7 @@ double curvature(const CoupledOperator& A, std::span<const double> b, std::span<
   for (int i = 0; i < layout.primal(); ++i) add(x[i] * b[i]);
   for (int e = layout.primal(); e < layout.primal() + layout.hexes; ++e) add(-x[e] * b[e]);
   for (int i = 0; i < layout.liquids; ++i)
-    if (system.problem().liquids()[i].coupled())
+    if (system.problem().liquids()[i].enclosed())
       add(-A.column_part(i) * layout.pressures(x)[i] *
           (layout.pressures(b)[i] + system.compliance(i) * layout.pressures(x)[i]));
   system.problem().comm().sum(sums);

@@ -54,7 +54,7 @@ using NewtonObserver = std::function<void(const NewtonIteration&)>;
 
 /// Brings `state` to equilibrium at the progress that the problem was set to, with the tangent that `linear`
 /// describes. On failure the state is not to be used. Full steps, shortened only where an element would
-/// invert; linear tolerances by Eisenstat and Walker (choice 2) with a cap. Collective.
+/// invert; linear tolerances are those of ForcingTerm. Collective.
 NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver& solver, State& state,
                     double progress, const NewtonSettings& settings, Profiler& profiler,
                     const NewtonObserver& observer = {});

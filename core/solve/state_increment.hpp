@@ -14,9 +14,9 @@ struct StateIncrement {
   std::vector<double> dP;
 };
 
-/// Moves `state` by the longest part of the increment that inverts no element: `longest`, its half, its
-/// quarter,
-/// ... Returns that part; 0 where none of at least 1/64 does. Collective.
+/// Step guard of Newton's method, in place of a line search or damping (formulation, section 8.3): moves
+/// `state` by the longest part of the increment that inverts no element, out of `longest`, its half, its
+/// quarter and so on. Returns that part; 0 where none of at least 1/64 does. Collective.
 double move_without_inversion(const Problem& problem, const StateIncrement& increment, State& state,
                               double longest = 1);
 

@@ -26,13 +26,13 @@ constexpr int most_without_progress = 12;
 // Of a step of the reference: that of Newton's (docs/decisions/033).
 constexpr double least_step_length = 1.0 / 8;
 
-// What an iteration begins with, besides the drawn places, where the nodes are in all of them.
+// What an iteration begins with, besides the drawn positions, where the nodes are in all of them.
 struct Iterate {
   std::vector<double> X, lambda;
-  std::vector<Pose> bodies;  // rigid regions, from the reference to the drawn places
+  std::vector<Pose> bodies;  // rigid regions, from the reference to the drawn positions
 };
 
-// One Newton step with the tangent at the drawn places, whatever the residual is.
+// One Newton step with the tangent at the drawn positions, whatever the residual is.
 NewtonSettings single_step() {
   NewtonSettings s;
   s.force = s.volume = s.liquid = 1e-300;
@@ -102,7 +102,7 @@ class Search {
     return fail(fmt::format("{} iterations leave a distance of {:.2g} mm", spec_.max_iterations, before));
   }
 
-  // Takes the step from the drawn places and moves the reference back by it. Returns the distance, mm.
+  // Takes the step from the drawn positions and moves the reference back by it. Returns the distance, mm.
   std::optional<double> improve(Problem& problem, double load, double enough, AndersonAcceleration& anderson,
                                 Iterate& iterate) {
     State state = problem.initial_state();

@@ -5,7 +5,7 @@
 
 Where a face between retina and choroid has its middle (x, y, z in mm) within `--where`, the retina gets nodes of its own, but at
 the edge of that part. Hexahedra of the retina whose middle is within `--tear` are taken out. The surfaces retina_back and
-retina_bed and the points detached, detached_bed and tear_rim are named, and what has become wet is added to `wet`.
+retina_bed and the points detached, detached_bed and tear_rim are named, and what the liquid touches now is added to `cavity`.
 """
 import argparse
 from collections import defaultdict
@@ -78,7 +78,7 @@ def tear(eye, condition):
     left = {key: side for key, side in eye.faces().items() if key in around and len(side) == 1}
     eye.elements = [e for e in eye.elements if e[0] != 2 or frozenset(e[2]) not in around or frozenset(e[2]) in left]
     for [(owner, quad)] in left.values():
-        eye.elements.append([2, "wet", quad])
+        eye.elements.append([2, "cavity", quad])
         if owner[1] == "choroid":
             eye.elements.append([2, "retina_bed", quad])
     return {n for o in out for n in o[2]}
@@ -102,7 +102,7 @@ def detach(eye, condition, torn):
             e[2] = [twin.get(n, n) for n in e[2]]
     for quad in beds:
         back = [twin.get(n, n) for n in reversed(quad)]
-        eye.elements += [[2, "wet", quad], [2, "retina_bed", quad], [2, "wet", back], [2, "retina_back", back]]
+        eye.elements += [[2, "cavity", quad], [2, "retina_bed", quad], [2, "cavity", back], [2, "retina_back", back]]
     eye.elements += [[0, "detached", [t]] for t in twin.values()] + [[0, "detached_bed", [n]] for n in twin]
     eye.elements += [[0, "tear_rim", [t]] for n, t in twin.items() if n in torn]
 

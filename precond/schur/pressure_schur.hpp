@@ -18,7 +18,8 @@ struct SchurCorrections {
   std::size_t bytes() const;
 };
 
-/// Approximate inverse of the element pressures' Schur complement Bᵀ A⁻¹ B:
+/// Approximate inverse of the element pressures' Schur complement Bᵀ A⁻¹ B, with the inf-sup correction for
+/// Q1/P0 (formulation, section 9.5):
 ///
 ///     Ŝ⁻¹ = (1 + γ) μ_e/V0_e + θ Σ corrections
 ///

@@ -7,6 +7,14 @@
 Lengths are in mm, forces in N, stresses in MPa unless a probe names another unit. Needs numpy; `Run.state` needs
 h5py, and `fit` needs scipy (Debian: python3-numpy, python3-h5py, python3-scipy).
 """
+import sys
+
+try:
+    import numpy as _
+except ModuleNotFoundError as fault:
+    raise ModuleNotFoundError(f"bulbus needs numpy, which {sys.executable} does not have\n"
+                              "  apt-get install python3-numpy python3-h5py python3-scipy, and call /usr/bin/python3") from fault
+
 from .fitting import Fit, fit
 from .program import BulbusError, find_program, run
 from .records import Run, State

@@ -191,7 +191,8 @@ TEST_F(Export, RefusesWhatItCannotWrite) {
   EXPECT_EQ(write("a.stl").status, 2);
   EXPECT_NE(write("a.stl").err.find("end it in .inp"), std::string::npos);
   EXPECT_EQ(write("no/such/folder.inp").status, 1);
-  for (const char* wrong : {"regions={}", "steps.0.loads.0.pressure=log(s - 2)"})
+  for (const char* wrong :
+       {"regions={}", "regions.soft={fung: {a: 1, b: 2}}", "steps.0.loads.0.pressure=log(s - 2)"})
     EXPECT_EQ(write("a.inp", {"--set", wrong}).status, 2) << wrong;
 }
 

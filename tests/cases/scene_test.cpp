@@ -102,7 +102,7 @@ TEST(WrongUnit, OfADisplacementOrAnAngleIsAskedBack) {
 }
 
 TEST(GivenPressure, OfALiquidThatIsEnclosedInTheSameStepIsRefused) {
-  expect_refused(run_case("limit_point", {"steps.0.couple=[inside]"}),
+  expect_refused(run_case("limit_point", {"steps.0.enclose=[inside]"}),
                  {"steps.0.pressures.inside", "enclosed in this step", "a step before"});
 }
 
@@ -180,7 +180,7 @@ TEST(LimitPoint, IsNamedWithTheLastStablePressure) {
   const Ran run = run_case("limit_point", {"solver.linear.method=direct"});
   ASSERT_EQ(run.status, 1) << run.err;
   const std::string text = run.summary()["diagnosis"];
-  for (const char* part : {"limit point", "inside", "couple", "add"})
+  for (const char* part : {"limit point", "inside", "enclose", "add"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
   EXPECT_NEAR(probe(run, "P"), 11.8, .05);
   EXPECT_LT(probe(run, "r"), 14.6);

@@ -27,7 +27,7 @@ double off(const Trial& run, const State& from) {
 TEST(Eye, NoLoadAtAll) {
   Scene eye = small_eye(n);
   eye.model.steps = {step("nothing", 3)};
-  eye.model.steps[0].couple = {"vitreous"};
+  eye.model.steps[0].enclose = {"vitreous"};
   Trial run(eye);
   run.settings.newton = {};
   run.iterative();

@@ -43,7 +43,7 @@ inline Scene filled_layers(int n, int cells, const std::vector<ShellLayer>& laye
   m.liquids["fluid"] = {.surface = "inner", .K = K};
   m.symmetry = {"x", "y", "z"};
   StepSpec s = step("fill", increments);
-  s.couple = {"fluid"};
+  s.enclose = {"fluid"};
   m.steps = {s};
   const Problem still(scene.mesh, m, Comm(MPI_COMM_SELF));
   m.steps[0].add["fluid"] = beta * still.multiplicity() * still.liquids()[0].volume(still.mesh().X);

@@ -26,7 +26,7 @@ Drawn small_eye() {
   for (const std::string& name : d.mesh.region_names) d.model.regions[name] = neo_hooke(.3);
   d.model.regions["lens"] = rigid();
   d.model.bars["zonules"] = {};
-  d.model.liquids["liquid"] = {.surface = "wet"};
+  d.model.liquids["liquid"] = {.surface = "cavity"};
   d.model.symmetry = {"x"};
   d.model.fix.push_back({"nerve_end", {"x", "y", "z"}});
   return d;
@@ -40,7 +40,7 @@ Drawn octant() {
   return d;
 }
 
-/// Reference places by the numbers of the finest mesh, on every rank.
+/// Reference positions by the numbers of the finest mesh, on every rank.
 std::vector<double> unloaded(const Drawn& drawn, int refinements, const Comm& comm) {
   ReferenceSpec reference;
   reference.loaded["liquid"] = std::to_string(pressure);

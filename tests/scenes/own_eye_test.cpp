@@ -12,13 +12,13 @@ namespace {
 const std::string generated = R"yaml(mesh: {eye: {n: 6, detachment: {tear: {}}}}
 materials: paper
 bars: {zonules: {tension_only: true}}
-liquids: {vitreous: {surface: wet}}
+liquids: {vitreous: {surface: cavity}}
 symmetry: [x]
 fix: [{set: nerve_end}]
 contacts: [{name: retina, slave: retina_back, master: retina_bed}]
 steps:
   - pressures: {vitreous: 15 mmHg}
-  - couple: [vitreous]
+  - enclose: [vitreous]
     displace: [{set: equator_band, radial: -0.3, z: 0, from: start}]
 probes:
   - {name: IOP, kind: pressure, liquid: vitreous, unit: mmHg}

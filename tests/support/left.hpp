@@ -78,7 +78,7 @@ steps:
     loads: [{surface: outer, pressure: 0.1 kPa}]
   - name: press
     increments: 3
-    couple: [inside]
+    enclose: [inside]
     move:
       - {body: tire, from: touch, close: 0.3}
       - {body: plate, translate: [0, 0, -.4]}

@@ -142,7 +142,7 @@ inline Scene filled_shell(const std::string& part) {
   skew.axis = {.1, -.2, 1};
   skew.center = {.3, -.1, 0};
   fill.displace.push_back(skew);
-  pull.couple = {"fluid"};
+  pull.enclose = {"fluid"};
   pull.displace.push_back(skew);
   pull.displace[0].radial = "0.1";
   m.steps = {fill, pull};

@@ -14,12 +14,12 @@ inline Scene small_eye(int n) {
   Model& m = scene.model;
   add_tissues("paper", scene.mesh.region_names, m);
   m.bars["zonules"] = {};
-  m.liquids["vitreous"] = {.surface = "wet"};
+  m.liquids["vitreous"] = {.surface = "cavity"};
   m.symmetry = {"x"};
   m.fix.push_back({"nerve_end", {"x", "y", "z"}});
   StepSpec fill = step("fill"), buckle = step("buckle", 4);
   fill.pressures["vitreous"] = "1.99984e-3";
-  buckle.couple = {"vitreous"};
+  buckle.enclose = {"vitreous"};
   DisplaceSpec d = displace("equator_band");
   d.radial = "-2";
   d.from = "start";

@@ -13,7 +13,7 @@ Scene filled_sphere(int n, double outside, double beta) {
   m.liquids["fluid"] = {.surface = "inner"};
   m.symmetry = {"x", "y", "z"};
   StepSpec s = step("load", beta > .05 ? 4 : 1);
-  s.couple = {"fluid"};
+  s.enclose = {"fluid"};
   if (outside != 0) {
     LoadSpec load;
     load.surface = "outer", load.pressure = fmt::format("{:.17g} MPa", outside);

@@ -41,7 +41,7 @@ double volume(const Problem& problem, const State& state) { return problem.liqui
 double inflate(int n) {
   Scene scene = balloon(n);
   StepSpec s = step("inflate", 20);
-  s.couple = {"fluid"};
+  s.enclose = {"fluid"};
   scene.model.steps.push_back(s);
   const Problem still(scene.mesh, scene.model, Comm(MPI_COMM_SELF));
   const double V0 = volume(still, still.initial_state());

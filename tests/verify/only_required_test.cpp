@@ -19,7 +19,7 @@ Scene shell(const Parts& parts) {
   if (!parts.cap) m.regions["cap"] = neo_hooke(.5);
   if (!parts.liquid) {
     m.liquids.clear();
-    for (StepSpec& s : m.steps) s.pressures.clear(), s.couple.clear();
+    for (StepSpec& s : m.steps) s.pressures.clear(), s.enclose.clear();
   }
   return scene;
 }

@@ -62,7 +62,7 @@ TEST_P(Submerged, BallInTheLiquidOfAVessel) {
     m.symmetry = {"x", "y", "z"};
     StepSpec fill = step("fill"), more = step("more");
     fill.pressures["fluid"] = fmt::format("{:.17g}", P);
-    more.couple = {"fluid"};
+    more.enclose = {"fluid"};
     more.add["fluid"] = 2;  // half a per cent of it
     m.steps = {fill, more};
     Trial run(scene);

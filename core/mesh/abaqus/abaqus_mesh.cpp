@@ -58,7 +58,7 @@ class Assembler {
     for (const Point& p : part.points) {
       const Point& x = mesh_.points.emplace_back(placed(model_.instances[i], p));
       if (!std::ranges::all_of(x, [](double c) { return std::isfinite(c); }))
-        model_.fail(model_.instances[i].place, "the instance moves nodes to no finite place",
+        model_.fail(model_.instances[i].place, "the instance moves nodes to no finite position",
                     "give a translation and an axis of a size like that of the mesh");
     }
     for (const auto& e : part.elements) {

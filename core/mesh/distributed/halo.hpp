@@ -19,9 +19,10 @@ class Halo {
   Halo(const Comm& comm, std::vector<Neighbour> neighbours)
       : comm_(comm), neighbours_(std::move(neighbours)) {}
 
-  /// Ghosts take the owners' values. Collective.
+  /// Ghost update: ghosts take the owners' values. Collective.
   void update_ghosts(std::span<double> v, int width = 3) const;
-  /// Ghosts' values are added to the owners'; the ghosts' are left as they are. Collective.
+  /// Ghost accumulation: ghosts' values are added to the owners'; the ghosts' are left as they are.
+  /// Collective.
   void accumulate_ghosts(std::span<double> v, int width = 3) const;
   void update_ghosts(std::span<float> v, int width) const;
   void update_ghosts(std::span<NodeSingle> v) const;

@@ -20,7 +20,7 @@ struct LocalMesh {
 
   Comm comm;
   int owned = 0;                  ///< owned nodes
-  std::vector<double> X;          ///< reference places, 3 per local node, mm
+  std::vector<double> X;          ///< reference positions, 3 per local node, mm
   std::vector<double> drawn;      ///< places as drawn, where X has been moved (move_reference); else empty
   std::vector<long long> number;  ///< global number of a local node
   std::vector<int> input_node;    ///< its index in the Mesh

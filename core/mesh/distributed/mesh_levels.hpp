@@ -16,7 +16,7 @@ struct MeshLevel {
 std::vector<MeshLevel> distribute_levels(const Mesh& base, int refinements, const Comm& comm,
                                          const std::set<std::string>& shared);
 
-/// Gives the finest mesh other reference places, 3 per local node, ghosts included, and the coarser ones
+/// Gives the finest mesh other reference positions, 3 per local node, ghosts included, and the coarser ones
 /// those of their nodes; what was drawn is kept. Collective.
 void move_reference(std::vector<MeshLevel>& levels, std::vector<double> X);
 

@@ -86,7 +86,7 @@ class Builder {
       mesh_.points.push_back({grid_.points[i], grid_.points[i + 1], grid_.points[i + 2]});
       for (double x : mesh_.points.back())
         if (!std::isfinite(x))
-          fail(fmt::format("point {} has the coordinate {}", i / 3, x), "give the point a finite place");
+          fail(fmt::format("point {} has the coordinate {}", i / 3, x), "give the point a finite position");
     }
   }
 

@@ -59,7 +59,7 @@ double percentile(const Comm& comm, std::span<const Weighted> cells, double perc
   return comm.max(found);
 }
 
-// Share of a hexahedron that is at most `within` from one of the places, by 8³ points.
+// Share of a hexahedron that is at most `within` from one of the positions, by 8³ points.
 double part_within(const LocalMesh& mesh, const Hex& hex, std::span<const Point> places, double within) {
   constexpr int m = 8;
   std::array<Vec3<double>, 8> X;

@@ -50,8 +50,8 @@ ProbeSet::Figure volume(const Problem& problem, const ProbeSpec& spec);
 ProbeSet::Figure mises(const Problem& problem, const ProbeSpec& spec);
 /// The same of the cells that touch one of these local nodes, ghosts included.
 ProbeSet::Figure mises_around(const Problem& problem, const ProbeSpec& spec, std::span<const int> nodes);
-/// Mean over the part of the region that lies at most `within` from one of these places (undeformed, mm): a
-/// volume that a finer mesh does not make smaller.
+/// Mean over the part of the region that lies at most `within` from one of these positions (undeformed, mm):
+/// a volume that a finer mesh does not make smaller.
 ProbeSet::Figure mean_mises_near(const Problem& problem, const ProbeSpec& spec,
                                  std::span<const Point> places);
 /// V_e / V0_e.

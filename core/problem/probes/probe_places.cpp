@@ -1,4 +1,4 @@
-// Probes of places and displacements.
+// Probes of positions and displacements.
 #include <cmath>
 #include <limits>
 #include <numeric>

@@ -9,8 +9,8 @@ namespace bulbus::inline problem {
 /// One per probe; none where the step that it counts from has not ended.
 using ProbeValues = std::vector<std::optional<double>>;
 
-/// The values of a run's probes, some of which count from the end of a step: it keeps the places and figures
-/// of those ends.
+/// The values of a run's probes, some of which count from the end of a step: it keeps the positions and
+/// figures of those ends.
 class ProbeRecord {
  public:
   explicit ProbeRecord(const ProbeSet& probes) : probes_(probes) {}

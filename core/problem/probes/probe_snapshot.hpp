@@ -17,7 +17,7 @@ class Snapshot {
 
   const Problem& problem;
   const State& state;
-  /// Places of the local nodes that displacements count from: the reference ones unless set otherwise.
+  /// Positions of the local nodes that displacements count from: the reference ones unless set otherwise.
   std::span<const double> origin;
 
   /// Collective.

@@ -10,9 +10,9 @@ namespace bulbus::inline problem {
 
 /// The figures that a model's probes ask for.
 ///
-/// Places and displacements are those of the model's own nodes. Forces, moments and volumes are of the whole:
-/// with a symmetry plane the image's force cancels normal to the plane and adds along it; the moment about
-/// the origin, which is no true vector, adds normal to the plane and cancels along it.
+/// Positions and displacements are those of the model's own nodes. Forces, moments and volumes are of the
+/// whole: with a symmetry plane the image's force cancels normal to the plane and adds along it; the moment
+/// about the origin, which is no true vector, adds normal to the plane and cancels along it.
 class ProbeSet {
  public:
   /// One figure of one state. Collective.

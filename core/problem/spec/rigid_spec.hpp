@@ -206,7 +206,10 @@ struct MoveSpec {
     v("body", body, About{"the rigid body"}.needed());
     v("translate", translate, About{"shift reached at the end of the step", Quantity::length});
     v("rotate", rotate, About{"rigid rotation of all parts together"});
-    v("close", close, About{"displacement of every part along its own direction", Quantity::length});
+    v("close", close,
+      About{"displacement of every part along its own direction (`direction` of the body): of a band or a "
+            "tire towards its axis; negative: back",
+            Quantity::length});
     v("shorten", shorten,
       About{"in place of `close`: by how much the whole circumference is shortened, which closes every part "
             "by 1/(2 pi) of it",

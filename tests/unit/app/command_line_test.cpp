@@ -62,6 +62,17 @@ TEST(CommandLine, HelpsOnCommandsKeysAndTheLog) {
   EXPECT_EQ(wrong.err, "there is no topic 'probe'\n  did you mean 'probes'?\n");
 }
 
+TEST(CommandLine, HelpsOnValuesOfKeysAndOnUnits) {
+  const std::string gap = bulbus_says({"help", "gap"}).out;
+  EXPECT_EQ(gap.substr(0, gap.find('\n')), "'gap' is a value of probes.kind: what is recorded");
+  EXPECT_NE(gap.find("\n  contact "), std::string::npos) << gap;
+  EXPECT_EQ(gap.find("\n  liquid "), std::string::npos) << gap;
+  const std::string volume = bulbus_says({"help", "volume"}).out;  // a key, and a value
+  EXPECT_NE(volume.find("in solver.newton:\n"), std::string::npos) << volume;
+  EXPECT_NE(volume.find("'volume' is a value of probes.kind"), std::string::npos) << volume;
+  EXPECT_NE(bulbus_says({"help", "units"}).out.find("MPa, GPa, Pa, kPa, mmHg\n"), std::string::npos);
+}
+
 TEST(CommandLine, TellsTheVersionOfTheProject) {
   std::ifstream in(fs::path(BULBUS_DATA).parent_path() / "CMakeLists.txt");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -80,6 +91,19 @@ TEST(CommandLine, WrongUsageIsStatusTwo) {
     EXPECT_FALSE(answer.err.empty());
     EXPECT_TRUE(answer.out.empty());
   }
+}
+
+TEST(CommandLine, WrongUsageIsToldWithARemedy) {
+  const std::string commands = "\n  'bulbus help' lists the commands\n";
+  EXPECT_EQ(bulbus_says({}).err, "no command is given" + commands);
+  EXPECT_EQ(bulbus_says({"fit"}).err, "there is no command 'fit'" + commands);
+  EXPECT_EQ(bulbus_says({"runn", "a.yaml"}).err, "there is no command 'runn'\n  did you mean 'run'?\n");
+  EXPECT_EQ(bulbus_says({"run", "a.yaml", "--sett", "title=b"}).err,
+            "'bulbus run' has no option '--sett'\n  did you mean '--set'?\n");
+  EXPECT_EQ(bulbus_says({"help", "buckle", "height"}).err,
+            "'bulbus help' takes no further 'height'\n  'bulbus help --help' tells what it takes\n");
+  EXPECT_EQ(bulbus_says({"run"}).err,
+            "bulbus run: SCENE is required\n  'bulbus run --help' tells what it takes\n");
 }
 
 TEST(CommandLine, ASettingWithoutEffectIsStatusTwo) {

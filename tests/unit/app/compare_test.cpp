@@ -31,7 +31,7 @@ const std::string rows = "1,fill,0.5,5,,3,0,0,0.1\n2,fill,1,10,,3,0,0,0.1\n3,pre
 TEST(Compare, FindsTwoRunsTheSame) {
   const Ran r = compared(history("a", rows), history("b", replaced(rows, ",0.1\n", ",99\n")));
   EXPECT_EQ(r.status, 0) << r.err;
-  EXPECT_NE(r.out.find("0 of 4 figures differ"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("0 of 3 figures differ"), std::string::npos) << r.out;
 }
 
 /// What happens within a step does not count; tolerances are of the largest value, here 20.
@@ -42,7 +42,7 @@ TEST(Compare, TellsWhatDiffersAtTheEndsOfSteps) {
   const Ran r = compared(a, b);
   EXPECT_EQ(r.status, 1);
   EXPECT_NE(r.out.find("differs"), std::string::npos);
-  EXPECT_NE(r.out.find("1 of 4 figures differ"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("1 of 3 figures differ"), std::string::npos) << r.out;
   EXPECT_EQ(compared(a, b, {"--relative", "1e-3"}).status, 0);
   EXPECT_EQ(compared(a, b, {"--absolute", "0.1"}).status, 0);
 }
@@ -50,7 +50,10 @@ TEST(Compare, TellsWhatDiffersAtTheEndsOfSteps) {
 TEST(Compare, TakesMissingFiguresForDifferences) {
   const auto a = history("a", rows);
   EXPECT_EQ(compared(a, history("b", rows.substr(0, rows.find("3,press")))).status, 1);
-  EXPECT_EQ(compared(a, history("b", replaced(rows, "20,0.25", "20,"))).status, 1);
+  const Ran r = compared(a, history("b", replaced(rows, "20,0.25", "20,")));
+  EXPECT_EQ(r.status, 1);
+  EXPECT_NE(r.out.find("only in the first\n"), std::string::npos) << r.out;
+  EXPECT_EQ(r.out.find("only in the second"), std::string::npos) << r.out;
 }
 
 TEST(Compare, RefusesWhatIsNoFolderOfResults) {
@@ -69,6 +72,19 @@ TEST(Compare, RefusesWhatIsNoFolderOfResults) {
     EXPECT_NE(r.err.find("history.csv:3: '" + std::string(cell) + "' is no finite number"), std::string::npos)
         << r.err;
   }
+}
+
+TEST(Compare, NamesTheRunsOfAStudy) {
+  const auto a = history("a", rows), study = fresh_folder("bulbus_compare_study");
+  std::ofstream(study / "study.json") << "{}";
+  const std::string said = study.string() +
+                           ": is the folder of a study, not of a run\n  Name one of its runs, such as " +
+                           (study / "run_001").string() + ".\n";
+  EXPECT_EQ(compared(a, study).err, said);
+  std::ostringstream out, err;
+  EXPECT_EQ(command_line({"plot", study}, Comm(MPI_COMM_SELF), out, err), 2);
+  EXPECT_EQ(command_line({"report", a, study}, Comm(MPI_COMM_SELF), out, err), 2);
+  EXPECT_EQ(err.str(), said + said);
 }
 
 TEST(Compare, RefusesProbesOfTwoUnitsAndNothingToCompare) {

@@ -51,6 +51,9 @@ TEST(OverrideErrors, NameTheAssignment) {
   expect_assignment_refused("steps.7.increments=3", "no entry '7' in a list of 3", "entries count from 0");
   expect_assignment_refused("steps.indnt.increments=3", "no entry 'indnt' in a list of 3",
                             "did you mean 'indent'?");
+  expect_assignment_refused("mesh.nx=9", "unknown key 'nx' in mesh", "did you mean 'block.nx'?");
+  expect_assignment_refused("steps.0.couple=[inside]", "steps.0.couple: the key has another name now",
+                            "write 'enclose'");
   expect_assignment_refused("output.every=0", "output.every: '0' is out of bounds", "between 1");
   expect_assignment_refused("output.every={a", "not valid YAML", "");
 }

@@ -205,10 +205,10 @@ TEST(Located, FindsTheLineOfAKeyOrOfWhatIsAroundIt) {
   const auto says = [&](const std::string& key, const std::vector<std::string>& overrides = {}) {
     return std::string(located(InputError("no such set", key), file, overrides).what());
   };
-  EXPECT_EQ(says("steps.1.couple"), file.string() + ":19: steps.1.couple: no such set");
+  EXPECT_EQ(says("steps.1.enclose"), file.string() + ":19: steps.1.enclose: no such set");
   EXPECT_EQ(says("steps.1.displace.1.set"), file.string() + ":23: steps.1.displace.1.set: no such set");
-  EXPECT_EQ(says("steps.0.couple"),
-            file.string() + ":15: steps.0.couple: no such set");  // not written: the step
+  EXPECT_EQ(says("steps.0.enclose"),
+            file.string() + ":15: steps.0.enclose: no such set");  // not written: the step
   EXPECT_EQ(says("fix.0.set", {"fix.0.set=a"}), "--set fix.0.set=a: fix.0.set: no such set");
   EXPECT_EQ(says(""), "no such set");
 }

@@ -92,6 +92,16 @@ TEST(ProbeWords, SayWhatIsMeasured) {
   EXPECT_EQ(title_of("axial_change"), "Axial change");
 }
 
+TEST(ProbeWords, KnowEveryKind) {
+  ProbeSpec p;
+  std::vector<std::string> kinds;
+  p.describe([&](const std::string& key, auto&, const About& about) {
+    if (key == "kind") kinds = about.choices;
+  });
+  EXPECT_GT(kinds.size(), 20u);
+  for (const std::string& kind : kinds) EXPECT_NE(meaning_of({.kind = kind}), kind);
+}
+
 /// A suture over a tire, run once, with its page.
 const Ran& suture() {
   static const Ran ran = [] {

@@ -18,7 +18,7 @@ regions:
 bars:
   fibres: {area: 1e-3, tension_only: true}
 liquids:
-  inside: {surface: wet}
+  inside: {surface: cavity}
 symmetry: [x]
 fix:
   - {set: bottom}
@@ -28,7 +28,7 @@ steps:
     pressures: {inside: 15 mmHg}
   - name: indent
     increments: 4
-    couple: [inside]
+    enclose: [inside]
     add: {inside: -2 uL}
     displace:
       - {set: plate, x: 1 um, y: "0.1*s*(X - 2)", rotate: {angle: 90 deg}, translate: [1, 2, 0.5 cm]}

@@ -24,7 +24,7 @@ steps:
     pressures: {inside: 15 mmHg}
   - name: inject
     increments: 2
-    couple: [inside]
+    enclose: [inside]
     add: {inside: 50 uL}
 probes:
   - {name: pressure, kind: pressure, liquid: inside, unit: mmHg}
@@ -97,7 +97,7 @@ regions:
 bars:
   zonules: {E: 100, area: 1e-3}
 liquids:
-  vitreous: {surface: wet}
+  vitreous: {surface: cavity}
 symmetry: [x]
 fix: [{set: nerve_end}]
 reference: {loaded: {vitreous: 15 mmHg}}
@@ -122,7 +122,7 @@ TEST(UnloadedRun, GoesOnFromACheckpointWithoutAnotherSearch) {
   ASSERT_EQ(whole.status, 0) << whole.err;
   const auto wanted = whole.summary();
   const std::string inject =
-      "  - name: inject\n    increments: 2\n    couple: [inside]\n    add: {inside: 50 uL}\n";
+      "  - name: inject\n    increments: 2\n    enclose: [inside]\n    add: {inside: 50 uL}\n";
   const Ran first =
       call("run", fresh_folder("bulbus_unloaded_left"), "scene.yaml", replaced(drawn, inject, ""), {});
   ASSERT_EQ(first.status, 0) << first.err;
@@ -168,10 +168,10 @@ TEST(UnloadedRun, WhatWouldBeAmbiguousIsRefused) {
            {"loaded: {inside: 15 mmHg}", "loaded: {inside: 15*q}", "scene.yaml:9: reference.loaded.inside: "},
            {"loaded: {inside: 15 mmHg}", "loaded: {inside: 15 mmHg}\n  displace: [{set: nowhere, x: 0}]",
             "scene.yaml:10: reference.displace.0.set: "},
-           {"    couple: [inside]", "    couple: [inside]\n    displace: [{set: zmin, x: 0}]",
+           {"    enclose: [inside]", "    enclose: [inside]\n    displace: [{set: zmin, x: 0}]",
             "the displacement counts from the reference"},
-           {"    couple: [inside]",
-            "    couple: [inside]\n    displace: [{set: zmin, affine: [1, 0, 0, 0, 1, 0, 0, 0, 1]}]",
+           {"    enclose: [inside]",
+            "    enclose: [inside]\n    displace: [{set: zmin, affine: [1, 0, 0, 0, 1, 0, 0, 0, 1]}]",
             "the displacement counts from the reference"}}) {
     const Ran r = run_scene(replaced(drawn, slip.from, slip.to), {}, "check");
     EXPECT_EQ(r.status, 2) << slip.to;

@@ -157,15 +157,15 @@ TEST(EyeDetachment, KeepsTheThicknessOfTheRetina) {
 TEST(EyeDetachment, WetSurfaceIsClosedUpToTheSymmetryPlane) {
   for (int n : {4, 6, 8, 10, 14, 20, 28})
     for (bool torn : {false, true})
-      EXPECT_TRUE(open_edges(generate(settings(n, torn)), "wet").empty()) << "n = " << n;
+      EXPECT_TRUE(open_edges(generate(settings(n, torn)), "cavity").empty()) << "n = " << n;
 }
 
 TEST(EyeDetachment, LiquidAndTissueTogetherKeepTheirVolume) {
   const std::vector<RegionQuality> before = quality(attached_eye());
-  double filled = enclosed(attached_eye(), {"wet"});
+  double filled = enclosed(attached_eye(), {"cavity"});
   for (const RegionQuality& q : before) filled += q.volume;
   for (const Mesh* mesh : {&detached_eye(), &torn_eye()}) {
-    double sum = enclosed(*mesh, {"wet"});
+    double sum = enclosed(*mesh, {"cavity"});
     for (const RegionQuality& q : quality(*mesh)) sum += q.volume;
     EXPECT_NEAR(sum, filled, 1e-9);
   }

@@ -27,7 +27,7 @@ const Mesh& working_eye() {
 
 double cavity(const Mesh& mesh) {
   double sum = 0;
-  for (const Quad& q : mesh.surfaces.at("wet")) sum -= volume_flux(corners(mesh, q))[0];
+  for (const Quad& q : mesh.surfaces.at("cavity")) sum -= volume_flux(corners(mesh, q))[0];
   return sum;
 }
 
@@ -66,10 +66,10 @@ TEST(Eye, IsRegularAtEveryN) {
 TEST(Eye, NamedSurfacesMakeUpTheBoundary) {
   const Mesh& mesh = working_eye();
   const auto size = [&](const char* name) { return mesh.surfaces.at(name).size(); };
-  EXPECT_EQ(size("wet") + size("outside") + size("nerve_end") + size("symmetry"),
+  EXPECT_EQ(size("cavity") + size("outside") + size("nerve_end") + size("symmetry"),
             boundary_faces(mesh).size());
   EXPECT_EQ(size("outer_sclera") + size("outer_cornea") + size("nerve_side"), size("outside"));
-  EXPECT_LT(size("inner_retina") + size("lens_surface"), size("wet"));
+  EXPECT_LT(size("inner_retina") + size("lens_surface"), size("cavity"));
   for (const char* name : {"inner_retina", "lens_surface", "nerve_end"}) EXPECT_GT(size(name), 0u) << name;
 }
 
@@ -86,7 +86,7 @@ TEST(Eye, BoundaryIsWatertight) {
 TEST(Eye, WetSurfaceIsClosedUpToTheSymmetryPlane) {
   const Mesh& mesh = working_eye();
   std::map<std::pair<int, int>, int> directed;
-  for (const Quad& q : mesh.surfaces.at("wet"))
+  for (const Quad& q : mesh.surfaces.at("cavity"))
     for (int c = 0; c < 4; ++c) ++directed[{q[c], q[(c + 1) % 4]}];
   int cut = 0;
   for (const auto& [edge, count] : not_empty(directed)) {

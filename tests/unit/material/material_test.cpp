@@ -230,6 +230,13 @@ TEST(Material, OnlyLawsThatAreStableSaySo) {
   EXPECT_FALSE(always_stable(make_material({{1, 0, 2}, {2, 0, -1}})));
 }
 
+TEST(Material, OnlyPolynomialsAreSaidByTheirTerms) {
+  for (const Terms& terms : {Terms{{1, 0, 2}}, {{1, 0, 2}, {0, 1, 1}}, {{1, 0, 2}, {0, 2, 1}}})
+    EXPECT_TRUE(is_polynomial(make_material(terms)));
+  EXPECT_FALSE(is_polynomial(Fung{1, 2}));
+  EXPECT_FALSE(is_polynomial(FibreReinforced{.4, 3, 7, 0, 2}));
+}
+
 TEST(MakeMaterial, PicksTheLeanest) {
   EXPECT_TRUE(std::holds_alternative<NeoHooke>(make_material({{1, 0, 2}})));
   EXPECT_TRUE(std::holds_alternative<NeoHooke>(make_material({{1, 0, 2}, {0, 1, 0}, {2, 0, 0}})));

@@ -84,7 +84,7 @@ TEST_P(RoundTrip, KeepsTheEyeAndItsEmbeddedBars) {
   const Mesh mesh = generate(settings), read = (*this)(mesh);
   EXPECT_EQ(read.points, mesh.points);
   EXPECT_EQ(read.region_names, mesh.region_names);
-  EXPECT_EQ(read.surfaces.at("wet").size(), mesh.surfaces.at("wet").size());
+  EXPECT_EQ(read.surfaces.at("cavity").size(), mesh.surfaces.at("cavity").size());
   EXPECT_EQ(read.node_sets, mesh.node_sets);
   std::vector<int> count(7), expected(7);
   for (int r : read.region) ++count[r];

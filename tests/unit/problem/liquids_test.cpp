@@ -11,7 +11,7 @@ TEST_F(FilledShell, HandOverFromGivenToCoupledLeavesTheResidualUnchanged) {
   p.end_step();
   p.begin_step(1, s);
   p.set_progress(0, s);
-  EXPECT_TRUE(p.liquids()[0].coupled());
+  EXPECT_TRUE(p.liquids()[0].enclosed());
   const Residual after = p.residual(s);
   EXPECT_EQ(after.force, before.force);
   EXPECT_EQ(after.volume, before.volume);
@@ -20,7 +20,7 @@ TEST_F(FilledShell, HandOverFromGivenToCoupledLeavesTheResidualUnchanged) {
 }
 
 TEST_F(FilledShell, GivenPressureRampsFromStepToStepAndStays) {
-  scene.model.steps[1].couple.clear();
+  scene.model.steps[1].enclose.clear();
   scene.model.steps[1].pressures["fluid"] = "0.09";
   scene.model.steps.push_back(step("rest"));
   Problem p(scene.mesh, scene.model, world());
@@ -67,13 +67,13 @@ TEST_F(FilledShell, AddingToALiquidOfGivenPressureIsRefused) {
 }
 
 TEST_F(FilledShell, UnknownLiquidsGetAGuess) {
-  scene.model.steps[0].couple = {"fluit"};
+  scene.model.steps[0].enclose = {"fluit"};
   Problem p(scene.mesh, scene.model, world());
   try {
     p.begin_step(0, p.initial_state());
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_EQ(e.key, "steps.0.couple");
+    EXPECT_EQ(e.key, "steps.0.enclose");
     EXPECT_NE(std::string(e.what()).find("'fluid'"), std::string::npos);
   }
 }

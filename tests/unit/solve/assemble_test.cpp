@@ -98,7 +98,7 @@ struct Counted {
     scene.model.symmetry = {"x", "y", "z"};
     scene.model.steps = {step("given"), step("enclosed")};
     scene.model.steps[0].pressures["fluid"] = "0.01";
-    scene.model.steps[1].couple = {"fluid"};
+    scene.model.steps[1].enclose = {"fluid"};
     Problem problem(scene.mesh, scene.model, self);
     State state = problem.initial_state();
     SharedSystem system;
