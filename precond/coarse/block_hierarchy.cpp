@@ -19,9 +19,12 @@ constexpr int finest_degree = 8, coarser_degree = 5;
 constexpr int lanczos_steps = 10;
 // The spectrum of a cycle times a positive definite matrix ends at 1, or where the next level's polynomial
 // lets it, and begins where Lanczos' method has come to, or a little below. A polynomial for less than the
-// least would be too weak on all the rest. Outside of its interval it grows without bounds: where there are
-// negative eigenvalues, or some beyond the farthest, the cycle stands alone.
-constexpr double below = 0.7, least = 0.02, most = 0.5, farthest = 1.5;
+// least would be too weak on all the rest. Outside of its interval it grows without bounds, so that it ends a
+// little above what Lanczos' method has come to; where there are negative eigenvalues, or some beyond the
+// farthest, the cycle stands alone. Where the matrix has a negative eigenvalue, however small, cycles end at
+// 1.6 on the second of three levels of 470,000 hexahedra and are good all the same: 14 iterations with
+// polynomials, more than 35 without (half eye, n = 56, first system).
+constexpr double below = 0.7, least = 0.02, most = 0.5, above = 1.1, farthest = 3;
 // Eigenvalue of a cycle times its matrix, which ends at 1 where sweeps are stable: along many rows one may
 // blow up by orders of magnitude.
 constexpr double unstable = 100;
@@ -122,7 +125,7 @@ void BlockHierarchy::set_polynomial(std::size_t level) {
                  : 1;
   if (l.degree == 1) return;
   l.lowest = std::clamp(below * spectrum.smallest, least, most);
-  l.highest = std::max(1.0, spectrum.largest);
+  l.highest = above * std::max(1.0, spectrum.largest);
 }
 
 void BlockHierarchy::restrict_to(std::size_t level, std::span<const double> fine) const {
