@@ -34,7 +34,9 @@ class BlockTriangular final : public CoupledPreconditioner {
   std::string setup_error() const override { return displacement_->setup_error(); }
   /// The correction for oscillating element pressures.
   bool has_deferred_component() const override { return inverse_schur_.has_deferred_component(); }
-  void enable_deferred_component() override { inverse_schur_.enable_deferred_component(); }
+  void enable_deferred_component(double tolerance) override {
+    inverse_schur_.enable_deferred_component(tolerance);
+  }
   const LiquidAugmentation& augmentation() const override { return augmentation_; }
   std::size_t bytes() const override;
   std::array<double, 2> displacement_spectrum() const override;

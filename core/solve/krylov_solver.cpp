@@ -246,7 +246,7 @@ class KrylovSolver final : public LinearSolver {
     const int before_correction = std::min(settings_.pressures.after, settings_.max_iterations);
     if (preconditioner_->has_deferred_component()) {
       if (!slow_ && -per_digit * std::log10(tolerance) <= before_correction) go_on(before_correction);
-      if (!report.converged) enable_deferred_component();
+      if (!report.converged) enable_deferred_component(tolerance);
     }
     go_on(settings_.max_iterations - report.iterations);
     flexible = true;
@@ -261,8 +261,8 @@ class KrylovSolver final : public LinearSolver {
     return report;
   }
 
-  void enable_deferred_component() {
-    preconditioner_->enable_deferred_component();
+  void enable_deferred_component(double tolerance) {
+    preconditioner_->enable_deferred_component(tolerance);
     profiler_.memory.set("preconditioner", preconditioner_->bytes());
   }
 

@@ -91,8 +91,9 @@ class CoupledPreconditioner : public Preconditioner {
   virtual const LiquidAugmentation& augmentation() const = 0;
   /// Is there a part that is too expensive for easy solves?
   virtual bool has_deferred_component() const = 0;
-  /// A solve is slow or is bound to be: takes that part up, until the next linearisation. Collective.
-  virtual void enable_deferred_component() = 0;
+  /// A solve, to this relative tolerance, is slow or is bound to be: takes that part up, until the next
+  /// linearisation. Collective.
+  virtual void enable_deferred_component(double tolerance) = 0;
   /// Extreme eigenvalues of Â⁻¹ A on displacements, estimated by a few Lanczos steps. Collective.
   virtual std::array<double, 2> displacement_spectrum() const = 0;
   /// Of one that is made of factors of the whole system.

@@ -6,6 +6,12 @@
 #include "core/base/memory.hpp"
 
 namespace bulbus::inline precond {
+namespace {
+
+// Newton steps ask for no less by default (section 8 of the formulation).
+constexpr double few_digits = 1e-5;
+
+}  // namespace
 
 PressureSchur::PressureSchur(SharedSystem system, std::shared_ptr<const LineJacobi> lines,
                              const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections)
@@ -15,17 +21,21 @@ PressureSchur::PressureSchur(SharedSystem system, std::shared_ptr<const LineJaco
       diagonal_(system_->inverse_pressure_schur()),
       corrections_(std::move(corrections)) {}
 
-void PressureSchur::enable_deferred_component() {
+void PressureSchur::enable_deferred_component(double tolerance) {
   if (!has_deferred_component()) return;
   corrected_ = true;
-  auto& [reduced, K, parts] = *corrections_;
-  if (!parts.empty()) return;
+  auto& [reduced, K, parts, for_many_digits] = *corrections_;
   const int refinements = system_->problem().mesh().refinements;
+  const bool many_digits = refinements == 0 && tolerance < few_digits;
+  if (!parts.empty() && (for_many_digits || !many_digits)) return;
+  parts.clear();
+  for_many_digits = many_digits;
   if (refinements > 0)
     reduced = std::make_shared<const LineJacobi>(*system_, lines_->lines(), Matrices::reduced_augmentation);
   const auto lines = reduced ? reduced : lines_;
   if (refinements != 1) K = std::make_shared<LinePressureStiffness>(system_, lines);
-  if (refinements == 0) parts.push_back(oscillation_correction(*system_, *lines, K, settings_.degree));
+  if (refinements == 0)
+    parts.push_back(oscillation_correction(*system_, *lines, K, settings_.degree, many_digits));
   if (refinements > 1) parts.push_back(fine_checkerboard_correction(*system_, K, settings_.degree));
   if (refinements > 0)
     parts.push_back(

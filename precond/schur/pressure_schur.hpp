@@ -12,6 +12,7 @@ struct SchurCorrections {
   std::shared_ptr<const LineJacobi> reduced;  ///< these two where a correction needs them
   std::shared_ptr<LinePressureStiffness> K;
   std::vector<std::unique_ptr<SchurCorrection>> parts;
+  bool for_many_digits = false;  ///< see oscillation_correction
   /// See LinePressureStiffness.
   void refresh(const SharedSystem& system);
   void release();
@@ -38,8 +39,9 @@ class PressureSchur final : public Preconditioner {
   PressureSchur(SharedSystem system, std::shared_ptr<const LineJacobi> lines,
                 const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections);
   bool has_deferred_component() const { return lines_ && !corrected_; }
-  /// Takes up the other parts, and makes them if they are not there. Collective.
-  void enable_deferred_component();
+  /// Takes up the other parts, and makes them if they are not there, or not for as many digits as this
+  /// relative tolerance of a solve asks for. Collective.
+  void enable_deferred_component(double tolerance);
   int size() const override { return static_cast<int>(diagonal_.size()); }
   void apply(std::span<const double> r, std::span<double> z) const override;
   bool is_linear() const override { return true; }

@@ -46,8 +46,8 @@ class Diagonal final : public Preconditioner {
 
 // As many hexahedra as a mesh has in one direction, more or less, times `part`: halving them doubles it.
 // Fewer than 16 gain little. `part` is where the eye's fourth Newton system stopped to gain: 59 k hexahedra
-// 41, 32 iterations with 1, 1.6; refined once 20, 15, 17 with 1, 2, 3
-// (benchmarks/notebook/checkerboard_modes.md).
+// 41, 32 iterations with 1, 1.6; refined once 20, 15, 17 with 1, 2, 3. Solves to 1e-3 take as many with 0.8
+// as with 1.6 and a quarter less time (benchmarks/notebook/checkerboard_modes.md).
 int degree_for(double hexes, double part) {
   return std::max(16, static_cast<int>(std::lround(part * std::cbrt(hexes))));
 }
@@ -124,9 +124,10 @@ class CheckerboardCorrection final : public SchurCorrection {
 
 std::unique_ptr<SchurCorrection> oscillation_correction(const CoupledSystem& system, const LineJacobi& lines,
                                                         std::shared_ptr<const LinePressureStiffness> K,
-                                                        std::optional<int> degree) {
-  return std::make_unique<OscillationCorrection>(
-      system, lines, std::move(K), degree.value_or(degree_for(system.problem().mesh().all_hexes, 1.6)));
+                                                        std::optional<int> degree, bool many_digits) {
+  const double hexes = static_cast<double>(system.problem().mesh().all_hexes);
+  return std::make_unique<OscillationCorrection>(system, lines, std::move(K),
+                                                 degree.value_or(degree_for(hexes, many_digits ? 1.6 : 0.8)));
 }
 
 std::unique_ptr<SchurCorrection> fine_checkerboard_correction(const CoupledSystem& system,

@@ -19,10 +19,11 @@ class SchurCorrection {
 };
 
 /// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see OscillationFilter) but
-/// where lines carry alone. Without a degree: from the mesh. Collective.
+/// where lines carry alone. Without a degree: from the mesh, and half of it unless a solve is to gain
+/// `many_digits`. Collective.
 std::unique_ptr<SchurCorrection> oscillation_correction(const CoupledSystem& system, const LineJacobi& lines,
                                                         std::shared_ptr<const LinePressureStiffness> K,
-                                                        std::optional<int> degree);
+                                                        std::optional<int> degree, bool many_digits);
 
 /// P q(Pᵀ K P) Pᵀ on the checkerboard modes (see CheckerboardModes) of hexahedra that were split once, in the
 /// product of its factors. Without a degree: 16. Collective.

@@ -23,7 +23,7 @@ class FactorPreconditioner final : public CoupledPreconditioner {
   }
   const LiquidAugmentation& augmentation() const override { return none_; }
   bool has_deferred_component() const override { return false; }
-  void enable_deferred_component() override {}
+  void enable_deferred_component(double) override {}
   std::array<double, 2> displacement_spectrum() const override {
     return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   }

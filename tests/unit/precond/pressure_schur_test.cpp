@@ -49,7 +49,7 @@ TEST(PressureSchur, IsSymmetricAndPositive) {
        {std::pair(small_eye(8), 0), {filled_shell("half"), 1}, {filled_shell("octant"), 2}}) {
     WithLines l(scene, refine, shake);
     PressureSchur schur(l.system, l.jacobi, {}, std::make_shared<SchurCorrections>());
-    schur.enable_deferred_component();
+    schur.enable_deferred_component(1e-6);
     const auto p = noise(schur.size(), 1), q = noise(schur.size(), 2);
     std::vector<double> Sp(p.size()), Sq(p.size());
     schur.apply(p, Sp);
@@ -66,7 +66,7 @@ TEST(PressureSchur, LeavesPressuresOfRigidHexahedraAlone) {
     const auto p = noise(schur.size(), 1);
     std::vector<double> before(p.size()), after(p.size());
     schur.apply(p, before);
-    schur.enable_deferred_component();
+    schur.enable_deferred_component(1e-6);
     schur.apply(p, after);
     EXPECT_NE(before, after);
     ASSERT_FALSE(l.problem.solid().rigid_hexes().empty());
@@ -90,16 +90,31 @@ TEST(PressureSchur, HoldsBackUntilItIsAsked) {
   EXPECT_TRUE(schur.has_deferred_component());
   schur.apply(p, z);
   for (std::size_t e = 0; e < p.size(); ++e) EXPECT_EQ(z[e], diagonal[e] * p[e]);
-  schur.enable_deferred_component();
+  schur.enable_deferred_component(1e-6);
   EXPECT_FALSE(schur.has_deferred_component());
   EXPECT_FALSE(PressureSchur(l.system, nullptr, {}, corrections).has_deferred_component());
+}
+
+TEST(PressureSchur, MakesItsPartsAnewWhereMoreDigitsAreAskedFor) {
+  WithLines l(filled_shell("half"), 0, shake);
+  const auto corrections = std::make_shared<SchurCorrections>();
+  const auto part_of = [&](double tolerance) {
+    PressureSchur(l.system, l.jacobi, {}, corrections).enable_deferred_component(tolerance);
+    return corrections->parts.front().get();
+  };
+  part_of(1e-3);
+  EXPECT_FALSE(corrections->for_many_digits);
+  const SchurCorrection* part = part_of(1e-6);
+  EXPECT_TRUE(corrections->for_many_digits);
+  EXPECT_EQ(corrections->parts.size(), 1U);
+  EXPECT_EQ(part_of(1e-3), part) << "of more digits than it needs";
 }
 
 TEST(PressureSchur, TakesUpWeakPartsThatAreThere) {
   WithLines l(filled_shell("half"), 1, shake);
   const auto corrections = std::make_shared<SchurCorrections>();
   PressureSchur first(l.system, l.jacobi, {}, corrections);
-  first.enable_deferred_component();
+  first.enable_deferred_component(1e-6);
   const SchurCorrection* part = corrections->parts.front().get();
   const auto p = noise(first.size(), 1);
   std::vector<double> of_first(p.size()), before(p.size()), after(p.size());
@@ -108,7 +123,7 @@ TEST(PressureSchur, TakesUpWeakPartsThatAreThere) {
   EXPECT_TRUE(then.has_deferred_component());
   then.apply(p, before);
   EXPECT_NE(before, of_first);
-  then.enable_deferred_component();
+  then.enable_deferred_component(1e-6);
   then.apply(p, after);
   EXPECT_EQ(after, of_first);
   EXPECT_EQ(corrections->parts.front().get(), part);

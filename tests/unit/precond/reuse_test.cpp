@@ -101,7 +101,7 @@ TEST(Reuse, OfAReleasedLinearisationNothingIsLeft) {
       PreconditionerCache cache(l.settings, profiler);
       {
         const auto M = cache.make(l.system);
-        if (M->has_deferred_component()) M->enable_deferred_component();
+        if (M->has_deferred_component()) M->enable_deferred_component(1e-6);
       }
       const std::weak_ptr<const CoupledSystem> kept = l.system;
       l.system.reset();
