@@ -23,7 +23,6 @@ const std::vector<std::string> every_variant{"iterative",
                                              "direct+ranks=2",
                                              "direct+refinement=gmres",
                                              "direct+library=superlu_dist",
-                                             "direct+library=superlu_dist+threads=2",
                                              "direct+library=superlu_dist+ranks=2",
                                              "direct+library=umfpack",
                                              "direct+library=eigen"};

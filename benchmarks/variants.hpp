@@ -7,9 +7,8 @@
 namespace bulbus::bench {
 
 /// A way to solve linear systems, as command lines name it: `direct` or `iterative` with default settings,
-/// and what differs behind it, as in `direct+library=superlu_dist+threads=2`,
-/// `direct+ordering=metis+refinement=gmres` or `iterative+displacement=hybrid`. The other keys are ordering
-/// and ranks.
+/// and what differs behind it, as in `direct+library=superlu_dist+ranks=2`,
+/// `direct+ordering=metis+refinement=gmres` or `iterative+displacement=hybrid`. The other key is threads.
 struct SolverVariant {
   std::string name;
   SolverSettings settings;
