@@ -53,8 +53,9 @@ struct NewtonReport {
 using NewtonObserver = std::function<void(const NewtonIteration&)>;
 
 /// Brings `state` to equilibrium at the progress that the problem was set to, with the tangent that `linear`
-/// describes. On failure the state is not to be used. Full steps, shortened only where an element would
-/// invert; linear tolerances are those of ForcingTerm. Collective.
+/// describes. On failure the state is not to be used. Full steps, shortened where an element would invert,
+/// and one where two states follow one another (CycleDetector); linear tolerances are those of ForcingTerm.
+/// Collective.
 NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver& solver, State& state,
                     double progress, const NewtonSettings& settings, Profiler& profiler,
                     const NewtonObserver& observer = {});
