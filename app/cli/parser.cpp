@@ -71,12 +71,21 @@ std::vector<std::string> scene_before_restart(std::vector<std::string> arguments
   return arguments;
 }
 
+std::vector<const CLI::App*> all_commands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
+  for (const CLI::Option* option : command.get_options())
+    std::ranges::copy(names_of(*option), std::back_inserter(names));
   return names;
 }
 
@@ -112,8 +121,7 @@ struct Parser::Declared {
   void refuse_unknown_command(const std::vector<std::string>& arguments) const {
     if (arguments.empty()) throw input_error("no command is given", "'bulbus help' lists the commands");
     std::vector<std::string> names;
-    for (const CLI::App* c : app.get_subcommands([](const CLI::App*) { return true; }))
-      names.push_back(c->get_name());
+    for (const CLI::App* c : all_commands(app)) names.push_back(c->get_name());
     const std::string& first = arguments.front();
     if (first.starts_with("-") || std::ranges::find(names, first) != names.end()) return;
     throw input_error("there is no command '" + first + "'",
@@ -303,13 +311,11 @@ std::string Parser::about() const { return declared_->app.get_description(); }
 
 std::vector<CommandOutline> Parser::commands() const {
   std::vector<CommandOutline> commands;
-  for (const CLI::App* c :
-       std::as_const(declared_->app).get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* c : all_commands(declared_->app)) {
     CommandOutline& command = commands.emplace_back(c->get_name(), c->get_description());
     for (const CLI::Option* o : c->get_options()) {
       ArgumentOutline& a = command.arguments.emplace_back();
-      for (const std::string& name : o->get_snames()) a.names.push_back("-" + name);
-      for (const std::string& name : o->get_lnames()) a.names.push_back("--" + name);
+      a.names = names_of(*o);
       a.value = value_text(*o);
       a.about = o->get_description();
       if (!o->get_default_str().empty()) a.about += " (default: " + o->get_default_str() + ")";

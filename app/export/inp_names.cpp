@@ -4,13 +4,15 @@
 #include <cctype>
 #include <set>
 
+#include "core/base/characters.hpp"
+
 namespace bulbus::inline app {
 namespace {
 
 std::string plain(const std::string& name) {
   std::string text = name.substr(0, 76);  // room for a number behind it
   for (char& c : text)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.') c = '_';
+    if (!is_word(c) && c != '-' && c != '.') c = '_';
   return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) ? text : "N" + text;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/dense.hpp"
+#include "core/mesh/geometry.hpp"
 
 namespace bulbus::inline eye {
 namespace {
@@ -30,13 +31,8 @@ CornealVertex fitted_cornea(const CornealSums& sums) {
   vertex.z = u[2] / 2 + std::sqrt(std::max(0., u[2] * u[2] / 4 + u[3]));
   const Vec3<double> gradient{-u[0], -u[1], 2 * vertex.z - u[2]};
   const double length = norm(gradient);
-  const auto times = [](double factor, Vec3<double> d) {
-    for (double& c : d) c *= factor;
-    return d;
-  };
-  const Vec3<double> n = times(1 / length, gradient), x{1, 0, 0};
-  const Vec3<double> across = minus(x, times(n[0], n)), e1 = times(1 / norm(across), across),
-                     e2 = cross(n, e1);
+  const Vec3<double> n = 1 / length * gradient, across = Vec3<double>{1, 0, 0} - n[0] * n,
+                     e1 = 1 / norm(across) * across, e2 = cross(n, e1);
   const auto second = [&](const Vec3<double>& d) {  // ∇²F d
     return Vec3<double>{(2 - 2 * a) * d[0] - 2 * b * d[1], -2 * b * d[0] + (2 + 2 * a) * d[1], 2 * d[2]};
   };
@@ -45,7 +41,7 @@ CornealVertex fitted_cornea(const CornealSums& sums) {
       symmetric_eigen(std::array{dot(e1, second(e1)) / length, mixed, mixed, dot(e2, second(e2)) / length});
   vertex.flat = curvatures.values[0], vertex.steep = curvatures.values[1];
   const auto steepest = curvatures.vector(1);
-  const Vec3<double> steep = minus(times(steepest[0], e1), times(-steepest[1], e2));
+  const Vec3<double> steep = steepest[0] * e1 + steepest[1] * e2;
   vertex.meridian = std::fmod(std::atan2(steep[1], steep[0]) + std::numbers::pi, std::numbers::pi);
   return vertex;
 }

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <span>
+
+#include "core/base/characters.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -95,10 +96,9 @@ std::string help_on(const Keys& keys, const std::string& path, Level most, const
 }
 
 bool mentions(const std::string& text, const std::string& word) {
-  const auto inside = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
     const auto end = at + word.size();
-    if ((at == 0 || !inside(text[at - 1])) && (end == text.size() || !inside(text[end]))) return true;
+    if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) return true;
   }
   return false;
 }

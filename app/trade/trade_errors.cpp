@@ -40,8 +40,8 @@ double relative_error(double value, double right, double least) {
 }
 
 double least_of(const ProbeSpec& probe) {
+  const bool pressure = probe.kind == "pressure" || probe.kind == "mean_contact_pressure";
   const auto in_its_unit = [&](double v) {
-    const bool pressure = probe.kind == "pressure" || probe.kind == "mean_contact_pressure";
     const Quantity quantity = pressure ? Quantity::stress : Quantity::length;
     return std::abs(probe.scale) * v / (probe.unit.empty() ? 1 : parse_quantity("1 " + probe.unit, quantity));
   };
@@ -49,7 +49,7 @@ double least_of(const ProbeSpec& probe) {
     if (probe.kind == share) return 1;
   for (const char* power : {"refraction", "corneal_power", "corneal_astigmatism"})
     if (probe.kind == power) return std::abs(probe.scale) * least_power;
-  if (probe.kind == "pressure" || probe.kind == "mean_contact_pressure") return in_its_unit(least_pressure);
+  if (pressure) return in_its_unit(least_pressure);
   for (const char* length : {"displacement", "position", "distance", "buckle_height", "gap", "penetration"})
     if (probe.kind == length) return in_its_unit(least_length);
   return 0;

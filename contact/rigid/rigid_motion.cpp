@@ -125,6 +125,7 @@ void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, co
 
 void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> slaves,
                                  const std::string& key) {
+  const double left = clearance(slaves);
   for (std::size_t p = 0; p < start_.size(); ++p) {
     const bool shifts = move.close == 0 && move.shorten == 0 && norm(move.translate) > 0;
     const Vec3<double> d = shifts ? unit(move.translate) : inwards(p);
@@ -138,7 +139,7 @@ void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> s
           "part " + std::to_string(p) + " of '" + surface_->name +
               "' meets no node of the surfaces it is in contact with",
           "Place the body so that its way leads to them, and name them as slaves of a contact with it.");
-    start_[p].shift = start_[p].shift + (way - clearance(slaves)) * d;
+    start_[p].shift = start_[p].shift + (way - left) * d;
   }
 }
 

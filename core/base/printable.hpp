@@ -1,12 +1,8 @@
 #pragma once
-#include <cctype>
 #include <string>
 #include <string_view>
 
 namespace bulbus {
-
-/// Space, tabulator, end of line.
-inline bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 /// At most 40 characters of a word of a file as a message shows them: control characters become '?', and so
 /// does what is not ASCII unless it is `utf8`.

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
-#include <cctype>
 #include <cfenv>
 #include <cmath>
 #include <vector>
 
+#include "core/base/characters.hpp"
 #include "core/base/error.hpp"
 #include "core/base/units.hpp"
 
@@ -15,8 +15,6 @@ namespace bulbus::inline problem {
 namespace {
 
 constexpr const char* decimal_point = "Numbers have a decimal point: write 0.1, not 0,1.";
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 // A comma that separates no arguments of a function: `0,1`, `2*(0,5)`.
 bool has_stray_comma(const std::string& text) {

@@ -4,14 +4,9 @@
 #include <functional>
 
 #include "core/base/memory.hpp"
+#include "core/solve/fgmres.hpp"
 
 namespace bulbus::inline precond {
-namespace {
-
-// Newton steps ask for no less by default (section 8 of the formulation).
-constexpr double few_digits = 1e-5;
-
-}  // namespace
 
 PressureSchur::PressureSchur(SharedSystem system, std::shared_ptr<const LineJacobi> lines,
                              const PressureSettings& settings, std::shared_ptr<SchurCorrections> corrections)
@@ -26,7 +21,7 @@ void PressureSchur::enable_deferred_component(double tolerance) {
   corrected_ = true;
   auto& [reduced, K, parts, for_many_digits] = *corrections_;
   const int refinements = system_->problem().mesh().refinements;
-  const bool many_digits = refinements == 0 && tolerance < few_digits;
+  const bool many_digits = refinements == 0 && tolerance < least_of_plain_method;
   if (!parts.empty() && (for_many_digits || !many_digits)) return;
   parts.clear();
   for_many_digits = many_digits;

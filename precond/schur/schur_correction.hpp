@@ -20,7 +20,7 @@ class SchurCorrection {
 
 /// R q(K) R on all pressures of a mesh of any kind; R takes smooth ones away (see OscillationFilter) but
 /// where lines carry alone. Without a degree: from the mesh, and half of it unless a solve is to gain
-/// `many_digits`. Collective.
+/// `many_digits`: more than a Newton step asks for by default (least_of_plain_method). Collective.
 std::unique_ptr<SchurCorrection> oscillation_correction(const CoupledSystem& system, const LineJacobi& lines,
                                                         std::shared_ptr<const LinePressureStiffness> K,
                                                         std::optional<int> degree, bool many_digits);

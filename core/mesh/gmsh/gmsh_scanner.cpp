@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/characters.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parse_number.hpp"
-#include "core/base/printable.hpp"
 #include "core/base/whole_file.hpp"
 
 namespace bulbus::inline mesh {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "core/base/characters.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parse_number.hpp"
 #include "core/base/printable.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/characters.hpp"
 #include "core/base/error.hpp"
 #include "core/base/printable.hpp"
 
