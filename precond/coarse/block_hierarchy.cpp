@@ -80,8 +80,8 @@ BlockHierarchy::BlockHierarchy(DistributedBlocks finest, std::vector<RigidFrame>
     if (3 * levels_.back().blocks.rows.total > 2 * before) break;
   }
   for (Level& l : levels_) {
-    for (auto* own : {&l.b, &l.r, &l.d, &l.rest}) own->resize(6 * l.blocks.rows.mine);
-    for (auto* with_ghosts : {&l.x, &l.z}) with_ghosts->resize(6 * l.blocks.rows.size());
+    for (auto* own : {&l.b, &l.x, &l.r, &l.d, &l.Ad, &l.rest}) own->resize(6 * l.blocks.rows.mine);
+    for (auto* with_ghosts : {&l.z, &l.step}) with_ghosts->resize(6 * l.blocks.rows.size());
   }
   factorise();
   for (std::size_t l = levels_.size() - 1; setup_error_.empty() && stable_ && l-- > 0;) set_polynomial(l);
@@ -149,39 +149,53 @@ void BlockHierarchy::prolongate(std::size_t level, std::span<double> fine) const
       for (int r = 0; r < 6; ++r) fine[6 * i + r] += l.weights[i][6 * k + r] * coarse[6 * l.group[i] + k];
 }
 
+// x with ghosts.
 void BlockHierarchy::cycle(std::size_t level, std::span<const double> b, std::span<double> x) const {
   const Level& l = levels_[level];
-  std::ranges::fill(x, 0.0);
-  l.blocks.A.sweep(b, x, true);
+  l.blocks.A.sweep_forwards(b, x, l.rest);
   l.update_ghosts(x);
-  l.blocks.A.residual(b, x, l.rest);
+  l.blocks.A.subtract_upper(x, l.rest);
   restrict_to(level + 1, l.rest);
   solve(level + 1);
   prolongate(level + 1, x);
   l.update_ghosts(x);
-  l.blocks.A.sweep(b, x, false);
+  l.blocks.A.sweep_backwards(b, x, l.step, l.rest);
 }
 
-// x ≈ A⁻¹ b of a level.
+// rest = b − A x of the last cycle.
+void BlockHierarchy::complete_residual(std::size_t level) const {
+  const Level& l = levels_[level];
+  l.update_ghosts(l.step);
+  l.blocks.A.subtract_lower(l.step, l.rest);
+}
+
+// x ≈ A⁻¹ b of a level. A d follows from the residuals of cycles, so that the matrix is read two and a half
+// times for each of them: half in a sweep from zero and half for its residual, once in the sweep back and
+// half for its residual.
 void BlockHierarchy::solve(std::size_t level) const {
   const Level& l = levels_[level];
   if (level + 1 == levels_.size()) {
-    plan_->factor.solve(l.b, std::span(l.x).first(l.b.size()));
+    plan_->factor.solve(l.b, l.x);
     return;
   }
   DampedSpectrum::Steps steps(l.lowest, l.highest);
   std::ranges::fill(l.x, 0.0);
+  std::ranges::fill(l.d, 0.0);
+  std::ranges::fill(l.Ad, 0.0);
   std::ranges::copy(l.b, l.r.begin());
   for (int k = 0; k < l.degree; ++k) {
     cycle(level, l.r, l.z);
     const auto [keep, add] = steps.next();
     for (std::size_t i = 0; i < l.d.size(); ++i) {
-      l.d[i] = (k > 0 ? keep * l.d[i] : 0) + add * l.z[i];
+      l.d[i] = keep * l.d[i] + add * l.z[i];
       l.x[i] += l.d[i];
     }
     if (k + 1 == l.degree) break;
-    l.update_ghosts(l.x);
-    l.blocks.A.residual(l.b, l.x, l.r);
+    complete_residual(level);
+    for (std::size_t i = 0; i < l.d.size(); ++i) {
+      l.Ad[i] = keep * l.Ad[i] + add * (l.r[i] - l.rest[i]);
+      l.r[i] -= l.Ad[i];
+    }
   }
 }
 
@@ -189,14 +203,14 @@ void BlockHierarchy::apply(std::span<const double> b, std::span<double> x) const
   const Level& first = levels_.front();
   std::ranges::copy(b, first.b.begin());
   solve(0);
-  std::copy_n(first.x.begin(), x.size(), x.begin());
+  std::ranges::copy(first.x, x.begin());
 }
 
 std::size_t BlockHierarchy::bytes() const {
   std::size_t sum = factor_bytes_;
   for (const Level& l : levels_)
     sum +=
-        l.blocks.A.bytes() + bytes_of(l.group) + bytes_of(l.weights) + 4 * bytes_of(l.b) + 2 * bytes_of(l.x);
+        l.blocks.A.bytes() + bytes_of(l.group) + bytes_of(l.weights) + 6 * bytes_of(l.b) + 2 * bytes_of(l.z);
   return sum;
 }
 

@@ -51,8 +51,9 @@ class BlockHierarchy final : public Preconditioner {
     std::vector<Weights> weights;               // of this rank's rows: their modes in those of their group
     int degree = 1;                             // of the polynomial
     double lowest = 1, highest = 1;             // of the spectrum that it damps
-    mutable std::vector<double> b, x;           // right-hand side and solution, this with ghosts
-    mutable std::vector<double> r, z, d, rest;  // of the polynomial; of the cycle
+    mutable std::vector<double> b, x;           // right-hand side and solution
+    mutable std::vector<double> r, d, Ad;       // of the polynomial
+    mutable std::vector<double> z, step, rest;  // of the cycle, the first two with ghosts
     void update_ghosts(std::span<double> v) const { blocks.rows.halo.update_ghosts(v, 6); }
   };
 
@@ -61,6 +62,7 @@ class BlockHierarchy final : public Preconditioner {
   void set_polynomial(std::size_t level);
   void solve(std::size_t level) const;
   void cycle(std::size_t level, std::span<const double> b, std::span<double> x) const;
+  void complete_residual(std::size_t level) const;
   void restrict_to(std::size_t level, std::span<const double> fine) const;
   void prolongate(std::size_t level, std::span<double> fine) const;
 

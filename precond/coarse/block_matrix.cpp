@@ -23,6 +23,12 @@ inline void add_product(const double* block, const double* x, double factor, std
   }
 }
 
+inline std::array<double, width> sum_of(std::span<const double> b, int row) {
+  std::array<double, width> sum{};
+  std::copy_n(&b[size * row], size, sum.begin());
+  return sum;
+}
+
 // Of the symmetric part; where it is not positive definite, of its absolute value without small eigenvalues,
 // so that a sweep does not blow up what it should smooth.
 Square inverse_of(const BlockMatrix::Block& block) {
@@ -49,6 +55,12 @@ BlockMatrix::BlockMatrix(int rows, std::vector<std::array<int, 2>> places)
   for (const auto& [row, column] : places) ++start_[row + 1];
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   std::ranges::transform(places, column_.begin(), [](const auto& place) { return place[1]; });
+  for (int row = 0; row < rows; ++row) {
+    const auto first = column_.begin() + start_[row], end = column_.begin() + start_[row + 1];
+    const auto at = std::lower_bound(first, end, row);
+    if (at == end || *at != row) throw std::invalid_argument("BlockMatrix: a row without a diagonal block");
+    diagonal_.push_back(static_cast<int>(at - column_.begin()));
+  }
 }
 
 void BlockMatrix::add(int row, int column, const Block& block) {
@@ -60,13 +72,11 @@ void BlockMatrix::add(int row, int column, const Block& block) {
 }
 
 void BlockMatrix::invert_diagonal() {
-  for (int row = 0; row < rows(); ++row)
-    for (int k = start_[row]; k < start_[row + 1]; ++k) {
-      if (column_[k] != row) continue;
-      const Square inverse = inverse_of(block(row, k - start_[row]));
-      for (int i = 0; i < of_block; ++i)
-        inverse_[of_block * row + size * (i % size) + i / size] = inverse(i / size, i % size);
-    }
+  for (int row = 0; row < rows(); ++row) {
+    const Square inverse = inverse_of(block(row, diagonal_[row] - start_[row]));
+    for (int i = 0; i < of_block; ++i)
+      inverse_[of_block * row + size * (i % size) + i / size] = inverse(i / size, i % size);
+  }
 }
 
 BlockMatrix::Block BlockMatrix::block(int row, int k) const {
@@ -76,41 +86,69 @@ BlockMatrix::Block BlockMatrix::block(int row, int k) const {
   return b;
 }
 
-void BlockMatrix::subtract(int row, std::span<const double> x, Sum& sum) const {
-  for (int k = start_[row]; k < start_[row + 1]; ++k)
-    add_product(&value_[of_block * k], &x[size * column_[k]], -1, sum);
+// Of entries first, …, last − 1.
+void BlockMatrix::subtract(int first, int last, std::span<const double> x, Sum& sum) const {
+  for (int k = first; k < last; ++k) add_product(&value_[of_block * k], &x[size * column_[k]], -1, sum);
+}
+
+int BlockMatrix::ghosts_of(int row) const {
+  int k = start_[row + 1];
+  while (k > diagonal_[row] + 1 && column_[k - 1] >= rows()) --k;
+  return k;
 }
 
 void BlockMatrix::apply(std::span<const double> x, std::span<double> y) const {
   for (int row = 0; row < rows(); ++row) {
     Sum sum{};
-    subtract(row, x, sum);
+    subtract(start_[row], start_[row + 1], x, sum);
     for (int i = 0; i < size; ++i) y[size * row + i] = -sum[i];
   }
 }
 
-void BlockMatrix::residual(std::span<const double> b, std::span<const double> x, std::span<double> r) const {
+void BlockMatrix::sweep_forwards(std::span<const double> b, std::span<double> x,
+                                 std::span<double> rest) const {
   for (int row = 0; row < rows(); ++row) {
-    Sum sum{};
-    std::copy_n(&b[size * row], size, sum.begin());
-    subtract(row, x, sum);
-    std::copy_n(sum.begin(), size, &r[size * row]);
+    Sum sum = sum_of(b, row), step{};
+    subtract(start_[row], diagonal_[row], x, sum);
+    add_product(&inverse_[of_block * row], sum.data(), 1, step);
+    std::copy_n(step.begin(), size, &x[size * row]);
+    subtract(diagonal_[row], diagonal_[row] + 1, x, sum);
+    std::copy_n(sum.begin(), size, &rest[size * row]);
   }
 }
 
-void BlockMatrix::sweep(std::span<const double> b, std::span<double> x, bool forwards) const {
-  for (int n = 0; n < rows(); ++n) {
-    const int row = forwards ? n : rows() - 1 - n;
-    Sum sum{}, step{};
-    std::copy_n(&b[size * row], size, sum.begin());
-    subtract(row, x, sum);
-    add_product(&inverse_[of_block * row], sum.data(), 1, step);
-    for (int i = 0; i < size; ++i) x[size * row + i] += step[i];
+void BlockMatrix::subtract_upper(std::span<const double> x, std::span<double> rest) const {
+  for (int row = 0; row < rows(); ++row) {
+    Sum sum = sum_of(rest, row);
+    subtract(diagonal_[row] + 1, start_[row + 1], x, sum);
+    std::copy_n(sum.begin(), size, &rest[size * row]);
+  }
+}
+
+void BlockMatrix::sweep_backwards(std::span<const double> b, std::span<double> x, std::span<double> step,
+                                  std::span<double> rest) const {
+  for (int row = rows() - 1; row >= 0; --row) {
+    Sum sum = sum_of(b, row), s{};
+    subtract(start_[row], start_[row + 1], x, sum);
+    add_product(&inverse_[of_block * row], sum.data(), 1, s);
+    std::copy_n(s.begin(), size, &step[size * row]);
+    for (int i = 0; i < size; ++i) x[size * row + i] += s[i];
+    subtract(diagonal_[row], diagonal_[row] + 1, step, sum);
+    std::copy_n(sum.begin(), size, &rest[size * row]);
+  }
+}
+
+void BlockMatrix::subtract_lower(std::span<const double> step, std::span<double> rest) const {
+  for (int row = 0; row < rows(); ++row) {
+    Sum sum = sum_of(rest, row);
+    subtract(start_[row], diagonal_[row], step, sum);
+    subtract(ghosts_of(row), start_[row + 1], step, sum);
+    std::copy_n(sum.begin(), size, &rest[size * row]);
   }
 }
 
 std::size_t BlockMatrix::bytes() const {
-  return bytes_of(start_) + bytes_of(column_) + bytes_of(value_) + bytes_of(inverse_);
+  return bytes_of(start_) + bytes_of(column_) + bytes_of(diagonal_) + bytes_of(value_) + bytes_of(inverse_);
 }
 
 }  // namespace bulbus::inline precond

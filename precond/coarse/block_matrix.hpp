@@ -28,17 +28,26 @@ class BlockMatrix {
 
   /// y = A x; six numbers per block row.
   void apply(std::span<const double> x, std::span<double> y) const;
-  /// r = b − A x.
-  void residual(std::span<const double> b, std::span<const double> x, std::span<double> r) const;
-  /// One sweep of block Gauss–Seidel on A x = b, from the first block row to the last or back.
-  void sweep(std::span<const double> b, std::span<double> x, bool forwards) const;
+  /// One sweep of block Gauss–Seidel on A x = b from the first block row to the last and from x = 0, for
+  /// which half of the matrix is read. `rest`: b − A x without what is right of the diagonal.
+  void sweep_forwards(std::span<const double> b, std::span<double> x, std::span<double> rest) const;
+  /// rest −= U x, U: what is right of the diagonal. x with ghosts.
+  void subtract_upper(std::span<const double> x, std::span<double> rest) const;
+  /// One sweep from the last block row to the first, from any x. `step`: by how much it changes x. `rest`: b
+  /// − A x without what these steps add left of the diagonal, and those of ghosts.
+  void sweep_backwards(std::span<const double> b, std::span<double> x, std::span<double> step,
+                       std::span<double> rest) const;
+  /// rest −= L step, L: what is left of the diagonal, and columns of ghosts. `step` with ghosts.
+  void subtract_lower(std::span<const double> step, std::span<double> rest) const;
   std::size_t bytes() const;
 
  private:
   using Sum = std::array<double, 8>;  // the last two entries are not used
-  void subtract(int row, std::span<const double> x, Sum& sum) const;
+  void subtract(int first, int last, std::span<const double> x, Sum& sum) const;
+  int ghosts_of(int row) const;
 
   std::vector<int> start_, column_;
+  std::vector<int> diagonal_;    // of each block row
   std::vector<double> value_;    // column by column, 36 a block; two more at the end, where eight are read
   std::vector<double> inverse_;  // of the diagonal blocks, the same
 };

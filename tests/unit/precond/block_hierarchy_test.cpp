@@ -73,21 +73,26 @@ TEST(BlockMatrix, MultipliesAndSweeps) {
   const Eigen::MatrixXd D = dense(c.A);
   const std::size_t n = D.rows();
   const auto x = noise_vector(n, 1), b = noise_vector(n, 2);
-  std::vector<double> y(n), r(n), z = x;
+  std::vector<double> y(n), z(n), step(n), rest(n);
   c.A.apply(x, y);
   EXPECT_LT((of(y) - D * of(x)).norm(), 1e-13 * of(y).norm());
-  c.A.residual(b, x, r);
-  EXPECT_LT((of(r) - (of(b) - D * of(x))).norm(), 1e-13 * of(r).norm());
-  c.A.sweep(b, z, true);
-  Vector want = of(x);
-  for (std::size_t i = 0; i < n; i += 6)
-    want.segment<6>(i) += D.block<6, 6>(i, i).fullPivLu().solve((of(b) - D * want).segment<6>(i));
+  Vector want = Vector::Zero(static_cast<int>(n));
+  const auto residual = [&] { return Vector(of(b) - D * want); };
+  const auto relax = [&](std::size_t i) {
+    want.segment<6>(i) += D.block<6, 6>(i, i).fullPivLu().solve(residual().segment<6>(i));
+  };
+  c.A.sweep_forwards(b, z, rest);
+  c.A.subtract_upper(z, rest);
+  for (std::size_t i = 0; i < n; i += 6) relax(i);
   EXPECT_LT((of(z) - want).norm(), 1e-10 * want.norm());
-  c.A.sweep(b, z, false);
-  for (std::size_t i = n; i > 0; i -= 6)
-    want.segment<6>(i - 6) +=
-        D.block<6, 6>(i - 6, i - 6).fullPivLu().solve((of(b) - D * want).segment<6>(i - 6));
+  EXPECT_LT((of(rest) - residual()).norm(), 1e-10 * of(b).norm());
+  z = x, want = of(x);
+  c.A.sweep_backwards(b, z, step, rest);
+  c.A.subtract_lower(step, rest);
+  for (std::size_t i = n; i > 0; i -= 6) relax(i - 6);
   EXPECT_LT((of(z) - want).norm(), 1e-10 * want.norm());
+  EXPECT_LT((of(step) - (want - of(x))).norm(), 1e-10 * want.norm());
+  EXPECT_LT((of(rest) - residual()).norm(), 1e-10 * (of(b).norm() + want.norm() * D.norm()));
 }
 
 TEST(AggregateBlocks, AreCompactAndKeepBodiesAsTheyAre) {
