@@ -16,7 +16,8 @@ using Square = Eigen::Matrix<double, size, size, Eigen::RowMajor>;
 
 // sum += factor · A x of one block: a whole register for every column, the last two lanes of which are of the
 // next one.
-inline void add_product(const double* block, const double* x, double factor, std::array<double, width>& sum) {
+template <class Number>
+inline void add_product(const Number* block, const double* x, double factor, std::array<double, width>& sum) {
   for (int j = 0; j < size; ++j) {
     const double xj = factor * x[j];
     for (int i = 0; i < width; ++i) sum[i] += block[size * j + i] * xj;
@@ -50,6 +51,7 @@ BlockMatrix::BlockMatrix(int rows, std::vector<std::array<int, 2>> places)
     : start_(rows + 1),
       column_(places.size()),
       value_(of_block * places.size() + 2),
+      on_diagonal_(of_block * rows + 2),
       inverse_(of_block * rows + 2) {
   std::ranges::sort(places);
   for (const auto& [row, column] : places) ++start_[row + 1];
@@ -67,8 +69,13 @@ void BlockMatrix::add(int row, int column, const Block& block) {
   const auto end = column_.begin() + start_[row + 1];
   const auto at = std::lower_bound(column_.begin() + start_[row], end, column);
   if (at == end || *at != column) throw std::invalid_argument("BlockMatrix: there is no such block");
-  double* value = &value_[of_block * (at - column_.begin())];
-  for (int i = 0; i < of_block; ++i) value[size * (i % size) + i / size] += block[i];
+  const auto add_to = [&](auto* value) {
+    for (int i = 0; i < of_block; ++i) value[size * (i % size) + i / size] += block[i];
+  };
+  if (column == row)
+    add_to(&on_diagonal_[of_block * static_cast<std::size_t>(row)]);
+  else
+    add_to(&value_[of_block * (at - column_.begin())]);
 }
 
 void BlockMatrix::invert_diagonal() {
@@ -81,14 +88,24 @@ void BlockMatrix::invert_diagonal() {
 
 BlockMatrix::Block BlockMatrix::block(int row, int k) const {
   Block b;
-  const double* value = &value_[of_block * (start_[row] + k)];
-  for (int i = 0; i < of_block; ++i) b[i] = value[size * (i % size) + i / size];
+  const auto copy = [&](const auto* value) {
+    for (int i = 0; i < of_block; ++i) b[i] = value[size * (i % size) + i / size];
+  };
+  if (start_[row] + k == diagonal_[row])
+    copy(&on_diagonal_[of_block * static_cast<std::size_t>(row)]);
+  else
+    copy(&value_[of_block * static_cast<std::size_t>(start_[row] + k)]);
   return b;
 }
 
-// Of entries first, …, last − 1.
+// Of entries first, …, last − 1, but not those on the diagonal.
 void BlockMatrix::subtract(int first, int last, std::span<const double> x, Sum& sum) const {
-  for (int k = first; k < last; ++k) add_product(&value_[of_block * k], &x[size * column_[k]], -1, sum);
+  for (int k = first; k < last; ++k)
+    add_product(&value_[of_block * static_cast<std::size_t>(k)], &x[size * column_[k]], -1, sum);
+}
+
+void BlockMatrix::subtract_diagonal(int row, std::span<const double> x, Sum& sum) const {
+  add_product(&on_diagonal_[of_block * static_cast<std::size_t>(row)], &x[size * row], -1, sum);
 }
 
 int BlockMatrix::ghosts_of(int row) const {
@@ -101,6 +118,7 @@ void BlockMatrix::apply(std::span<const double> x, std::span<double> y) const {
   for (int row = 0; row < rows(); ++row) {
     Sum sum{};
     subtract(start_[row], start_[row + 1], x, sum);
+    subtract_diagonal(row, x, sum);
     for (int i = 0; i < size; ++i) y[size * row + i] = -sum[i];
   }
 }
@@ -112,7 +130,7 @@ void BlockMatrix::sweep_forwards(std::span<const double> b, std::span<double> x,
     subtract(start_[row], diagonal_[row], x, sum);
     add_product(&inverse_[of_block * row], sum.data(), 1, step);
     std::copy_n(step.begin(), size, &x[size * row]);
-    subtract(diagonal_[row], diagonal_[row] + 1, x, sum);
+    subtract_diagonal(row, x, sum);
     std::copy_n(sum.begin(), size, &rest[size * row]);
   }
 }
@@ -130,10 +148,11 @@ void BlockMatrix::sweep_backwards(std::span<const double> b, std::span<double> x
   for (int row = rows() - 1; row >= 0; --row) {
     Sum sum = sum_of(b, row), s{};
     subtract(start_[row], start_[row + 1], x, sum);
+    subtract_diagonal(row, x, sum);
     add_product(&inverse_[of_block * row], sum.data(), 1, s);
     std::copy_n(s.begin(), size, &step[size * row]);
     for (int i = 0; i < size; ++i) x[size * row + i] += s[i];
-    subtract(diagonal_[row], diagonal_[row] + 1, step, sum);
+    subtract_diagonal(row, step, sum);
     std::copy_n(sum.begin(), size, &rest[size * row]);
   }
 }
@@ -148,7 +167,8 @@ void BlockMatrix::subtract_lower(std::span<const double> step, std::span<double>
 }
 
 std::size_t BlockMatrix::bytes() const {
-  return bytes_of(start_) + bytes_of(column_) + bytes_of(diagonal_) + bytes_of(value_) + bytes_of(inverse_);
+  return bytes_of(start_) + bytes_of(column_) + bytes_of(diagonal_) + bytes_of(value_) +
+         bytes_of(on_diagonal_) + bytes_of(inverse_);
 }
 
 }  // namespace bulbus::inline precond

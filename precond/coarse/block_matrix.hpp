@@ -6,7 +6,9 @@
 namespace bulbus::inline precond {
 
 /// A sparse matrix of 6 × 6 blocks: rows in compressed form, both triangles. On several
-/// ranks the rows of this one, columns by local numbers, its own rows first.
+/// ranks the rows of this one, columns by local numbers, its own rows first. Blocks on the diagonal and all
+/// sums are in double precision, the others in single, which bounds how fast it is read: the energies of a
+/// thin wall's bending modes bear that, and do not bear more (docs/decisions/052).
 class BlockMatrix {
  public:
   /// Row by row.
@@ -44,12 +46,14 @@ class BlockMatrix {
  private:
   using Sum = std::array<double, 8>;  // the last two entries are not used
   void subtract(int first, int last, std::span<const double> x, Sum& sum) const;
+  void subtract_diagonal(int row, std::span<const double> x, Sum& sum) const;
   int ghosts_of(int row) const;
 
   std::vector<int> start_, column_;
-  std::vector<int> diagonal_;    // of each block row
-  std::vector<double> value_;    // column by column, 36 a block; two more at the end, where eight are read
-  std::vector<double> inverse_;  // of the diagonal blocks, the same
+  std::vector<int> diagonal_;  // of each block row
+  // Column by column, 36 a block; two more at the end, where eight are read.
+  std::vector<float> value_;                   // zero on the diagonal
+  std::vector<double> on_diagonal_, inverse_;  // blocks on the diagonal and their inverses
 };
 
 }  // namespace bulbus::inline precond
