@@ -17,6 +17,11 @@ void refuse_idle(bool idle, const std::string& key, const std::string& why, cons
 
 using Kinds = std::vector<std::string_view>;
 
+const Kinds& with_statistic() {
+  static const Kinds kinds{"displacement", "position", "gap", "volume_ratio", "bar_force"};
+  return kinds;
+}
+
 struct ProbeKey {
   const char* name;
   bool given;
@@ -46,7 +51,7 @@ std::vector<ProbeKey> keys_of(const ProbeSpec& p) {
         "body_moment"}},
       {"statistic",
        p.statistic != none.statistic && !(p.kind == "mises" && p.statistic == "max" && p.percentile == 100),
-       {"displacement", "position", "gap", "volume_ratio", "bar_force"}},
+       with_statistic()},
       {"percentile", p.percentile != none.percentile, {"mises", "suture_mises"}},
       {"tolerance", p.tolerance != none.tolerance, {"closed_fraction"}},
       {"within", p.within != none.within, {"suture_mises"}},
@@ -63,6 +68,8 @@ std::string remedy_of(const ProbeKey& k, const ProbeSpec& p) {
 }
 
 }  // namespace
+
+bool has_statistic(const std::string& kind) { return std::ranges::count(with_statistic(), kind) > 0; }
 
 void refuse_idle_keys(const DisplaceSpec& d, const std::string& key) {
   const DisplaceSpec none;

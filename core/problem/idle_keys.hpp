@@ -12,4 +12,7 @@ void refuse_idle_keys(const DisplaceSpec& spec, const std::string& key);
 void refuse_idle_keys(const LoadSpec& spec, const std::string& key);
 void refuse_idle_keys(const ProbeSpec& spec, const std::string& key);
 
+/// Whether a probe of this kind has values over a set or region that its `statistic` makes one of.
+bool has_statistic(const std::string& kind);
+
 }  // namespace bulbus::inline problem
