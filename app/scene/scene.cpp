@@ -53,6 +53,12 @@ void refuse_idle_mean(const YamlNode& root, const Model& model) {
   }
 }
 
+// The records tell steps apart by their names.
+void name_by_number(std::vector<StepSpec>& steps) {
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (steps[k].name.empty()) steps[k].name = "step " + std::to_string(k + 1);
+}
+
 // Columns of history.csv beside the probes.
 const std::set<std::string> columns{"increment",         "step", "time",   "newton_iterations",
                                     "krylov_iterations", "cuts", "seconds"};
@@ -94,6 +100,7 @@ Scene scene_of(const YamlNode& root, const std::string& path) {
   reader::read(root, parameters_of(scene));
   refuse_idle_mean(root, scene.model);
   place_files(scene, path);
+  name_by_number(scene.model.steps);
   return scene;
 }
 
