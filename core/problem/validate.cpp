@@ -154,6 +154,15 @@ void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, cons
       throw scene_error(at, "a load without size", "Give `surface` and `pressure`, or `set` and `force`.");
     refuse_idle_keys(l, at);
   }
+  for (std::size_t i = 0; i < step.move.size(); ++i) {
+    const MoveSpec& m = step.move[i];
+    const auto body = model.rigid_bodies.find(m.body);
+    if (m.shorten != 0 && body != model.rigid_bodies.end() && !body->second.band && !body->second.tire &&
+        !body->second.swept)
+      throw scene_error(key + ".move." + std::to_string(i) + ".shorten",
+                        "'" + m.body + "' has no circumference: it is no band, tire or swept section",
+                        "Give `translate`, or `close` for a motion along its own direction.");
+  }
 }
 
 bool is_one_of(const std::string& kind, std::initializer_list<const char*> kinds) {

@@ -152,6 +152,16 @@ TEST(Validate, FixedSetsHaveDirections) {
   expect_refused(s, "fix.0.directions", "no direction");
 }
 
+TEST(Validate, OnlyBandsAreShortened) {
+  Scene s = sound();
+  s.model.rigid_bodies["lid"].plane.emplace();
+  s.model.rigid_bodies["belt"].band.emplace();
+  s.model.steps[0].move = {{.body = "belt", .shorten = 1}};
+  EXPECT_NO_THROW(validate(s.mesh, s.model));
+  s.model.steps[0].move.push_back({.body = "lid", .shorten = 1});
+  expect_refused(s, "steps.0.move.1.shorten", "no circumference");
+}
+
 TEST(IdleKeys, OfDisplacementsAreRefused) {
   const auto refused = [](const std::string& key, auto change) {
     Scene s = sound();
