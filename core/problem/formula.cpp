@@ -143,7 +143,7 @@ void Formula::require_timeless() const {
     if (name == "s" || name == "t")
       throw scene_error(where_,
                         "the formula '" + text_ + "' depends on " + name + ", but a mesh has no steps",
-                        "Give a condition in X, Y and Z, such as \"X < 0.1\".");
+                        "Give it in X, Y and Z alone.");
 }
 
 }  // namespace bulbus::inline problem
