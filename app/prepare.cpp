@@ -10,6 +10,7 @@
 #include "core/problem/nodal_forces.hpp"
 #include "core/problem/reference_model.hpp"
 #include "core/problem/symmetry_planes.hpp"
+#include "core/problem/thickened_sets.hpp"
 #include "core/problem/validate.hpp"
 #include "core/problem/warnings.hpp"
 #include "core/solve/direct/make_factorisation.hpp"
@@ -98,7 +99,12 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
   prepared.warnings = warnings_of(meshes.base, model);
-  for (const auto& more : {prepared.problem->warnings(), coarse_slaves(meshes.base, model)})
+  const auto more_nodes =
+      meshes.refinements > 0 ? thickened_sets(meshes.base, model) : std::vector<std::string>{};
+  std::vector<std::string> by_condition;
+  for (const auto& [name, condition] : scene.mesh.surfaces) by_condition.push_back(name);
+  for (const auto& more : {prepared.problem->warnings(), coarse_slaves(meshes.base, model), more_nodes,
+                           thickened_surfaces(meshes.base, by_condition)})
     prepared.warnings.insert(prepared.warnings.end(), more.begin(), more.end());
   prepared.interactions = Interactions::attach(*prepared.problem, meshes.base);
   for (const auto& [name, body] : prepared.interactions->bodies())

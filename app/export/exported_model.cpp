@@ -149,11 +149,8 @@ class ModelExport {
     if (spec.pressure) {
       const double p = at_end(*spec.pressure, step, key, "the pressure on '" + spec.surface + "'");
       now_.dead.erase(spec.surface);
-      of_loads_.erase(spec.surface);
-      if (spec.dead)
-        now_.dead[spec.surface] = {spec.direction, p};
-      else
-        of_loads_[spec.surface] = p;
+      if (spec.dead) now_.dead[spec.surface] = {spec.direction, p};
+      if (!spec.dead || of_loads_.contains(spec.surface)) of_loads_[spec.surface] = spec.dead ? 0 : p;
     }
     if (!spec.force) return;
     nodes_in(spec.set);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/export/export_file.hpp"
 #include "app/export/export_scene.hpp"
@@ -80,7 +81,7 @@ class InpModel {
         if (directions[c]) out.text("{}, {}, {}\n", names_.sets.of(set), c + 1, c + 1);
   }
 
-  void write(ExportFile& out, const ExportedStep& step) const {
+  void write(ExportFile& out, const ExportedStep& step) {
     out.text("** step '{}'\n*STEP, NLGEOM, INC=100000\n*STATIC\n{}, 1.\n", step.name,
              decimal(1. / step.increments));
     if (!step.displacements.empty()) out.text("*BOUNDARY\n");
@@ -103,9 +104,10 @@ class InpModel {
       out.text("{}, {}, {}, {}\n", nodes[i] + 1, direction, direction, decimal(values[i]));
   }
 
-  // Dead pressures and forces as one force per node.
-  void forces(ExportFile& out, const ExportedStep& step) const {
-    if (step.dead.empty() && step.forces.empty()) return;
+  // Dead pressures and forces as one force per node. What a step does not mention stays in those programs, so
+  // that a component that ends is written as 0.
+  void forces(ExportFile& out, const ExportedStep& step) {
+    if (step.dead.empty() && step.forces.empty() && loaded_.empty()) return;
     std::vector<double> X, force(3 * content_.mesh.points.size());
     for (const Point& p : content_.mesh.points) X.insert(X.end(), p.begin(), p.end());
     for (const auto& [surface, load] : step.dead) {
@@ -115,14 +117,16 @@ class InpModel {
     for (const auto& [set, on_each] : step.forces)
       for (int n : made_.sets.at(set))
         for (int c = 0; c < 3; ++c) force[3 * n + c] += on_each[c];
-    out.text("*CLOAD\n");
     for (std::size_t i = 0; i < force.size(); ++i)
-      if (force[i] != 0) out.text("{}, {}, {}\n", i / 3 + 1, i % 3 + 1, decimal(force[i]));
+      if (force[i] != 0) loaded_.insert(i);
+    out.text("*CLOAD\n");
+    for (std::size_t i : loaded_) out.text("{}, {}, {}\n", i / 3 + 1, i % 3 + 1, decimal(force[i]));
   }
 
   const ExportContent& content_;
   ExportedModel made_;
   InpMeshNames names_;
+  std::set<std::size_t> loaded_;  // components of nodal forces up to the step that is written
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/scene/reader.hpp"
 #include "app/scene/unused.hpp"
+#include "core/problem/idle_keys.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -32,6 +33,32 @@ void place_files(Scene& scene, const std::string& path) {
     if (body.file) place(body.file->path);
 }
 
+// A default that a person writes is meant: the `statistic: mean` of a stress would be its largest value, that
+// of a reaction the sum. resolved.yaml writes every key, `percentile` too.
+void refuse_idle_mean(const YamlNode& root, const Model& model) {
+  const YamlNode* probes = root.find("probes");
+  for (std::size_t i = 0; i < model.probes.size(); ++i) {
+    const ProbeSpec& probe = model.probes[i];
+    const YamlNode& entry = probes->items[i];
+    if (has_statistic(probe.kind) || probe.statistic != "mean" || !entry.find("statistic") ||
+        entry.find("percentile"))
+      continue;
+    throw located(
+        scene_error("probes." + std::to_string(i) + ".statistic",
+                    "has no effect: a probe of the kind " + probe.kind + " has no mean",
+                    probe.kind.ends_with("mises")
+                        ? "Give `percentile` in its place: 50 is the median, 100 (the default) the largest."
+                        : "Leave it out; `bulbus help probes` tells what the kinds are."),
+        root);
+  }
+}
+
+// The records tell steps apart by their names.
+void name_by_number(std::vector<StepSpec>& steps) {
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (steps[k].name.empty()) steps[k].name = "step " + std::to_string(k + 1);
+}
+
 // Columns of history.csv beside the probes.
 const std::set<std::string> columns{"increment",         "step", "time",   "newton_iterations",
                                     "krylov_iterations", "cuts", "seconds"};
@@ -50,11 +77,13 @@ void refuse_twins(const Range& named, const std::string& key) {
 void Scene::validate() const {
   refuse_twins(model.probes, "probes");
   refuse_twins(model.steps, "steps");
-  for (std::size_t i = 0; i < model.probes.size(); ++i)
+  for (std::size_t i = 0; i < model.probes.size(); ++i) {
+    refuse_idle_keys(model.probes[i], "probes." + std::to_string(i));
     if (columns.contains(model.probes[i].name))
       throw scene_error("probes." + std::to_string(i) + ".name",
                         "history.csv has a column '" + model.probes[i].name + "' of its own",
                         "give the probe another name");
+  }
   for (std::size_t i = 0; i < model.symmetry.size(); ++i)
     if (std::count(model.symmetry.begin(), model.symmetry.begin() + static_cast<long>(i), model.symmetry[i]) >
         0)
@@ -69,7 +98,9 @@ void Scene::take_preset() { solver.linear.take_mesh(mesh.refine); }
 Scene scene_of(const YamlNode& root, const std::string& path) {
   Scene scene;
   reader::read(root, parameters_of(scene));
+  refuse_idle_mean(root, scene.model);
   place_files(scene, path);
+  name_by_number(scene.model.steps);
   return scene;
 }
 

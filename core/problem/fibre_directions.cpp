@@ -48,6 +48,10 @@ Direction direction_of(const FibreFamilySpec& f, const std::string& key) {
   if (f.direction.has_value() == f.angle.has_value())
     throw scene_error(key, "a family of fibres needs either `direction` or `angle`",
                       "Give one of them, such as `angle: 0 deg`.");
+  const FibreFamilySpec none;
+  if (f.direction && (f.axis != none.axis || f.center != none.center))
+    throw scene_error(key, "`axis` and `center` have no effect beside `direction`",
+                      "Give `angle` in place of `direction`, or leave them out.");
   if (f.direction) return by_formulas(*f.direction, key + ".direction");
   if (norm(f.axis) == 0) throw scene_error(key + ".axis", "the axis has no direction", "Give it a length.");
   return by_angle(f);

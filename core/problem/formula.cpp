@@ -29,6 +29,23 @@ bool has_stray_comma(const std::string& text) {
   return false;
 }
 
+// `0.1 < X < 0.9` is (0.1 < X) < 0.9, which compares 0 or 1 with 0.9: two comparisons with nothing between
+// them that joins or parts conditions. A call or a parenthesis is a place of its own.
+bool compares_twice(const std::string& text) {
+  std::vector<int> comparisons{0};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : ' ';
+    if (c == '(') comparisons.push_back(0);
+    if (c == ')' && comparisons.size() > 1) comparisons.pop_back();
+    if (c == '&' || c == '|' || c == '?' || c == ':' || c == ',') comparisons.back() = 0;
+    const bool two = next == '=' && (c == '=' || c == '!' || c == '<' || c == '>');
+    if (!two && c != '<' && c != '>') continue;
+    if (++comparisons.back() > 1) return true;
+    i += two;
+  }
+  return false;
+}
+
 }  // namespace
 
 struct Formula::Parser {
@@ -50,6 +67,10 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
   bare_ = false;
   if (has_stray_comma(text))
     throw scene_error(where, "the formula '" + text + "' has a comma outside of a function", decimal_point);
+  if (compares_twice(text))
+    throw scene_error(where,
+                      "the formula '" + text + "' compares the outcome of a comparison, which is 0 or 1",
+                      "Join two comparisons by &&, such as \"0.1 < X && X < 0.9\".");
   parser_ = std::make_unique<Parser>();
   auto& p = *parser_;
   try {
@@ -122,7 +143,7 @@ void Formula::require_timeless() const {
     if (name == "s" || name == "t")
       throw scene_error(where_,
                         "the formula '" + text_ + "' depends on " + name + ", but a mesh has no steps",
-                        "Give a condition in X, Y and Z, such as \"X < 0.1\".");
+                        "Give it in X, Y and Z alone.");
 }
 
 }  // namespace bulbus::inline problem

@@ -12,6 +12,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/fibre_directions.hpp"
+#include "core/problem/idle_keys.hpp"
 #include "core/problem/plausible.hpp"
 #include "core/problem/pressed_surfaces.hpp"
 #include "core/problem/probes/cancelled_figures.hpp"
@@ -142,6 +143,7 @@ void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, cons
                         "Give x, y, z, radial, by, affine, rotate or translate.");
     if ((d.rotate && norm(d.rotate->axis) == 0) || (d.radial && norm(d.axis) == 0))
       throw scene_error(at, "the axis has no direction", "Give `axis` a length.");
+    refuse_idle_keys(d, at);
   }
   for (std::size_t i = 0; i < step.loads.size(); ++i) {
     const LoadSpec& l = step.loads[i];
@@ -150,6 +152,16 @@ void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, cons
     if (l.force) check_set(mesh, l.set, at + ".set");
     if (!l.pressure && !l.force)
       throw scene_error(at, "a load without size", "Give `surface` and `pressure`, or `set` and `force`.");
+    refuse_idle_keys(l, at);
+  }
+  for (std::size_t i = 0; i < step.move.size(); ++i) {
+    const MoveSpec& m = step.move[i];
+    const auto body = model.rigid_bodies.find(m.body);
+    if (m.shorten != 0 && body != model.rigid_bodies.end() && !body->second.band && !body->second.tire &&
+        !body->second.swept)
+      throw scene_error(key + ".move." + std::to_string(i) + ".shorten",
+                        "'" + m.body + "' has no circumference: it is no band, tire or swept section",
+                        "Give `translate`, or `close` for a motion along its own direction.");
   }
 }
 
@@ -265,6 +277,9 @@ void validate(const Mesh& mesh, const Model& model) {
   for (std::size_t i = 0; i < model.fix.size(); ++i) {
     check_set(mesh, model.fix[i].set, "fix." + std::to_string(i) + ".set");
     check_not_rigid(mesh, model, model.fix[i].set, "fix." + std::to_string(i) + ".set");
+    if (model.fix[i].directions.empty())
+      throw scene_error("fix." + std::to_string(i) + ".directions", "no direction of the set is fixed",
+                        "Give some of x, y and z, or leave `directions` out for all three.");
   }
   if (model.steps.empty()) throw scene_error("steps", "there are no steps", "Give at least one.");
   for (std::size_t i = 0; i < model.steps.size(); ++i)

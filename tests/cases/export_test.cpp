@@ -141,6 +141,26 @@ TEST_F(Export, TellsMaterialsAndSteps) {
   EXPECT_NE(text("hybrid.inp").find("NEO HOOKE\n0.05, 0.\n"), std::string::npos);
 }
 
+TEST_F(Export, EndsLoadsThatLaterStepsReplace) {
+  std::ofstream(file("loads.yaml")) << R"(mesh: {block: {nx: 1, ny: 1, nz: 1}}
+regions: {block: {c10: 50 kPa}}
+fix: [{set: xmin}]
+steps:
+  - {name: first, loads: [{set: xmax, force: [0.001, 0, 0]}, {surface: zmax, pressure: 1 kPa}]}
+  - {name: second, loads: [{set: xmax, force: [0, 0.002, 0]}, {surface: zmax, pressure: 1 kPa, dead: true}]}
+  - {name: third, loads: [{surface: zmax, pressure: 3 kPa}]}
+)";
+  const Ran run = write("loads.inp", {}, file("loads.yaml"));
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string all = text("loads.inp");
+  const std::string second = all.substr(all.find("'second'"), all.find("'third'") - all.find("'second'"));
+  const std::string third = all.substr(all.find("'third'"));
+  EXPECT_NE(second.find("\n2, 1, 0.\n2, 2, 0.002\n"), std::string::npos) << second;
+  EXPECT_NE(second.find("zmax, P, 0.\n"), std::string::npos) << second;
+  EXPECT_NE(third.find("zmax, P, 0.003\n"), std::string::npos) << third;
+  EXPECT_NE(third.find("\n5, 3, 0.\n"), std::string::npos) << third;
+}
+
 TEST_F(Export, WritesFebio) {
   const Ran run = write("shell.feb");
   // `pull` begins where `inflate` leads to: such a start has no curve in FEBio.

@@ -166,6 +166,30 @@ TEST(ForceOnNodes, OnASetThatRefinementGivesMoreNodesIsRefused) {
   EXPECT_EQ(pulled("tip", "1").status, 0);
 }
 
+std::string warnings_of_sheet(const std::vector<std::string>& set) {
+  const Ran run = run_case("one_layer_sheet", set);
+  EXPECT_EQ(run.status, 0) << run.err;
+  return run.summary()["warnings"].dump();
+}
+
+TEST(OneLayerSheet, HeldOnBothFacesByOneSetIsWarnedOf) {
+  const std::string thickened = "set 'both' has all eight nodes of 16 hexahedra";
+  EXPECT_NE(warnings_of_sheet({}).find(thickened), std::string::npos);
+  EXPECT_EQ(warnings_of_sheet({"mesh.refine=0"}).find(thickened), std::string::npos);
+  EXPECT_EQ(warnings_of_sheet({"steps.0.displace=[{set: low, z: 0}, {set: high, z: 0}, {set: xmax, x: 1}]"})
+                .find("all eight nodes"),
+            std::string::npos);
+}
+
+TEST(OneLayerSheet, OneSurfaceForBothFacesHasTheSidesTooAndIsWarnedOf) {
+  const auto warnings = [](const std::string& condition) {
+    return warnings_of_sheet({"mesh.refine=0", "mesh.surfaces.pressed=" + condition});
+  };
+  EXPECT_NE(warnings("Z < 0.01 || Z > 0.99").find("surface 'pressed' has all eight nodes of 16 hexahedra"),
+            std::string::npos);
+  EXPECT_EQ(warnings("Z > 0.99").find("all eight nodes"), std::string::npos);
+}
+
 TEST(ForceOnNodes, OfAPlaneOfSymmetryIsWarnedOf) {
   const auto warned = [](const std::string& symmetry) {
     const Ran run =

@@ -1,4 +1,4 @@
-// Runs that are ended from outside: what they leave, and that they go on.
+// Runs that are ended from outside: what they leave, and that they go on. Records that are compared.
 #include <csignal>
 
 #include "core/base/interrupt.hpp"
@@ -39,6 +39,23 @@ TEST(Interrupt, LeavesWhatARestartGoesOnFrom) {
 TEST(Interrupt, OfAnEarlierRunIsForgotten) {
   interrupted_by(SIGINT);
   EXPECT_EQ(run_case("interrupted").status, 0);
+}
+
+TEST(UnnamedSteps, AreComparedOneByOne) {
+  const Ran run = run_case("unnamed_steps");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string folder = run.folder, other = folder + "/other";
+  std::ostringstream out, err;
+  const auto called = [&](const std::vector<std::string>& arguments) {
+    return command_line(arguments, Comm(MPI_COMM_SELF), out, err);
+  };
+  const std::vector<std::string> again{"run", folder + "/s.yaml", "-o", other};
+  ASSERT_EQ(called(again), 0) << err.str();
+  EXPECT_EQ(called({"compare", folder + "/out", other}), 0) << out.str();
+  auto changed = again;
+  changed.insert(changed.end(), {"--set", "steps.0.displace.0.x=0.2"});  // of the first step alone
+  ASSERT_EQ(called(changed), 0) << err.str();
+  EXPECT_EQ(called({"compare", folder + "/out", other}), 1) << out.str();
 }
 
 }  // namespace

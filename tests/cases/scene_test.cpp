@@ -220,5 +220,19 @@ TEST(Drained, MoreThanThereIsIsRefused) {
       << "as much as is drawn, but not as is there after the first step";
 }
 
+TEST(IdleStatistic, IsRefusedWhereTheFigureIsNone) {
+  const auto probed = [](const std::string& probe) {
+    return run_case("unnamed_steps", {"probes=[{name: a, " + probe + "}]"});
+  };
+  expect_refused(probed("kind: mises, statistic: mean"), {"probes.0.statistic", "no effect", "percentile"});
+  expect_refused(probed("kind: reaction, set: xmax, statistic: max"), {"probes.0.statistic", "no effect"});
+  expect_refused(probed("kind: reaction, set: xmax, statistic: mean"), {"probes.0.statistic", "no effect"});
+  const Ran run = probed("kind: volume_ratio, statistic: mean}, {name: b, kind: mises, statistic: max");
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::ostringstream out, err;
+  EXPECT_EQ(command_line({"check", run.folder / "out" / "resolved.yaml"}, Comm(MPI_COMM_SELF), out, err), 0)
+      << err.str();
+}
+
 }  // namespace
 }  // namespace bulbus::test

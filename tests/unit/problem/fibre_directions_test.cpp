@@ -79,6 +79,12 @@ TEST(FibreDirections, AreUnitVectorsOfFormulas) {
   }
 }
 
+TEST(FibreDirections, OfFormulasHaveNoAxis) {
+  FibreFamilySpec f = along({"1", "0", "0"});
+  f.axis = {0, 1, 0};
+  EXPECT_THROW(directions(shaken_block(1, 1, 1), {f}), InputError);
+}
+
 TEST(FibreDirections, AreRefusedOnTheAxis) {
   const Mesh mesh = shaken_block(1, 1, 1, 0);
   FibreFamilySpec f = at_angle(0);

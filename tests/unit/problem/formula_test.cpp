@@ -39,5 +39,13 @@ TEST(Formula, WhatIsNoConditionIsRefused) {
   EXPECT_EQ(refusal("X < 1"), "");
 }
 
+TEST(Formula, ComparisonsOfComparisonsAreRefused) {
+  for (const char* chain : {"0.1 < X < 0.9", "X == Y == Z", "Z > 0 && (0 <= X <= 1)", "0 < abs(X) < 2"})
+    EXPECT_NE(refusal(chain).find("compares the outcome of a comparison"), std::string::npos) << chain;
+  for (const char* joined : {"0.1 < X && X < 9", "X < 2 || Y < 1 || Z != 3", "(X < 2) && (Y <= 2)",
+                             "X > 1 ? Y < 2 : Z > 2", "max(X > 2, Y > 1) == 1"})
+    EXPECT_EQ(refusal(joined), "") << joined;
+}
+
 }  // namespace
 }  // namespace bulbus

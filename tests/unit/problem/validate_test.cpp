@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
+#include "core/problem/idle_keys.hpp"
 #include "tests/support/models.hpp"
 
 namespace bulbus {
@@ -145,6 +146,75 @@ TEST(Validate, ProbesNeedTheirLiquidAndSet) {
 }
 
 // W = c10 (Ī1 − 3) + c11 (Ī1 − 3)(Ī2 − 3) + c (Ī2 − 3)³ at a stretch of 1.5
+TEST(Validate, FixedSetsHaveDirections) {
+  Scene s = sound();
+  s.model.fix = {{.set = "zmin", .directions = {}}};
+  expect_refused(s, "fix.0.directions", "no direction");
+}
+
+TEST(Validate, OnlyBandsAreShortened) {
+  Scene s = sound();
+  s.model.rigid_bodies["lid"].plane.emplace();
+  s.model.rigid_bodies["belt"].band.emplace();
+  s.model.steps[0].move = {{.body = "belt", .shorten = 1}};
+  EXPECT_NO_THROW(validate(s.mesh, s.model));
+  s.model.steps[0].move.push_back({.body = "lid", .shorten = 1});
+  expect_refused(s, "steps.0.move.1.shorten", "no circumference");
+}
+
+TEST(IdleKeys, OfDisplacementsAreRefused) {
+  const auto refused = [](const std::string& key, auto change) {
+    Scene s = sound();
+    change(s.model.steps[0].displace.at(0));
+    expect_refused(s, "steps.0.displace.0." + key, "has no effect");
+  };
+  refused("x", [](DisplaceSpec& d) { d = {.set = d.set, .x = "0.1", .translate = Point{0.1, 0, 0}}; });
+  refused("by", [](DisplaceSpec& d) {
+    d = {.set = d.set, .by = "0.1", .along = {1, 0, 0}, .affine = std::vector<double>(9)};
+  });
+  refused("along", [](DisplaceSpec& d) { d.along = {1, 0, 0}; });
+  refused("axis", [](DisplaceSpec& d) { d = {.set = d.set, .axis = {1, 0, 0}, .rotate = RotationSpec{}}; });
+  refused("center", [](DisplaceSpec& d) { d.center = {1, 0, 0}; });
+  refused("from", [](DisplaceSpec& d) {
+    d = {.set = d.set, .affine = std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}, .from = "start"};
+  });
+}
+
+TEST(IdleKeys, OfLoadsAreRefused) {
+  const auto refused = [](const std::string& key, const LoadSpec& load) {
+    Scene s = sound();
+    s.model.steps[0].loads = {load};
+    expect_refused(s, "steps.0.loads.0." + key, "has no effect");
+  };
+  refused("direction", {.surface = "zmax", .pressure = "0.01", .direction = {1, 0, 0}});
+  refused("set", {.surface = "zmax", .set = "zmax", .pressure = "0.01"});
+  refused("surface", {.surface = "zmax", .set = "zmax", .force = Point{1, 0, 0}});
+  refused("dead", {.set = "zmax", .dead = true, .force = Point{1, 0, 0}});
+  Scene both = sound();
+  both.model.steps[0].loads = {{.surface = "xmax", .pressure = "0.01", .dead = true, .direction = {0, 1, 0}}};
+  EXPECT_NO_THROW(validate(both.mesh, both.model));
+}
+
+TEST(IdleKeys, OfProbesAreRefused) {
+  const auto refused = [&](const std::string& key, const ProbeSpec& probe) {
+    try {
+      refuse_idle_keys(probe, "probes.0");
+      ADD_FAILURE() << "accepted: " << key;
+    } catch (const InputError& fault) {
+      EXPECT_EQ(fault.key, "probes.0." + key);
+    }
+  };
+  refused("statistic", {.name = "a", .kind = "reaction", .set = "zmax", .statistic = "max"});
+  refused("statistic", {.name = "a", .kind = "mises", .statistic = "min"});
+  refused("percentile", {.name = "a", .kind = "displacement", .set = "zmax", .percentile = 99});
+  refused("component", {.name = "a", .kind = "mises", .component = "x"});
+  refused("region", {.name = "a", .kind = "displacement", .set = "zmax", .region = "block"});
+  refused("set", {.name = "a", .kind = "volume_ratio", .set = "zmax"});
+  refused("tolerance", {.name = "a", .kind = "mises", .tolerance = 0.2});
+  EXPECT_NO_THROW(refuse_idle_keys({.name = "a", .kind = "mises", .statistic = "max"}, "probes.0"));
+  EXPECT_NO_THROW(refuse_idle_keys({.name = "a", .kind = "gap", .set = "s", .contact = "c"}, "probes.0"));
+}
+
 TEST(MaterialOf, JoinsNamedAndFreeTerms) {
   RegionSpec r = neo_hooke(1);
   r.c11 = 2;
