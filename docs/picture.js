@@ -1,26 +1,39 @@
-// Replaces a page of `bulbus report` by rows of panels, a state each, from the same camera, with labels and a scale bar.
+// Replaces a page of `bulbus report` by rows of panels, a state each, from the same camera, with labels and a
+// scale bar.
 
 const LABEL_FONT = '12px Helvetica, Arial, sans-serif', LETTERS = 'abcdefghijklmnopqrstuvwxyz';
-const STYLE = `body { margin: 0; background: #fff } #picture { display: inline-block; padding: 6px }
-    .panels { display: flex; gap: 6px } figure { margin: 0; position: relative } figcaption { font: 13px Helvetica, Arial, sans-serif; padding: 2px }
-    img { display: block } figure svg { position: absolute; left: 0; bottom: 0; max-width: none; font: ${LABEL_FONT} }
-    line, .scale { stroke: #222; stroke-width: .9; fill: none } .scale { stroke-width: 1.6 } text, circle { fill: #222 } circle { stroke: #fff; stroke-width: .6 }
+const STYLE = `body { margin: 0; background: #fff; font: ${LABEL_FONT} }
+    #picture { display: inline-block; padding: 6px }
+    .panels { display: flex; gap: 6px }
+    figure { margin: 0; position: relative }
+    figcaption { font-size: 13px; padding: 2px }
+    img { display: block }
+    figure svg { position: absolute; left: 0; bottom: 0; max-width: none }
+    line, .scale { stroke: #222; stroke-width: .9; fill: none }
+    .scale { stroke-width: 1.6 }
+    text, circle { fill: #222 }
+    circle { stroke: #fff; stroke-width: .6 }
     rect { stroke: #777; stroke-width: .8; stroke-dasharray: 3 2; fill: none }
-    #legend { margin: 4px auto 14px; width: 320px; font: ${LABEL_FONT} } #legend .note { display: none }`;
+    #legend { margin: 4px auto 14px }
+    #legend .note { display: none }`;
 const MARGINS = [1.06, 1.25, 1.5], SLAB = .1;  // mm behind the section that are drawn with it
 
 class Picture {
   constructor(given) {
     const {viewers: [viewer], controls} = window.report;
     Object.assign(this, {given, viewer, controls, letter: 0, legend: null});
-    this.frames = given.panels.map(([number]) => number < 0 ? viewer.model.frames.length - 1 : number);
+    const frames = viewer.model.frames;
+    this.frames = given.panels.map(([time]) => frames.findIndex(f => Math.abs(f.time - time) < 1e-9));
+    if (this.frames.includes(-1))
+      throw new Error(`the report shows ${frames.length} states for want of room, and not all of these`);
     viewer.renderer.setClearColor(0xffffff);
     this.flat = given.view === 'section';
   }
 
   resize(height) {
     this.height = height;
-    this.viewer.element.style.cssText = `width: ${this.given.width}px; height: ${height}px; max-height: none; border: 0`;
+    this.viewer.element.style.cssText =
+        `width: ${this.given.width}px; height: ${height}px; max-height: none; border: 0`;
     this.viewer.resize(4);  // finer than the picture: edges come out smooth
   }
 
@@ -39,7 +52,8 @@ class Picture {
 
   // Centre and width, mm, of what is in its place in any of the states: [right, up, width, height].
   extent() {
-    const {viewer} = this, [right, up] = this.axes(), low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    const {viewer} = this, [right, up] = this.axes(), low = [Infinity, Infinity],
+          high = [-Infinity, -Infinity];
     const add = x => {
       for (let i = 0; i < x.length; i += 3)
         [right, up].forEach((axis, k) => {
@@ -48,9 +62,10 @@ class Picture {
         });
     };
     for (const frame of this.frames) {
+      viewer.show(this.stateOf(frame));
       add(viewer.model.solid.positions[frame]);
       for (const body of viewer.bodies)
-        if ((viewer.frame = frame, viewer.isInPlace(body)))
+        if (viewer.isInPlace(body))
           for (const n of body.nodes) add(body.bodies.positions[frame].subarray(3 * n, 3 * n + 3));
     }
     return [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, high[0] - low[0], high[1] - low[1]];
@@ -67,22 +82,29 @@ class Picture {
     Object.assign(this, {centre: [right, up], mmPerPixel: width / this.given.width});
   }
 
+  stateOf(frame) { return {...this.controls.state, time: this.viewer.model.frames[frame].time}; }
+
   pixelOf([right, up]) {
-    return [this.given.width / 2 + (right - this.centre[0]) / this.mmPerPixel, this.height / 2 - (up - this.centre[1]) / this.mmPerPixel];
+    return [
+      this.given.width / 2 + (right - this.centre[0]) / this.mmPerPixel,
+      this.height / 2 - (up - this.centre[1]) / this.mmPerPixel
+    ];
   }
 
   // Draws a state as far as names are not hidden.
   draw(state) {
     this.viewer.show(state);
     if (this.flat)
-      for (const material of this.viewer.materials) material.clippingPlanes = [...(material.clippingPlanes || []), this.behind];
+      for (const material of this.viewer.materials)
+        material.clippingPlanes = [...(material.clippingPlanes || []), this.behind];
     this.viewer.drawNow();
     return this.viewer.renderer.domElement;
   }
 
   // What is seen of every thing, under the word for it: what changes without it.
   seen(state) {
-    const {viewer, given: {width}, height} = this, items = [...viewer.regions, ...viewer.bodies, ...viewer.lines], inks = new Map();
+    const {viewer, given: {width}, height} = this;
+    const items = [...viewer.regions, ...viewer.bodies, ...viewer.lines], inks = new Map();
     viewer.resize(2);
     const all = pixelsOf(this.draw(state), width, height);
     for (const {name} of items) {
@@ -95,8 +117,10 @@ class Picture {
   }
 
   panel(k, state, told, points) {
-    const {width} = this.given, canvas = this.draw(state), image = elementOf('img', {src: canvas.toDataURL(), width, height: this.height});
-    const room = new Room(inkOf(pixelsOf(canvas, width, this.height)), width, this.height), wanted = points.map(([text, at]) => ({text, at: this.pixelOf(at)}));
+    const {width} = this.given, canvas = this.draw(state),
+          image = elementOf('img', {src: canvas.toDataURL(), width, height: this.height});
+    const room = new Room(inkOf(pixelsOf(canvas, width, this.height)), width, this.height),
+          wanted = points.map(([text, at]) => ({text, at: this.pixelOf(at)}));
     const frame = this.inset ? this.frameOf(room, this.inset) : '';
     const bar = this.flat && k === 0 ? scaleBarOf(room, this.mmPerPixel) : '', inks = this.seen(state);
     for (const [text, ink] of inks) {
@@ -105,14 +129,17 @@ class Picture {
     }
     const caption = elementOf('figcaption', {innerHTML: `<b>${LETTERS[this.letter++]}</b>&ensp;`});
     caption.append(this.given.panels[k][1]);
-    const figure = elementOf('figure', {}, caption, image);
-    figure.insertAdjacentHTML('beforeend', `<svg width="${width}" height="${this.height}">${frame + bar + labelsOf(room, wanted, [...inks.values()])}</svg>`);
+    const figure = elementOf('figure', {}, caption, image),
+          labels = labelsOf(room, wanted, [...inks.values()]);
+    const size = `width="${width}" height="${this.height}"`;
+    figure.insertAdjacentHTML('beforeend', `<svg ${size}>${frame + bar + labels}</svg>`);
     return figure;
   }
 
   // Where the close-up is.
   frameOf(room, [right, up, width, height]) {
-    const [x, y] = this.pixelOf([right - width / 2, up + height / 2]), w = width / this.mmPerPixel, h = height / this.mmPerPixel;
+    const [x, y] = this.pixelOf([right - width / 2, up + height / 2]);
+    const w = width / this.mmPerPixel, h = height / this.mmPerPixel;
     room.takeEdges({x, y, w, h});
     return `<rect x="${x}" y="${y}" width="${w}" height="${h}"/>`;
   }
@@ -124,10 +151,8 @@ class Picture {
     controls.logarithmic.checked = this.given.log;
     controls.colour.onchange();
     if (colour !== 'region') this.legend = document.getElementById('legend').cloneNode(true);
-    const panels = this.frames.map((frame, k) => {
-      const state = {...controls.state, time: this.viewer.model.frames[frame].time};
-      return this.panel(k, state, told, k === 0 ? points : []);
-    });
+    const panels =
+        this.frames.map((frame, k) => this.panel(k, this.stateOf(frame), told, k === 0 ? points : []));
     return elementOf('div', {className: 'panels'}, ...panels);
   }
 
@@ -151,7 +176,10 @@ class Picture {
     this.inset = closeUp;
     if (this.flat) this.light();
     const rows = [this.flat ? this.whole() : this.row(colour, points)];
-    if (this.legend) rows.push(this.legend);
+    if (this.legend) {
+      this.legend.style.width = Math.min(320, this.frames.length * width - 50) + 'px';
+      rows.push(this.legend);
+    }
     if (closeUp) {
       this.inset = null;
       this.resize(Math.round(width * closeUp[3] / closeUp[2]));

@@ -47,9 +47,22 @@ def arguments():
     return given
 
 
+def panels_of(given):
+    """Time and title of each saved state that is asked for."""
+    series = pathlib.Path(given.folder) / "result.hdf.series"
+    if not series.exists():
+        sys.exit(f"{series}: cannot be read. Name the folder of the results of a run with output.vtk.")
+    times = [file["time"] for file in json.loads(series.read_text())["files"]]
+    wanted = [p.partition("=") for p in given.panels or [f"{len(times) - 1}="]]
+    for number, _, _ in wanted:
+        if not number.isdigit() or int(number) >= len(times):
+            sys.exit(f"{series}: there is no state '{number}'. Name one from 0 to {len(times) - 1}, and a title: '0=before'.")
+    return [[times[int(number)], title] for number, _, title in wanted]
+
+
 def main():
     given = arguments()
-    panels = [[int(number), title] for number, _, title in (p.partition("=") for p in given.panels)] or [[-1, ""]]
+    panels = panels_of(given)
     wanted = {"panels": panels, "view": given.view, "colour": given.colour, "log": given.log, "closeUp": given.close_up,
               "points": given.point, "width": given.width, "height": given.height}
     script = "".join((DOCS / name).read_text() for name in ("picture_labels.js", "picture.js"))

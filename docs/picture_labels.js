@@ -1,4 +1,5 @@
-// Labels of a panel: each in free space, with a short leader that crosses nothing. Lengths in pixels of the page.
+// Labels of a panel: each in free space, with a short leader that crosses nothing. Lengths in pixels of the
+// page.
 
 const LABEL_HEIGHT = 14, LABEL_PAD = 3, LEAST_LEADER = 9, LEAST_INK = 12;
 
@@ -11,7 +12,8 @@ function pixelsOf(canvas, width, height) {
 
 // 1 where the pixels differ from others; from white without.
 function inkOf(pixels, others) {
-  const ink = new Uint8Array(pixels.length / 4), away = (i, c) => Math.abs(pixels[4 * i + c] - (others ? others[4 * i + c] : 255));
+  const ink = new Uint8Array(pixels.length / 4),
+        away = (i, c) => Math.abs(pixels[4 * i + c] - (others ? others[4 * i + c] : 255));
   for (let i = 0; i < ink.length; ++i) ink[i] = away(i, 0) + away(i, 1) + away(i, 2) > 3 ? 1 : 0;
   return ink;
 }
@@ -57,9 +59,11 @@ class Room {
     if (left < 0 || top < 0 || right > this.width || bottom > this.height) return false;
     const sum = (i, j) => this.sums[j * (this.width + 1) + i];
     if (sum(right, bottom) - sum(left, bottom) - sum(right, top) + sum(left, top) > 0) return false;
-    if (this.boxes.some(b => left < b.x + b.w && b.x < right && top < b.y + b.h && b.y < bottom)) return false;
+    if (this.boxes.some(b => left < b.x + b.w && b.x < right && top < b.y + b.h && b.y < bottom))
+      return false;
     const corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
-    return ![...this.leaders, ...this.edges].some(l => corners.some((c, i) => areCrossing(l, [c, corners[(i + 1) % 4]])));
+    return ![...this.leaders, ...this.edges].some(
+        l => corners.some((c, i) => areCrossing(l, [c, corners[(i + 1) % 4]])));
   }
 
   // Its length, with what it crosses of other things; infinite where it would cross a label.
@@ -116,21 +120,28 @@ function textWidth(text) {
 // SVG of all labels; `wanted`: {text, ink}, or {text, at} for a place. The smallest things choose first.
 function labelsOf(room, wanted, inks) {
   const none = new Uint8Array(room.ink.length), amount = l => l.at ? 0 : l.ink.reduce((a, b) => a + b, 0);
-  return wanted.map(l => ({...l, amount: amount(l)})).sort((a, b) => a.amount - b.amount).map(label => {
-    const anchors = label.at ? [label.at] : anchorsOf(label.ink, inks.filter(i => i !== label.ink), room.width, room.height);
-    const best = room.bestFor(textWidth(label.text), anchors, label.ink || none);
-    if (!best) throw new Error(`there is no room for the label '${label.text}'`);
-    room.take(best.box, best.leader);
-    const {box, leader: [[x1, y1], [x2, y2]]} = best;
-    return `<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}"/><circle cx="${x2}" cy="${y2}" r="1.6"/>` +
-        `<text x="${box.x}" y="${box.y + 11}">${label.text}</text>`;
-  }).join('');
+  return wanted.map(l => ({...l, amount: amount(l)}))
+      .sort((a, b) => a.amount - b.amount)
+      .map(label => {
+        const anchors = label.at ?
+            [label.at] :
+            anchorsOf(label.ink, inks.filter(i => i !== label.ink), room.width, room.height);
+        const best = room.bestFor(textWidth(label.text), anchors, label.ink || none);
+        if (!best) throw new Error(`there is no room for the label '${label.text}'`);
+        room.take(best.box, best.leader);
+        const {box, leader: [[x1, y1], [x2, y2]]} = best;
+        return `<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}"/><circle cx="${x2}" cy="${y2}" r="1.6"/>` +
+            `<text x="${box.x}" y="${box.y + 11}">${label.text}</text>`;
+      })
+      .join('');
 }
 
 // SVG of a bar of round length in a corner of the panel that is free.
 function scaleBarOf(room, mmPerPixel) {
-  const length = roundStep(mmPerPixel * room.width), text = `${length} mm`, wide = Math.round(length / mmPerPixel);
-  const w = Math.max(wide, textWidth(text)), h = LABEL_HEIGHT + 6, xs = [8, room.width - w - 8], ys = [room.height - h - 6, 6];
+  const length = roundStep(mmPerPixel * room.width), text = `${length} mm`,
+        wide = Math.round(length / mmPerPixel);
+  const w = Math.max(wide, textWidth(text)), h = LABEL_HEIGHT + 6, xs = [8, room.width - w - 8],
+        ys = [room.height - h - 6, 6];
   const box = ys.flatMap(y => xs.map(x => ({x, y, w, h}))).find(b => room.isFree(b));
   if (!box) throw new Error('there is no room for the scale bar');
   room.take(box);

@@ -101,7 +101,8 @@ def expect_drawn(page, pictures):
 
 
 def expect_decades(shown):
-    """The logarithmic scale goes by powers of ten, and colours are others."""
+    """The logarithmic scale goes by powers of ten, and colours of the last state are others."""
+    choose(shown, "state", shown.value("document.getElementById('state').max"), "input")
     choose(shown, "colour", "mises", "change")
     linear = ink(shown)
     shown.value("document.getElementById('logarithmic').click()")
