@@ -15,7 +15,7 @@ using namespace svg;
 
 constexpr double plot_width = 240, plot_height = 170, left = 64, right = 16, above = 30, below = 50;
 constexpr double cell_width = left + plot_width + right, cell_height = above + plot_height + below;
-constexpr double margin = 12, letter = 6.2;  // mean width of a letter of the small text
+constexpr double margin = 12, letter = 7;  // mean width of a letter of the small text
 
 double length_of(const std::string& text) { return letter * static_cast<double>(text.size()); }
 
@@ -35,7 +35,8 @@ std::vector<Chart::Tick> y_ticks(std::span<const Chart::Panel> panels) {
   each(false, [&](double y) {
     if (y >= least && y <= most) low = std::min(low, y), high = std::max(high, y);
   });
-  return low <= high ? round_ticks(low, high) : std::vector<Chart::Tick>{};
+  if (low > high) return {};
+  return panels[0].decades ? percent_ticks(low, high) : round_ticks(low, high);
 }
 
 /// Maps one panel's values to the page.
@@ -82,19 +83,23 @@ std::string frame(const Chart::Panel& panel, const Axes& axes) {
 
 std::string curve(const Chart::Series& series, std::size_t number, const Axes& axes) {
   std::string points, marks;
+  if (series.background) number = grey;
   for (const auto& m : series.marks) {
     if (m.solid) points += fmt::format("{:.1f},{:.1f} ", axes.x(m.x), axes.y(m.y));
     marks += m.y > axes.high()  ? arrow(axes.x(m.x), axes.y(axes.high()), -1, number)
              : m.y < axes.low() ? arrow(axes.x(m.x), axes.y(axes.low()), 1, number)
                                 : circle(axes.x(m.x), axes.y(m.y), number, m.solid);
   }
+  if (series.background) return marks;
   return fmt::format("<polyline points=\"{}\" fill=\"none\" {}/>\n", points, stroke_of(number)) + marks;
 }
 
 std::string panel_of(const Chart::Panel& panel, const std::vector<Chart::Tick>& ticks, double x, double y) {
   const Axes axes(panel, ticks, x, y);
   std::string out = frame(panel, axes);
-  for (std::size_t s = 0; s < panel.series.size(); ++s) out += curve(panel.series[s], s, axes);
+  for (bool background : {true, false})
+    for (std::size_t s = 0; s < panel.series.size(); ++s)
+      if (panel.series[s].background == background) out += curve(panel.series[s], s, axes);
   return out;
 }
 
@@ -105,7 +110,8 @@ std::string legend(const std::vector<Chart::Series>& series, double width, doubl
   for (std::size_t s = 0; s < series.size(); ++s) {
     const double wide = 52 + length_of(series[s].name);
     if (x > margin && x + wide > width) x = margin, y += 20;
-    out += line(x, y, x + 26, y, stroke_of(s)) + circle(x + 13, y, s, true) +
+    if (!series[s].background) out += line(x, y, x + 26, y, stroke_of(s));
+    out += circle(x + 13, y, series[s].background ? grey : s, true) +
            text(x + 32, y + 4, series[s].name, "start");
     x += wide;
   }
