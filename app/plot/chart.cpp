@@ -103,16 +103,29 @@ std::string panel_of(const Chart::Panel& panel, const std::vector<Chart::Tick>& 
   return out;
 }
 
+// Has the series in no panel a solid mark, but hollow ones?
+bool is_hollow(const std::vector<Chart::Panel>& panels, std::size_t series) {
+  bool any = false;
+  for (const auto& panel : panels)
+    if (series < panel.series.size())
+      for (const auto& m : panel.series[series].marks) {
+        if (m.solid) return false;
+        any = true;
+      }
+  return any;
+}
+
 // Moves y below itself.
-std::string legend(const std::vector<Chart::Series>& series, double width, double& y) {
+std::string legend(const std::vector<Chart::Panel>& panels, double width, double& y) {
+  const std::vector<Chart::Series>& series = panels.front().series;
   std::string out;
   double x = margin;
   for (std::size_t s = 0; s < series.size(); ++s) {
     const double wide = 52 + length_of(series[s].name);
+    const bool background = series[s].background, hollow = is_hollow(panels, s);
     if (x > margin && x + wide > width) x = margin, y += 20;
-    if (!series[s].background) out += line(x, y, x + 26, y, stroke_of(s));
-    out += circle(x + 13, y, series[s].background ? grey : s, true) +
-           text(x + 32, y + 4, series[s].name, "start");
+    if (!background && !hollow) out += line(x, y, x + 26, y, stroke_of(s));
+    out += circle(x + 13, y, background ? grey : s, !hollow) + text(x + 32, y + 4, series[s].name, "start");
     x += wide;
   }
   y += 16;
@@ -130,7 +143,7 @@ std::string svg_of(const Chart& chart) {
   std::string body = text(margin, y, chart.title, "start", " font-size=\"15\" font-weight=\"bold\"");
   if (!chart.note.empty()) body += text(margin, y += 20, chart.note, "start", " fill=\"#555\"");
   y += 22;
-  if (panels && chart.panels[0].series.size() > 1) body += legend(chart.panels[0].series, width, y);
+  if (panels && chart.panels[0].series.size() > 1) body += legend(chart.panels, width, y);
   for (int p = 0; p < panels; ++p) {
     const std::span<const Chart::Panel> all = chart.panels,
                                         row = all.subspan(p - p % columns,

@@ -76,6 +76,16 @@ TEST(Chart, HasTicksOfDecades) {
   EXPECT_EQ(texts_of(percent_ticks(-2, -2)), "1 %,10 %,");
 }
 
+TEST(Chart, NamesHollowMarksByAHollowOneWithoutALine) {
+  Chart chart;
+  chart.panels = {
+      {"one", "x", {{0, "0"}, {1, "1"}}, {{"curve", {{0, 1}, {1, 2}}}, {"hollow", {{0, 1.5, false}}}}}};
+  const std::string svg = svg_of(chart), named = svg.substr(0, svg.find(">hollow<"));
+  const std::string of_hollow = named.substr(named.find(">curve<"));
+  EXPECT_EQ(of_hollow.find("<line"), std::string::npos);
+  EXPECT_NE(of_hollow.find("fill=\"white\" stroke=\"#d55e00\""), std::string::npos);
+}
+
 TEST(Chart, DrawsTheBackgroundGreyBelowTheCurves) {
   Chart chart;
   chart.panels = {
