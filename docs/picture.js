@@ -25,7 +25,8 @@ class Picture {
     const frames = viewer.model.frames;
     this.frames = given.panels.map(([time]) => frames.findIndex(f => Math.abs(f.time - time) < 1e-9));
     if (this.frames.includes(-1))
-      throw new Error(`the report shows ${frames.length} states for want of room, and not all of these`);
+      throw new Error(
+          `the report shows ${frames.length} states for want of room, and not all of these. Name others.`);
     viewer.renderer.setClearColor(0xffffff);
     this.flat = given.view === 'section';
   }
@@ -148,6 +149,10 @@ class Picture {
   row(colour, points) {
     const {controls} = this, told = new Set();
     controls.colour.value = colour;
+    if (controls.colour.value !== colour) {
+      const names = [...controls.colour.options].map(o => o.value).join(', ');
+      throw new Error(`there is no field '${colour}'. Name one of ${names}.`);
+    }
     controls.logarithmic.checked = this.given.log;
     controls.colour.onchange();
     if (colour !== 'region') this.legend = document.getElementById('legend').cloneNode(true);

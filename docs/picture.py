@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Pictures of a run, side by side from the same camera, as its report draws them, with labels, scale bar and colour bar.
 
-    docs/picture.py docs/encircling.png results/encircling --colour mises --log --close-up .3 10.6 12 7 --point tear=2,10 \\
-        '1=15 mmHg' '5=band and tire pressed in' '9=sewn'
+    docs/picture.py docs/encircling.png results/encircling --colour mises --log --close-up .3 10.9 12 6.6 \\
+        --point tear=1.75,10.8 '1=15 mmHg' '5=band and tire pressed in' '9=sewn'
 
 Saved states are named as number=title (none: the last). Places are in mm to the right and upwards of the model's origin as the
 picture shows it. Needs Debian's chromium, and the program in build/.
@@ -44,6 +44,8 @@ def arguments():
     given = parser.parse_intermixed_args()
     if given.close_up and given.view != "section":
         parser.error("--close-up is of the section: --view section")
+    if not browser.PROGRAM:
+        sys.exit("Chromium is not installed: apt-get install chromium")
     return given
 
 
@@ -74,7 +76,7 @@ def main():
             shown.value(script + ";0")
             size = shown.value(f"compose({json.dumps(wanted)}).catch(fault => fault.message)")
             if isinstance(size, str):
-                sys.exit(f"{given.picture}: {size}. Choose larger panels, another close-up or other points.")
+                sys.exit(f"{given.picture}: {size}")
             shown.picture(given.picture, clip=size)
             if shown.faults:
                 sys.exit("\n".join(shown.faults))

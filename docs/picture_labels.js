@@ -2,6 +2,7 @@
 // page.
 
 const LABEL_HEIGHT = 14, LABEL_PAD = 3, LEAST_LEADER = 9, LEAST_INK = 12;
+const ADVICE = 'Choose larger panels, another close-up or other points.';
 
 // Red, green, blue and opacity of every pixel, row by row.
 function pixelsOf(canvas, width, height) {
@@ -127,7 +128,7 @@ function labelsOf(room, wanted, inks) {
             [label.at] :
             anchorsOf(label.ink, inks.filter(i => i !== label.ink), room.width, room.height);
         const best = room.bestFor(textWidth(label.text), anchors, label.ink || none);
-        if (!best) throw new Error(`there is no room for the label '${label.text}'`);
+        if (!best) throw new Error(`there is no room for the label '${label.text}'. ${ADVICE}`);
         room.take(best.box, best.leader);
         const {box, leader: [[x1, y1], [x2, y2]]} = best;
         return `<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}"/><circle cx="${x2}" cy="${y2}" r="1.6"/>` +
@@ -143,7 +144,7 @@ function scaleBarOf(room, mmPerPixel) {
   const w = Math.max(wide, textWidth(text)), h = LABEL_HEIGHT + 6, xs = [8, room.width - w - 8],
         ys = [room.height - h - 6, 6];
   const box = ys.flatMap(y => xs.map(x => ({x, y, w, h}))).find(b => room.isFree(b));
-  if (!box) throw new Error('there is no room for the scale bar');
+  if (!box) throw new Error(`there is no room for the scale bar. ${ADVICE}`);
   room.take(box);
   const left = box.x + (w - wide) / 2, y = box.y + h - 2;
   return `<path class="scale" d="M${left} ${y - 3}v6m0 -3h${wide}m0 -3v6"/>` +

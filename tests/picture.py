@@ -46,6 +46,8 @@ def main():
         assert done.returncode == 2 and "--close-up is of the section" in done.stderr, done.stderr
         done = drawn(program, none, run, "3=later")
         assert done.returncode == 1 and "there is no state '3'. Name one from 0 to 2" in done.stderr, done.stderr
+        done = drawn(program, none, run, "--colour", "mieses", "2=sewn")
+        assert done.returncode == 1 and "there is no field 'mieses'. Name one of region, mises, displacement" in done.stderr, done.stderr
         assert not none.exists()
     print("pictures are drawn")
     return 0
