@@ -68,13 +68,6 @@ void expect_fitting(const Arguments& given, bool of_a_study) {
     throw input_error(given.scene, 0, "is a study, not a scene", "solve it with 'bulbus study'");
 }
 
-int plot(const Arguments& given, const Comm& comm, std::ostream& out) {
-  const std::string file = given.out.empty() ? given.first + "/history.svg" : given.out;
-  plot_history(given.first, given.columns, given.over, file, comm);
-  out << file << "\n";
-  return 0;
-}
-
 int print_schema(const Arguments& given, std::ostream& out) {
   out << (given.first == "study" ? study_schema() : scene_schema()).dump(2) << "\n";
   return 0;
@@ -87,7 +80,6 @@ std::optional<int> without_scene(const Parser& parser, const Comm& comm, const T
   const std::string& command = given.command;
   if (command == "help") return print_topic(parser, to, out, err);
   if (command == "schema") return print_schema(given, out);
-  if (command == "plot") return plot(given, comm, out);
   if (command == "matrix-market") return matrix_market(given.first, given.out, comm, out);
   int status = 0;
   if (command == "completion")
@@ -98,6 +90,8 @@ std::optional<int> without_scene(const Parser& parser, const Comm& comm, const T
     write_starting_scene(given.first, given.kind, comm, out);
   else if (command == "compare")
     comm.together([&] { status = compare(given.first, given.second, given.tolerances, out); });
+  else if (command == "plot")
+    out << plot(given.first, given.columns, given.over, given.out, comm) << "\n";
   else if (command == "report")
     out << report(given.first, given.second, given.out, comm) << "\n";
   else

@@ -51,10 +51,11 @@ int compare(const std::string& first, const std::string& second, const CompareOp
             std::ostream& out);
 
 /// Draws columns of the history in a run's folder over another one (empty: the steps done), a panel each; all
-/// probes if none is named. The file is an SVG, or a PNG by the program rsvg-convert if it ends in .png.
-/// Collective. Throws InputError and OutputError.
-void plot_history(const std::string& folder, const std::vector<std::string>& columns, const std::string& over,
-                  const std::string& file, const Comm& comm);
+/// probes if none is named. Of the folder of a trade it draws errors over processor time. The file (empty:
+/// history.svg or trade.svg in the folder) is an SVG, or a PNG by the program rsvg-convert if it ends in
+/// .png. Returns its path. Collective. Throws InputError and OutputError.
+std::string plot(const std::string& folder, const std::vector<std::string>& columns, const std::string& over,
+                 const std::string& file, const Comm& comm);
 
 /// Writes the page of a run, of two runs side by side (`second` not empty) or of a study, to `file` or, if
 /// that is empty, into the folder. Returns its path, on the first rank. Collective. Throws InputError, and

@@ -9,6 +9,7 @@
 #include "app/records/finished.hpp"
 #include "app/records/folder.hpp"
 #include "app/records/progress_log.hpp"
+#include "app/trade/trade_figure.hpp"
 #include "app/trade/trade_records.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/base/process.hpp"
@@ -128,9 +129,9 @@ class TradeRunner {
   }
 
   void write() const {
-    write_whole(folder_ + "/trade.csv",
-                [&](const std::string& file) { write_trade_csv(file, trade_, results_); });
-    write_whole(folder_ + "/trade.svg", svg_of(chart_of(trade_, results_)));
+    const std::string table = folder_ + "/" + trade_file;
+    write_whole(table, [&](const std::string& file) { write_trade_csv(file, trade_, results_); });
+    write_whole(folder_ + "/trade.svg", svg_of(chart_of(read_trade_points(table))));
     log_.require_written();
   }
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Pictures of a run, side by side from the same camera, as its report draws them.
+"""Pictures of a run, side by side from the same camera, as its report draws them, with labels, scale bar and colour bar.
 
-    docs/picture.py docs/encircling.png results/encircling --view section --colour mises '0=before' '1=15 mmHg' '9=sewn'
+    docs/picture.py docs/encircling.png results/encircling --colour mises --log --close-up .3 10.9 12 6.6 \\
+        --point tear=1.75,10.8 '1=15 mmHg' '5=band and tire pressed in' '9=sewn'
 
-Saved states are named as number=title (none: the last). Needs Debian's chromium, and the program in build/.
+Saved states are named as number=title (none: the last). Places are in mm to the right and upwards of the model's origin as the
+picture shows it. Needs Debian's chromium, and the program in build/.
 """
 import argparse
-import base64
 import json
 import os
 import pathlib
@@ -14,36 +15,15 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tests"))
+DOCS = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(DOCS.parent / "tests"))
 from support import browser
 
-# Replaces the page by its panels and the bar of the field; its size in pixels.
-COMPOSE = """(panels => {
-  const {viewers: [viewer], controls} = window.report, {frames} = controls.models[0];
-  viewer.element.style.cssText = `width: ${%(width)d}px; height: ${%(height)d}px; max-height: none`;
-  viewer.resize(4);  // finer than the picture: edges come out smooth
-  controls.view('%(view)s');
-  controls.colour.value = '%(colour)s';
-  controls.colour.onchange();
-  const figures = panels.map(([number, title]) => {
-    controls.slider.value = number < 0 ? frames.length - 1 : number;
-    controls.slider.oninput();
-    viewer.drawNow();
-    const image = elementOf('img', {src: viewer.renderer.domElement.toDataURL()});
-    return elementOf('figure', {}, elementOf('figcaption', {textContent: title}), image);
-  });
-  const row = elementOf('div', {className: 'panels'}, ...figures), legend = document.getElementById('legend');
-  const page = elementOf('div', {id: 'picture'}, row, legend);
-  const style = 'body { margin: 0 } #picture { display: inline-block; padding: 8px; background: #fbfbf9 } .panels { display: flex }' +
-      'figure { margin: 0 } figcaption { text-align: center; font-weight: bold } img { display: block; width: %(width)dpx }' +
-      '#legend { margin: 8px auto; padding-bottom: 12px } #legend .note { display: none }';
-  document.body.replaceChildren(elementOf('style', {textContent: style}), page);
-  return Promise.all([...page.querySelectorAll('img')].map(image => image.decode())).then(() => {
-    const {width, height} = page.getBoundingClientRect();
-    return [width, height];
-  });
-})(%(panels)s)"""
+
+def point(text):
+    name, _, place = text.partition("=")
+    right, up = map(float, place.split(","))
+    return [name, [right, up]]
 
 
 def arguments():
@@ -53,22 +33,51 @@ def arguments():
     parser.add_argument("panels", nargs="*", metavar="NUMBER=TITLE")
     parser.add_argument("--view", default="section", choices=["open", "section", "detail", "whole", "inside"])
     parser.add_argument("--colour", default="region", help="region, displacement or a field of the report")
-    parser.add_argument("--width", type=int, default=480, help="of a panel, pixels")
-    parser.add_argument("--height", type=int, default=400)
-    return parser.parse_intermixed_args()
+    parser.add_argument("--log", action="store_true", help="a logarithmic scale of the field")
+    parser.add_argument("--close-up", nargs=4, type=float, metavar=("RIGHT", "UP", "WIDTH", "HEIGHT"),
+                        help="a second row: the regions of the section, centre and size in mm")
+    parser.add_argument("--point", type=point, action="append", default=[], metavar="NAME=RIGHT,UP",
+                        help="a place to label in the last row's first panel, mm")
+    parser.add_argument("--width", type=int, default=292, help="of a panel, pixels; three are as wide as a page")
+    parser.add_argument("--height", type=int, help="of a panel, pixels; of a section as it needs")
+    parser.add_argument("--bulbus", default=DOCS.parent / "build" / "bulbus", help="the program")
+    given = parser.parse_intermixed_args()
+    if given.close_up and given.view != "section":
+        parser.error("--close-up is of the section: --view section")
+    if not browser.PROGRAM:
+        sys.exit("Chromium is not installed: apt-get install chromium")
+    return given
+
+
+def panels_of(given):
+    """Time and title of each saved state that is asked for."""
+    series = pathlib.Path(given.folder) / "result.hdf.series"
+    if not series.exists():
+        sys.exit(f"{series}: cannot be read. Name the folder of the results of a run with output.vtk.")
+    times = [file["time"] for file in json.loads(series.read_text())["files"]]
+    wanted = [p.partition("=") for p in given.panels or [f"{len(times) - 1}="]]
+    for number, _, _ in wanted:
+        if not number.isdigit() or int(number) >= len(times):
+            sys.exit(f"{series}: there is no state '{number}'. Name one from 0 to {len(times) - 1}, and a title: '0=before'.")
+    return [[times[int(number)], title] for number, _, title in wanted]
 
 
 def main():
     given = arguments()
-    panels = [[int(number), title] for number, _, title in (p.partition("=") for p in given.panels)] or [[-1, ""]]
+    panels = panels_of(given)
+    wanted = {"panels": panels, "view": given.view, "colour": given.colour, "log": given.log, "closeUp": given.close_up,
+              "points": given.point, "width": given.width, "height": given.height}
+    script = "".join((DOCS / name).read_text() for name in ("picture_labels.js", "picture.js"))
     with tempfile.TemporaryDirectory() as folder:
         page = os.path.join(folder, "report.html")
-        subprocess.run([ROOT / "build" / "bulbus", "report", given.folder, "-o", page], check=True, stdout=subprocess.DEVNULL)
-        with browser.Browser(page, len(panels) * given.width + 100, given.height + 600, fineness=2) as shown:
+        subprocess.run([given.bulbus, "report", given.folder, "-o", page], check=True, stdout=subprocess.DEVNULL)
+        with browser.Browser(page, len(panels) * (given.width + 6) + 100, 1600, fineness=2) as shown:
             shown.wait_for("window.report && window.report.ready")
-            compose = COMPOSE % {**vars(given), "panels": json.dumps(panels)}
-            width, height = shown.value(compose)
-            shown.picture(given.picture, clip=(width, height))
+            shown.value(script + ";0")
+            size = shown.value(f"compose({json.dumps(wanted)}).catch(fault => fault.message)")
+            if isinstance(size, str):
+                sys.exit(f"{given.picture}: {size}")
+            shown.picture(given.picture, clip=size)
             if shown.faults:
                 sys.exit("\n".join(shown.faults))
 

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ["app", "benchmarks", "contact", "core", "examples", "precond", "tests"]
+FOLDERS = ["app", "benchmarks", "contact", "core", "docs", "examples", "precond", "tests"]
 
 
 def main():

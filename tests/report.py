@@ -96,7 +96,21 @@ def expect_drawn(page, pictures):
         for colour in shown.value("[...document.getElementById('colour').options].map(o => o.value)"):
             choose(shown, "colour", colour, "change")
             assert ink(shown)[0] > .02, colour
+        expect_decades(shown)
         assert not shown.faults, shown.faults
+
+
+def expect_decades(shown):
+    """The logarithmic scale goes by powers of ten, and colours of the last state are others."""
+    choose(shown, "state", shown.value("document.getElementById('state').max"), "input")
+    choose(shown, "colour", "mises", "change")
+    linear = ink(shown)
+    shown.value("document.getElementById('logarithmic').click()")
+    assert ink(shown) != linear, "the logarithmic scale has the colours of the linear one"
+    ticks = [float(t) for t in shown.value("[...document.querySelectorAll('#legend .ticks span')].map(s => s.textContent)")]
+    assert len(ticks) > 1 and all(abs(b / a - 10) < 1e-9 for a, b in zip(ticks, ticks[1:])), ticks
+    shown.value("document.getElementById('logarithmic').click()")
+    assert ink(shown) == linear
 
 
 def main():

@@ -51,7 +51,18 @@ def check(rows, folder):
     for row in rows:
         summary = json.loads((folder / row["run"] / "summary.json").read_text())
         assert int(row["krylov_iterations"]) == summary["totals"]["krylov_iterations"]
-    assert (folder / "trade.svg").read_text().count("<polyline") > 5
+    check_figure(compared, folder)
+
+
+def check_figure(compared, folder):
+    """On one mesh there is one panel: the front and four parameters at most are curves, and every run has its mark."""
+    figure, again = folder / "trade.svg", folder.parent / "again.svg"
+    svg = figure.read_text()
+    assert 2 <= svg.count("<polyline") <= 5 and ">Pareto front<" in svg and ">other settings<" in svg, svg
+    front = sum(row["front"] == "front" for row in compared)
+    assert svg.count("<circle") >= len(compared) + front, (svg.count("<circle"), len(compared), front)
+    subprocess.run([sys.argv[1], "plot", str(folder), "-o", str(again)], check=True, capture_output=True)
+    assert again.read_text() == svg
 
 
 def main():

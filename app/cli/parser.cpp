@@ -243,13 +243,15 @@ struct Parser::Declared {
         ->check(CLI::NonNegativeNumber)
         ->type_name("NUMBER")
         ->capture_default_str();
-    CLI::App* plot = command("plot", "draw columns of a run's history over its steps (SVG or PNG)");
-    plot->add_option("DIR", given.first, "folder of the results of a run")->required();
+    CLI::App* plot =
+        command("plot", "draw columns of a run's history over its steps, or what a trade found (SVG or PNG)");
+    plot->add_option("DIR", given.first, "folder of the results of a run or of a trade")->required();
     plot->add_option("COLUMN", given.columns, "columns of history.csv (default: every probe)");
     plot->add_option("--over", given.over, "the column along the abscissa (default: time, the steps done)")
         ->type_name("COLUMN");
     plot->add_option("-o", given.out,
-                     "file to write, .svg or .png, which needs rsvg-convert (default: history.svg in DIR)")
+                     "file to write, .svg or .png, which needs rsvg-convert (default: history.svg or "
+                     "trade.svg in DIR)")
         ->type_name("FILE");
     CLI::App* report = command(
         "report", "a run, two runs side by side or a study as one page for a browser, with the model in 3-D");

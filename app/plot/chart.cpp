@@ -15,7 +15,7 @@ using namespace svg;
 
 constexpr double plot_width = 240, plot_height = 170, left = 64, right = 16, above = 30, below = 50;
 constexpr double cell_width = left + plot_width + right, cell_height = above + plot_height + below;
-constexpr double margin = 12, letter = 6.2;  // mean width of a letter of the small text
+constexpr double margin = 12, letter = 7;  // mean width of a letter of the small text
 
 double length_of(const std::string& text) { return letter * static_cast<double>(text.size()); }
 
@@ -35,7 +35,8 @@ std::vector<Chart::Tick> y_ticks(std::span<const Chart::Panel> panels) {
   each(false, [&](double y) {
     if (y >= least && y <= most) low = std::min(low, y), high = std::max(high, y);
   });
-  return low <= high ? round_ticks(low, high) : std::vector<Chart::Tick>{};
+  if (low > high) return {};
+  return panels[0].decades ? percent_ticks(low, high) : round_ticks(low, high);
 }
 
 /// Maps one panel's values to the page.
@@ -82,31 +83,49 @@ std::string frame(const Chart::Panel& panel, const Axes& axes) {
 
 std::string curve(const Chart::Series& series, std::size_t number, const Axes& axes) {
   std::string points, marks;
+  if (series.background) number = grey;
   for (const auto& m : series.marks) {
     if (m.solid) points += fmt::format("{:.1f},{:.1f} ", axes.x(m.x), axes.y(m.y));
     marks += m.y > axes.high()  ? arrow(axes.x(m.x), axes.y(axes.high()), -1, number)
              : m.y < axes.low() ? arrow(axes.x(m.x), axes.y(axes.low()), 1, number)
                                 : circle(axes.x(m.x), axes.y(m.y), number, m.solid);
   }
+  if (series.background) return marks;
   return fmt::format("<polyline points=\"{}\" fill=\"none\" {}/>\n", points, stroke_of(number)) + marks;
 }
 
 std::string panel_of(const Chart::Panel& panel, const std::vector<Chart::Tick>& ticks, double x, double y) {
   const Axes axes(panel, ticks, x, y);
   std::string out = frame(panel, axes);
-  for (std::size_t s = 0; s < panel.series.size(); ++s) out += curve(panel.series[s], s, axes);
+  for (bool background : {true, false})
+    for (std::size_t s = 0; s < panel.series.size(); ++s)
+      if (panel.series[s].background == background) out += curve(panel.series[s], s, axes);
   return out;
 }
 
+// Has the series in no panel a solid mark, but hollow ones?
+bool is_hollow(const std::vector<Chart::Panel>& panels, std::size_t series) {
+  bool any = false;
+  for (const auto& panel : panels)
+    if (series < panel.series.size())
+      for (const auto& m : panel.series[series].marks) {
+        if (m.solid) return false;
+        any = true;
+      }
+  return any;
+}
+
 // Moves y below itself.
-std::string legend(const std::vector<Chart::Series>& series, double width, double& y) {
+std::string legend(const std::vector<Chart::Panel>& panels, double width, double& y) {
+  const std::vector<Chart::Series>& series = panels.front().series;
   std::string out;
   double x = margin;
   for (std::size_t s = 0; s < series.size(); ++s) {
     const double wide = 52 + length_of(series[s].name);
+    const bool background = series[s].background, hollow = is_hollow(panels, s);
     if (x > margin && x + wide > width) x = margin, y += 20;
-    out += line(x, y, x + 26, y, stroke_of(s)) + circle(x + 13, y, s, true) +
-           text(x + 32, y + 4, series[s].name, "start");
+    if (!background && !hollow) out += line(x, y, x + 26, y, stroke_of(s));
+    out += circle(x + 13, y, background ? grey : s, !hollow) + text(x + 32, y + 4, series[s].name, "start");
     x += wide;
   }
   y += 16;
@@ -124,7 +143,7 @@ std::string svg_of(const Chart& chart) {
   std::string body = text(margin, y, chart.title, "start", " font-size=\"15\" font-weight=\"bold\"");
   if (!chart.note.empty()) body += text(margin, y += 20, chart.note, "start", " fill=\"#555\"");
   y += 22;
-  if (panels && chart.panels[0].series.size() > 1) body += legend(chart.panels[0].series, width, y);
+  if (panels && chart.panels[0].series.size() > 1) body += legend(chart.panels, width, y);
   for (int p = 0; p < panels; ++p) {
     const std::span<const Chart::Panel> all = chart.panels,
                                         row = all.subspan(p - p % columns,

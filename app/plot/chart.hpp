@@ -14,6 +14,7 @@ struct Chart {
   struct Series {
     std::string name;
     std::vector<Mark> marks;  ///< in the order of the curve
+    bool background = false;  ///< grey marks without a curve, below the others
   };
   struct Tick {
     double at;
@@ -23,6 +24,7 @@ struct Chart {
     std::string title, x_label;
     std::vector<Tick> x_ticks;  ///< at least one
     std::vector<Series> series;
+    bool decades = false;  ///< y are decimal logarithms of ratios, which are written in per cent
   };
   std::string title, note;
   int columns = 3;            ///< panels in a row
@@ -35,5 +37,10 @@ std::string svg_of(const Chart& chart);
 
 /// Round values, a handful, that span [low, high], with as many digits as they need.
 std::vector<Chart::Tick> round_ticks(double low, double high);
+/// 1, 2 and 5 times powers of ten that enclose [low, high], both positive, at their decimal logarithms.
+std::vector<Chart::Tick> log_ticks(double low, double high);
+/// Powers of ten in per cent that enclose ratios whose decimal logarithms are [low, high]: -2 is written as 1
+/// %.
+std::vector<Chart::Tick> percent_ticks(double low, double high);
 
 }  // namespace bulbus::inline app

@@ -38,4 +38,28 @@ std::vector<Chart::Tick> round_ticks(double low, double high) {
   return ticks;
 }
 
+std::vector<Chart::Tick> log_ticks(double low, double high) {
+  std::vector<double> values;
+  for (double e = std::floor(std::log10(low)) - 1; e <= std::ceil(std::log10(high)); ++e)
+    for (double digit : {1., 2., 5.}) values.push_back(digit * std::pow(10, e));
+  const auto first = std::ranges::upper_bound(values, low * (1 + 1e-9)) - 1,
+             last = std::ranges::lower_bound(values, high * (1 - 1e-9));
+  std::vector<Chart::Tick> ticks;
+  for (auto value = first; value <= last && value != values.end(); ++value)
+    ticks.push_back({std::log10(*value), fmt::format("{:.6g}", *value)});
+  return ticks;
+}
+
+std::vector<Chart::Tick> percent_ticks(double low, double high) {
+  const double first = std::floor(low + 1e-9), last = std::max(std::ceil(high - 1e-9), first + 1),
+               step = std::ceil((last - first) / 5), count = std::ceil((last - first) / step);
+  std::vector<Chart::Tick> ticks;
+  for (double k = count; k >= 0; --k) {
+    const double at = last - k * step, power = at + 2;  // of a per cent
+    ticks.push_back(
+        {at, power < -2 ? fmt::format("1e{:g} %", power) : fmt::format("{:g} %", std::pow(10, power))});
+  }
+  return ticks;
+}
+
 }  // namespace bulbus::inline app

@@ -14,7 +14,9 @@ constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                              "#e69f00", "#56b4e9", "#000000", "#8c6d31"};
 constexpr std::array dashes{"", "7 3", "2 3", "7 3 2 3"};
 
-const char* colour(std::size_t series) { return colours[series % colours.size()]; }
+const char* colour(std::size_t series) {
+  return series == grey ? "#b5b5b5" : colours[series % colours.size()];
+}
 const char* dash(std::size_t series) { return dashes[series / colours.size() % dashes.size()]; }
 
 // Control characters are none of XML's.

@@ -12,30 +12,13 @@
 #include "core/base/error.hpp"
 #include "core/base/parse_number.hpp"
 #include "core/base/printable.hpp"
+#include "core/io/csv_line.hpp"
 
 namespace bulbus::inline app {
 namespace {
 
 // Columns before and after the probes.
 constexpr std::size_t before = 3, after = 4;
-
-// Cells of a line of RFC 4180 without line ends inside of quotes, which no run writes.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool doubled = quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
-    if (doubled)
-      cells.back() += line[i++];
-    else if (line[i] == '"')
-      quoted = !quoted;
-    else if (line[i] == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += line[i];
-  }
-  return cells;
-}
 
 // A line of the table that is being read.
 struct Place {
@@ -113,7 +96,7 @@ History read_history(const std::string& folder) {
   std::string line;
   refuse_study_folder(folder);
   if (!in || !std::getline(in, line)) throw no_history({path, 0}, "cannot be read");
-  const std::vector<std::string> header = cells_of(line);
+  const std::vector<std::string> header = cells_of_line(line);
   if (header.size() < before + after || header[1] != "step" || header[2] != "time")
     throw no_history({path, 1}, "is no history of a run");
   History history;
@@ -126,7 +109,7 @@ History read_history(const std::string& folder) {
       history.others[header[c]];
     }
   for (int at = 2; std::getline(in, line); ++at) {
-    const std::vector<std::string> row = cells_of(line);
+    const std::vector<std::string> row = cells_of_line(line);
     if (row.size() != header.size())
       throw no_history({path, at}, fmt::format("has {} cells, its header has {}", row.size(), header.size()));
     take_row(header, row, {path, at}, history);

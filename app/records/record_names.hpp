@@ -15,6 +15,8 @@ inline constexpr const char *summary_file = "summary.json", *history_file = "his
                             *report_file = "report.html", *unloaded_file = "unloaded.msh";
 /// Of the folder of a study.
 inline constexpr const char* study_file = "study.json";
+/// Of the folder of a trade.
+inline constexpr const char* trade_file = "trade.csv";
 /// Those of an increment: result_0012.hdf, bodies_0012.vtp, lines_0012.vtp.
 std::string result_file(int increment);
 std::string bodies_file(int increment);

@@ -1,60 +1,72 @@
+#include "app/trade/trade_figure.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "app/trade/trade_records.hpp"
 
 namespace bulbus::inline app {
 namespace {
 
-constexpr double smallest = 1e-12;  // errors below it are drawn there
+constexpr double smallest = 1e-12, shortest = 1e-3;  // errors and seconds below it are drawn there
+constexpr std::size_t most_named = 4;                // more curves cannot be told apart
 
-std::vector<std::string> parameters_of(const Trade& trade) {
+// Hollow of other meshes, which are no sequence that a curve could join.
+Chart::Mark mark_of(const TradePoint& p) {
+  return {std::log10(std::max(p.seconds, shortest)), std::log10(std::max(p.error, smallest)),
+          p.parameter != "mesh"};
+}
+
+bool is_scene(const TradePoint& p) { return p.parameter == "scene"; }
+
+// Those with most runs on a front first; of equal ones those that the trade tries first.
+std::vector<std::string> named_of(const TradePoints& points) {
+  std::vector<std::pair<int, std::string>> all;
+  for (const auto* list : {&points.on_all, &points.on_mesh})
+    for (const TradePoint& p : *list) {
+      if (is_scene(p) || p.parameter == "reference" || !p.front) continue;
+      const auto known = std::ranges::find(all, p.parameter, &std::pair<int, std::string>::second);
+      if (known == all.end())
+        all.emplace_back(1, p.parameter);
+      else
+        ++known->first;
+    }
+  std::ranges::stable_sort(all, std::greater{}, &std::pair<int, std::string>::first);
   std::vector<std::string> names;
-  for (const TradeRun& run : trade.runs)
-    if (std::ranges::find(names, run.parameter) == names.end()) names.push_back(run.parameter);
+  for (std::size_t i = 0; i < std::min(all.size(), most_named); ++i) names.push_back(all[i].second);
   return names;
 }
 
-Chart::Mark mark_of(const ParetoCandidate& b) {
-  return {b.seconds, std::log10(std::max(b.error, smallest)), true};
-}
-
-// The scene as it is belongs to every parameter's curve. Where a parameter has no run here the series stays
-// empty, so that the legend fits.
-Chart::Series series_of(const Trade& trade, const std::string& parameter,
-                        const std::vector<ParetoCandidate>& all) {
-  Chart::Series series{parameter, {}};
-  const bool curve = parameter != "reference" && parameter != "scene" && parameter != "mesh";
-  for (const ParetoCandidate& b : all)
-    if (trade.runs[b.run].parameter == parameter || (curve && trade.runs[b.run].parameter == "scene"))
-      series.marks.push_back(mark_of(b));
-  return series;
-}
-
-Chart::Panel panel_of(const Trade& trade, const std::string& title, const std::vector<ParetoCandidate>& all) {
-  Chart::Panel panel{title, "processor time [s]", {}, {}};
-  double least = INFINITY, most = 0;
-  Chart::Series front{"Pareto front", {}};
-  for (const ParetoCandidate& b : all) {
-    least = std::min(least, b.seconds), most = std::max(most, b.seconds);
-    if (!better_than(b, all)) front.marks.push_back(mark_of(b));
+// The scene as it is belongs to every parameter's curve, but not to that of the meshes.
+Chart::Panel panel_of(const std::string& title, const std::vector<TradePoint>& all,
+                      const std::vector<std::string>& named) {
+  Chart::Panel panel{title, "processor time [s]", {}, {}, true};
+  Chart::Series front{"Pareto front", {}}, others{"other settings", {}, true};
+  for (const TradePoint& p : all) {
+    if (p.front) front.marks.push_back({mark_of(p).x, mark_of(p).y});
+    if (std::ranges::find(named, p.parameter) == named.end()) others.marks.push_back(mark_of(p));
   }
-  panel.x_ticks = all.empty() ? std::vector<Chart::Tick>{{0, "0"}} : round_ticks(least, most);
+  panel.x_ticks = all.empty() ? std::vector<Chart::Tick>{{0, "1"}}
+                              : log_ticks(std::max(all.front().seconds, shortest),
+                                          std::max(all.back().seconds, shortest));
   panel.series.push_back(std::move(front));
-  for (const std::string& parameter : parameters_of(trade))
-    if (parameter != "reference") panel.series.push_back(series_of(trade, parameter, all));
+  for (const std::string& name : named) {
+    Chart::Series series{name, {}};
+    for (const TradePoint& p : all)
+      if (p.parameter == name || (is_scene(p) && name != "mesh")) series.marks.push_back(mark_of(p));
+    panel.series.push_back(std::move(series));
+  }
+  panel.series.push_back(std::move(others));
   return panel;
 }
 
 }  // namespace
 
-Chart chart_of(const Trade& trade, const TradeResults& results) {
-  Chart chart{.title = "speed and accuracy: " + trade.runs[1].scene.title,
-              .note = "log10 of the largest relative error of any figure"};
+Chart chart_of(const TradePoints& points) {
+  Chart chart{.title = "speed and accuracy", .note = "largest relative error of any figure"};
   chart.columns = 2;
-  chart.panels.push_back(panel_of(trade, "against the same mesh", candidates_on_mesh(trade, results)));
-  if (trade.meshes.size() > 1)
-    chart.panels.push_back(panel_of(trade, "against the extrapolated solution", candidates_on_all(results)));
+  const std::vector<std::string> named = named_of(points);
+  chart.panels.push_back(panel_of("against the same mesh", points.on_mesh, named));
+  if (!points.on_all.empty())
+    chart.panels.push_back(panel_of("against the extrapolated solution", points.on_all, named));
   return chart;
 }
 

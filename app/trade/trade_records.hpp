@@ -1,5 +1,4 @@
 #pragma once
-#include "app/plot/chart.hpp"
 #include "app/trade/trade_results.hpp"
 
 namespace bulbus::inline app {
@@ -10,9 +9,5 @@ std::vector<std::string> lines_of(const Trade& trade, const TradeResults& result
 /// Writes trade.csv: a row per run done, with every figure and both its errors. Throws std::runtime_error.
 /// Not collective.
 void write_trade_csv(const std::string& path, const Trade& trade, const TradeResults& results);
-
-/// Error over processor time, a curve per parameter, once against the same mesh and once against the
-/// extrapolated solution.
-Chart chart_of(const Trade& trade, const TradeResults& results);
 
 }  // namespace bulbus::inline app

@@ -64,9 +64,11 @@ class Controls {
             'option', {value: name, textContent: name === 'region' ? 'region' : wordsOfField(name)}));
     this.colour = elementOf(
         'select', {id: 'colour', onchange: () => this.change({colour: this.colour.value})}, ...options);
+    this.logarithmic =
+        elementOf('input', {type: 'checkbox', id: 'logarithmic', onchange: this.colour.onchange});
     return elementOf(
         'div', {className: 'row'}, elementOf('label', {htmlFor: 'colour', textContent: 'Colour by'}),
-        this.colour);
+        this.colour, elementOf('label', {}, this.logarithmic, ' logarithmic scale'));
   }
 
   cutRow() {
@@ -129,7 +131,8 @@ class Controls {
 
   setRange() {
     const name = this.state.colour;
-    this.state.range = rangeOf(this.models, name, region => !this.state.hidden.has(region));
+    const visible = region => !this.state.hidden.has(region);
+    this.state.range = rangeOf(this.models, name, visible, this.logarithmic.checked);
   }
 
   tell() {

@@ -89,7 +89,7 @@ class RegionSurface {
     this.corners.forEach((n, corner) => {
       const value =
           field && field.values[field.on === 'cells' ? this.solid.faceCells[this.faces[corner >> 2]] : n];
-      to.array.set(field ? viridis((value - range.low) / (range.high - range.low)) : this.colour, 3 * corner);
+      to.array.set(field ? viridis(partOf(value, range)) : this.colour, 3 * corner);
     });
     to.needsUpdate = true;
   }

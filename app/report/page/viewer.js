@@ -146,7 +146,7 @@ class Viewer extends Stage {
           colours = new Float32Array(3 * points.from.length);
     points.cell.forEach((cell, i) => {
       const value = field && (field.on === 'cells' ? field.values[cell] : points.value(i, field.values));
-      const own = field ? viridis((value - range.low) / (range.high - range.low)) :
+      const own = field ? viridis(partOf(value, range)) :
                           colourOf(solid.names[solid.regions[cell]], solid.regions[cell]);
       colours.set(own, 3 * i);
     });

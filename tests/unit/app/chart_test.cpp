@@ -59,4 +59,41 @@ TEST(Chart, HasRoundTicks) {
   EXPECT_LE(texts(0, 3e8).size(), 8u);
 }
 
+std::string texts_of(const std::vector<Chart::Tick>& ticks) {
+  std::string all;
+  for (const auto& tick : ticks) all += tick.text + ",";
+  return all;
+}
+
+TEST(Chart, HasTicksOfDecades) {
+  EXPECT_EQ(texts_of(log_ticks(5.3, 185)), "5,10,20,50,100,200,");
+  EXPECT_EQ(texts_of(log_ticks(2, 10)), "2,5,10,");
+  EXPECT_EQ(texts_of(log_ticks(.03, .03)), "0.02,0.05,");
+  EXPECT_NEAR(log_ticks(5.3, 185).back().at, 2.30103, 1e-5);
+  EXPECT_EQ(texts_of(percent_ticks(-1.9, -.1)), "1 %,10 %,100 %,");
+  EXPECT_EQ(texts_of(percent_ticks(-7.6, -.2)), "1e-6 %,1e-4 %,0.01 %,1 %,100 %,");
+  EXPECT_EQ(percent_ticks(-7.6, -.2).front().at, -8);
+  EXPECT_EQ(texts_of(percent_ticks(-2, -2)), "1 %,10 %,");
+}
+
+TEST(Chart, NamesHollowMarksByAHollowOneWithoutALine) {
+  Chart chart;
+  chart.panels = {
+      {"one", "x", {{0, "0"}, {1, "1"}}, {{"curve", {{0, 1}, {1, 2}}}, {"hollow", {{0, 1.5, false}}}}}};
+  const std::string svg = svg_of(chart), named = svg.substr(0, svg.find(">hollow<"));
+  const std::string of_hollow = named.substr(named.find(">curve<"));
+  EXPECT_EQ(of_hollow.find("<line"), std::string::npos);
+  EXPECT_NE(of_hollow.find("fill=\"white\" stroke=\"#d55e00\""), std::string::npos);
+}
+
+TEST(Chart, DrawsTheBackgroundGreyBelowTheCurves) {
+  Chart chart;
+  chart.panels = {
+      {"one", "x", {{0, "0"}, {1, "1"}}, {{"curve", {{0, 1}, {1, 2}}}, {"all", {{0, 3}, {1, 2}}, true}}}};
+  const std::string svg = svg_of(chart);
+  expect_well_formed(svg);
+  EXPECT_EQ(svg.find("<polyline"), svg.rfind("<polyline"));
+  EXPECT_LT(svg.find("#b5b5b5", svg.find("font-weight=\"bold\">one")), svg.find("<polyline"));
+}
+
 }  // namespace

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <set>
 
+#include "app/trade/trade_figure.hpp"
 #include "app/trade/trade_records.hpp"
+#include "core/io/text_file.hpp"
 #include "tests/unit/app/studies.hpp"
 
 namespace {
@@ -163,7 +165,61 @@ TEST(TradeRecords, TellFrontAndDominated) {
   EXPECT_NE(text.find("accuracy balanced (5.0 s, 0.1 %): scene accuracy tight takes 4.0 s, 0.001 %"),
             std::string::npos)
       << text;
-  EXPECT_NE(svg_of(chart_of(trade, results)).find("processor time"), std::string::npos);
+  const std::string table = fresh_folder("bulbus_trade") / "trade.csv";
+  write_trade_csv(table, trade, results);
+  const TradePoints points = read_trade_points(table);
+  ASSERT_EQ(points.on_mesh.size(), 3u);  // by rising seconds
+  EXPECT_EQ(points.on_mesh[0].parameter + "," + points.on_mesh[1].parameter, "accuracy,scene");
+  EXPECT_EQ(points.on_mesh[0].seconds, 1);
+  EXPECT_NEAR(points.on_mesh[0].error, .01, 1e-12);
+  EXPECT_TRUE(points.on_mesh[0].front && points.on_mesh[1].front);
+  EXPECT_FALSE(points.on_mesh[2].front);
+  EXPECT_TRUE(points.on_all.empty());
+}
+
+TEST(TradeFigure, HasTheFrontAndFourNamedParametersAtMost) {
+  TradePoints points{{{"a", 1, 1e-1, true},
+                      {"b", 2, 1e-2, true},
+                      {"b", 3, 1e-3, true},
+                      {"c", 4, 1e-4, true},
+                      {"scene", 5, 1e-5, true},
+                      {"idle", 6, 1e-1, false},
+                      {"d", 7, 1e-6, true},
+                      {"e", 8, 1e-7, true}},
+                     {}};
+  const Chart chart = chart_of(points);
+  ASSERT_EQ(chart.panels.size(), 1u);
+  const auto& series = chart.panels[0].series;
+  std::string names;
+  for (const auto& s : series) names += s.name + ",";
+  EXPECT_EQ(names, "Pareto front,b,a,c,d,other settings,");
+  EXPECT_EQ(series[0].marks.size(), 7u);
+  EXPECT_EQ(series[1].marks.size(), 3u);  // the scene as it is among them
+  EXPECT_EQ(series[5].marks.size(), 3u);
+  EXPECT_TRUE(series[5].background);
+  EXPECT_NEAR(series[0].marks[1].x, std::log10(2), 1e-12);
+  EXPECT_NEAR(series[0].marks[1].y, -2, 1e-12);
+}
+
+TEST(TradeFigure, IsDrawnFromTheTableOfATrade) {
+  const std::filesystem::path folder = fresh_folder("bulbus_trade");
+  const std::string header =
+      "run,parameter,value,seconds [s],error,front,extrapolated_error,extrapolated_front\n";
+  const auto plot = [&](const std::string& rows, const std::vector<std::string>& more = {}) {
+    std::ofstream(folder / "trade.csv") << header << rows;
+    std::vector<std::string> arguments{"plot", folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::ostringstream out, err;
+    const int status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
+    return std::to_string(status) + " " + out.str() + err.str();
+  };
+  const std::string row = "run_003,newton,\"1e-2, late\",4,.01,front,.2,front\n";
+  EXPECT_EQ(plot(row), "0 " + (folder / "trade.svg").string() + "\n");
+  EXPECT_NE(content_of(folder / "trade.svg").find(">newton<"), std::string::npos);
+  EXPECT_NE(plot("run_003,newton,1e-2,soon,.01,front,,\n").find("trade.csv:2: 'soon' is no seconds [s]"),
+            std::string::npos);
+  EXPECT_EQ(plot("run_003,newton\n")[0], '2');
+  EXPECT_EQ(plot(row, {"pull"})[0], '2');
 }
 
 TEST(Accuracy, IsOverriddenBySingleSettings) {
