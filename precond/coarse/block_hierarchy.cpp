@@ -12,10 +12,11 @@ namespace bulbus::inline precond {
 namespace {
 
 constexpr int blocks_of_aggregate = 6;
-// Degree of the polynomial in a level's cycle: on the finest one it solves to a ninth where eigenvalues begin
-// at .03 of the last (T_8(1.064) = 9). A coarser level has a sixth of the rows and is visited so often for
-// each cycle of the finer one, so that with more than six all of them would cost more than the finest.
-constexpr int finest_degree = 8, coarser_degree = 5;
+// Degree of the polynomial in a level's cycle: on the finest one it solves to a quarter where eigenvalues
+// begin at .03 of the last (T_6(1.064) = 4.1; docs/decisions/052 compares degrees). A coarser level has a
+// sixth of the rows and is visited so often for each cycle of the finer one, so that with more than six all
+// of them would cost more than the finest.
+constexpr int finest_degree = 6, coarser_degree = 4;
 constexpr int lanczos_steps = 10;
 // The spectrum of a cycle times a positive definite matrix ends at 1, or where the next level's polynomial
 // lets it, and begins where Lanczos' method has come to, or a little below. A polynomial for less than the
