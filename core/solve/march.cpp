@@ -53,13 +53,13 @@ class Increments {
 
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
-// iterations (docs/decisions/017). First steps that are too long for the mesh are so with exact solves, too,
+// iterations (docs/decisions/017). An increment that is too long for the mesh is so with exact solves, too,
 // and a cycle of active sets is one with them, too.
 constexpr double careful_eta = 1e-8;
 
 bool by_loose_solves(const NewtonReport& failed) {
   return failed.outcome != Outcome::linear_solver_failed && failed.outcome != Outcome::cycling &&
-         !(failed.outcome == Outcome::inverted_element && std::ssize(failed.iterations) <= first_steps);
+         !failed.too_long;
 }
 
 // Largest angle by which a set or a rigid body turns within a step, rad.

@@ -13,14 +13,10 @@
 #include "core/solve/cycle_detector.hpp"
 #include "core/solve/forcing_term.hpp"
 #include "core/solve/state_increment.hpp"
+#include "core/solve/step_lengths.hpp"
 
 namespace bulbus::inline solve {
 namespace {
-
-// Of the first Newton steps together: two increments of half the length cost less than what is to come.
-// Later a few short steps are allowed (docs/decisions/033).
-constexpr double least_length = 1.0 / 8;
-constexpr int most_shortened = 8;
 
 bool finite(const EquilibriumError& b) {
   return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid);
@@ -215,8 +211,7 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
   CycleDetector cycle;
   NewtonSettings criteria = settings;
   int last = settings.max_iterations;
-  double length = 1;
-  int shortened = 0;
+  StepLengths lengths;
   for (int number = 0;; ++number) {
     NewtonIteration now{.number = number};
     iteration.measure(now);
@@ -256,10 +251,9 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
     now.step = iteration.step(longest);
     report.iterations.push_back(now);
     observe(now);
-    if (number < first_steps) length *= now.step;
-    shortened += now.step < 1;
-    if (now.step == 0 || shortened == most_shortened || length < least_length)
-      return fail(Outcome::inverted_element);
+    lengths.add(now.step, now.error);
+    report.too_long = lengths.too_long();
+    if (lengths.exhausted()) return fail(Outcome::inverted_element);
   }
 }
 

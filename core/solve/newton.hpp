@@ -18,10 +18,6 @@ enum class Outcome {
   interrupted
 };
 
-/// Newton steps that tell whether an increment is too long for the mesh: where less than an eighth is left of
-/// them together, since they would invert an element, it is given up.
-inline constexpr int first_steps = 4;
-
 /// In words, for logs and summaries.
 std::string describe(Outcome outcome);
 
@@ -48,6 +44,7 @@ struct NewtonReport {
   int negative_pivots = -1;         ///< of the last linearisation; -1 where nobody counted them
   bool negative_curvature = false;  ///< of the last solution of GMRES, where pivots are not known
   int direct_solves = 0;            ///< systems that MUMPS solved in place of GMRES
+  bool too_long = false;            ///< given up since the increment is too long for the mesh
 };
 
 using NewtonObserver = std::function<void(const NewtonIteration&)>;
