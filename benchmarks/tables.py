@@ -12,6 +12,7 @@ import json
 import pathlib
 import sys
 
+import answers
 import series
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -149,7 +150,8 @@ def rows_of(report, where):
 
 def tables(path):
     report = json.loads(path.read_text())
-    parts = [f"### {path.stem}"]
+    question, answer = answers.answer(path.stem, report)
+    parts = [f"### {path.stem}"] + ([f"**{question}** {answer}"] if question else [])
     for where, columns in TABLES[report["program"]]:
         if report.get(where):
             parts.append(table(rows_of(report, where), columns))
@@ -162,6 +164,14 @@ def tables(path):
 
 def recorded():
     return [path for path in sorted((HERE / "results").glob("*.json")) if path.name != series.NAME]
+
+
+def answers_table():
+    rows = []
+    for path in recorded():
+        question, answer = answers.answer(path.stem, json.loads(path.read_text()))
+        rows.append({"question": question, "answer": answer, "record": f"[`{path.stem}`](#{path.stem})"})
+    return table(rows, [("question", "question"), ("answer", "answer"), ("record", "record")])
 
 
 def all_tables(files):
@@ -340,7 +350,7 @@ def pages():
     """Path, text as it is and text as it should be of every page with tables."""
     blocks = {"README.md": {"tables": table(from_rest(), SUMMARY),
                             "operation": table(beside_paper(result("operation")), OPERATION), "large": large_facts()},
-              "docs/benchmarks.md": {"best": best_table(), "tables": all_tables(recorded())},
+              "docs/benchmarks.md": {"answers": answers_table(), "best": best_table(), "tables": all_tables(recorded())},
               "docs/trade.md": {"trade": trade_tables()},
               "docs/operation.md": {"clinical": clinical_table()},
               "docs/scaling.md": scaling_blocks(),
