@@ -16,7 +16,7 @@ double band_opening(const RigidBodySpec& body, const std::string& name, const st
 
 double band_tension(const RigidSurface& band, double opening, std::span<const Wrench> on_arcs) {
   double outwards = 0;
-  for (std::size_t p = 0; p < on_arcs.size(); ++p) outwards -= dot(on_arcs[p].force, band.parts[p].inwards);
+  for (std::size_t p = 0; p < on_arcs.size(); ++p) outwards -= dot(on_arcs[p].force, band.parts[p].closes);
   return outwards / opening;
 }
 

@@ -29,6 +29,12 @@ void check_moves(const Model& model, const std::string& name) {
                           "Leave `from` out.");
       touches = true;
     }
+  if (!touches)
+    throw scene_error(
+        "rigid_bodies." + name + ".band.stiffness", "has no effect: no step shortens the band",
+        fmt::format("Give the step from which it is elastic `move: [{{body: {}, shorten: 0}}]`, or leave "
+                    "`stiffness` out.",
+                    name));
 }
 
 }  // namespace

@@ -59,7 +59,9 @@ ContactStanding standing(const Interactions::Contact& contact, Snapshot& s) {
   for (const ContactNode& n : nodes_of(contact, s))
     touching += n.active, pressure = std::max(pressure, n.pressure);
   all.touching = comm.sum(touching);
-  all.area = s.problem.multiplicity() * comm.sum(own.area);
+  double area = comm.sum(own.area);  // each side sees what its own nodes touch
+  if (contact.exchanged) area = std::max(area, comm.sum(contact.exchanged->figures(s.state).area));
+  all.area = s.problem.multiplicity() * area;
   all.penetration = comm.max(own.penetration);
   if (contact.exchanged)
     all.penetration = std::max(all.penetration, comm.max(contact.exchanged->penetration(s.state)));

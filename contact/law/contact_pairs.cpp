@@ -112,6 +112,10 @@ bool ContactTerm::look_back(std::span<const double> points, std::span<const doub
   return !start_.points.empty();
 }
 
+void ContactTerm::rests(const State& state) const {
+  if (start_.resumed) look_back(outermost(state), master_.places(state));
+}
+
 // History decides: a point behind the surface is inside if it was in contact before or has come through the
 // surface since, however deep it is now; on the far side of a thin layer it is not.
 void ContactTerm::follow(const MasterSurface& master, double motion, const Way& way, const Vec3<double>& N,

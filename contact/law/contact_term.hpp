@@ -99,6 +99,8 @@ class ContactTerm final : public Term {
   const Augmentation& augmentation() const { return augmentation_; }
   const ContactMemory& memory() const { return committed_; }
   int searches() const { return search_.searches(); }
+  /// Where a run goes on: the ways of points begin in this state.
+  void rests(const State& state) const;
 
   /// Current positions of the slave points, their chordal offset added along the normal; 3 each, mm.
   std::vector<double> outermost(const State& state) const { return outermost(state.x, shape(state.x)); }

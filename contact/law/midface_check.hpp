@@ -16,7 +16,9 @@ class MidfaceCheck final : public Term {
   MidfaceCheck(const ContactSpec& spec, const ContactDefaults& defaults, const ContactSides& sides,
                const Comm& comm, const Halo& halo, std::shared_ptr<const ContactTerm> nodes);
 
-  void add_residual(const State&, std::span<double>, std::span<double>) const override {}
+  void add_residual(const State& state, std::span<double>, std::span<double>) const override {
+    middles_.rests(state);
+  }
   void begin_step(int step, const State& state) override { middles_.begin_step(step, state); }
   void pass_step(int step, const State& start) override { middles_.pass_step(step, start); }
   void set_progress(double s) override { progress_ = s, middles_.set_progress(s); }

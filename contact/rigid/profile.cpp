@@ -162,6 +162,9 @@ Profile profile_of(const SweptShape& shape, const std::string& key) {
   if (shape.at.size() != 2)
     throw scene_error(key + ".at", "a point in the meridian plane has two coordinates",
                       "Write [axial, radial].");
+  if (!shape.spline && shape.points != SweptShape{}.points)
+    throw scene_error(key + ".points", "has no effect: `spline` is false",
+                      "Add `spline: true`, or leave it out.");
   Profile s;
   for (const auto& corner : shape.section) {
     if (corner.size() != 2)

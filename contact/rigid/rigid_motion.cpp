@@ -125,6 +125,8 @@ void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, co
 
 void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> slaves,
                                  const std::string& key) {
+  now_ = start_;
+  place();  // where a run goes on amid the step it is farther on
   const double left = clearance(slaves);
   for (std::size_t p = 0; p < start_.size(); ++p) {
     const bool shifts = move.close == 0 && move.shorten == 0 && norm(move.translate) > 0;
@@ -183,7 +185,8 @@ void RigidMotion::freeze() {
 
 void RigidMotion::place() {
   for (std::size_t p = 0; p < now_.size(); ++p) {
-    const RigidSurface::Part& part = surface_->parts[p];
+    RigidSurface::Part& part = surface_->parts[p];
+    part.closes = turned(now_[p].rotation, part.inwards);
     const Vec3<double> anchor = part.center + now_[p].shift;
     for (int i = 3 * part.first_point; i < 3 * (part.first_point + part.points); i += 3) {
       const Vec3<double> X{surface_->reference[i], surface_->reference[i + 1], surface_->reference[i + 2]};

@@ -27,7 +27,7 @@ void append(RigidSurface& body, const SurfaceTriangulation& surface,
   part.points = surface.size();
   part.first_triangle = static_cast<int>(triangles.size());
   part.triangles = static_cast<int>(surface.triangles.size());
-  part.inwards = inwards;
+  part.inwards = part.closes = inwards;
   part.center = mean_of(surface.points);
   body.reference.insert(body.reference.end(), surface.points.begin(), surface.points.end());
   for (const auto& [a, b, c] : surface.triangles)

@@ -15,7 +15,8 @@ struct RigidSurface {
     int first_point = 0, points = 0;        ///< its run of points
     int first_triangle = 0, triangles = 0;  ///< and of triangles
     Vec3<double> center{0, 0, 0};           ///< moments and rotations count from here (reference position)
-    Vec3<double> inwards{0, 0, 0};          ///< unit direction of `close`; zero: none
+    Vec3<double> inwards{0, 0, 0};          ///< unit direction of `close` as drawn; zero: none
+    Vec3<double> closes{0, 0, 0};           ///< the same as the motion has turned it
   };
 
   std::string name;

@@ -32,7 +32,7 @@ SlaveSurface::SlaveSurface(std::span<const double> X, int owned, std::span<const
     const Quad& q = faces[f];
     std::array<int, 4> at;
     for (int i = 0; i < 4; ++i) at[i] = index.contains(q[i]) ? index[q[i]] : -1;
-    if (std::ranges::all_of(at, [](int i) { return i < 0; })) continue;
+    if (std::ranges::all_of(q, [&](int n) { return n >= owned; })) continue;
     faces_.push_back(q);
     numbers_.push_back(static_cast<int>(f));
     corners_.push_back(at);

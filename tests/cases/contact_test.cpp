@@ -47,6 +47,24 @@ TEST(ThinSheet, IsMetByRoundBodiesBetweenTheirFacetsCorners) {
     }
 }
 
+// Edges of a slave may have four faces, as in meshes of voxels: the warning at the end splits it into
+// triangles.
+TEST(Voxels, OfASlaveMayMeetAtEdges) {
+  const Ran run = run_case("voxels");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(probe(run, "push"), 0);
+}
+
+// Only the punch's nodes touch.
+TEST(Punch, HasAnAreaInContactBothWays) {
+  const Ran run = run_case("punch", {"contacts.0.two_way=true",
+                                     "probes=[{name: area, kind: contact_area, contact: joint}, {name: mean, "
+                                     "kind: mean_contact_pressure, contact: joint}]"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(probe(run, "area"), 0);
+  EXPECT_GT(probe(run, "mean"), 0);
+}
+
 TEST(Ridge, PushesNeitherWay) {
   const Ran run = run_case("ridge");
   ASSERT_EQ(run.status, 0) << run.err;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contact/band_tension.hpp"
+#include "contact/rigid/rigid_motion.hpp"
 #include "core/base/error.hpp"
 #include "tests/unit/contact/bodies.hpp"
 
@@ -31,6 +32,18 @@ TEST(BandTension, IsPressureTimesWidthTimesRadius) {
     for (const auto& part : band.parts) forces.push_back({-on_arc * part.inwards, {}});
     EXPECT_NEAR(band_tension(band, band_opening(spec, "band", ""), forces), p * w * r, 2e-3 * p * w * r);
   }
+}
+
+// Arcs that a quarter of a turn about the band's axis has brought to each other's places.
+TEST(BandTension, TurnsWithTheBand) {
+  const auto band = std::make_shared<RigidSurface>(body(ring(36, 360)));
+  RigidMotion motion(band);
+  motion.begin({.body = "b", .rotate = RotationSpec{.angle = turn / 4}}, {}, "");
+  motion.set_progress(1);
+  std::vector<Wrench> forces;
+  for (const auto& part : band->parts)
+    forces.push_back({{part.inwards[1], -part.inwards[0], -part.inwards[2]}, {}});
+  EXPECT_NEAR(band_tension(*band, turn, forces), 36 / turn, 1e-9);
 }
 
 TEST(BandTension, NeedsArcsThatCloseRadially) {

@@ -20,6 +20,16 @@ TEST(SlaveSurface, AreasAddUpToThoseOfTheFaces) {
   EXPECT_NEAR(sum, exact, 1e-14);
 }
 
+// A face is counted where its first corner is owned, though its own nodes may all be the master's as well.
+TEST(SlaveSurface, KeepsFacesWhoseOwnedNodesAreTheMasters) {
+  const std::vector<double> X{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const std::vector<Quad> faces{{0, 1, 2, 3}};
+  const std::vector<int> excluded{0, 1};
+  const SlaveSurface surface(X, 2, faces, excluded, {});
+  EXPECT_EQ(surface.faces().size(), 1u);
+  EXPECT_TRUE(surface.nodes().empty());
+}
+
 TEST(SlaveSurface, NormalsPointOutOfASphere) {
   Sheets s;
   const auto faces = s.add(40, 40, [](double u, double v) {
