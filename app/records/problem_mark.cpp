@@ -38,7 +38,9 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
 
 Scene without_its_course(Scene scene, const Model& model, int step) {
   scene.title.clear();
-  scene.mesh = {};
+  MeshSource names;  // however the mesh is made: they say who is held, pressed and made of what
+  names.sets = scene.mesh.sets, names.surfaces = scene.mesh.surfaces, names.regions = scene.mesh.regions;
+  scene.mesh = names;
   scene.solver = {};
   scene.output = {};
   scene.model = model;

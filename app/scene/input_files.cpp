@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/mixed_bits.hpp"
+#include "core/mesh/read_mesh.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -29,6 +30,13 @@ std::uint64_t hash_of(const std::string& path) {
   return hash;
 }
 
+// Of an Abaqus file with those that it includes.
+std::uint64_t hash_with_included(const std::string& path) {
+  std::uint64_t hash = hash_of(path);
+  for (const std::string& included : included_files(path)) hash = mixed_bits(hash ^ hash_of(included));
+  return hash;
+}
+
 std::vector<InputFile> files_of(const Scene& scene) {
   std::vector<InputFile> files;
   if (scene.mesh.file) files.push_back({"mesh.file", *scene.mesh.file});
@@ -43,7 +51,7 @@ std::string InputFile::hash() const { return fmt::format("{:016x}", content); }
 
 std::vector<InputFile> input_files(const Scene& scene) {
   auto files = files_of(scene);
-  for (InputFile& file : files) file.content = hash_of(file.path);
+  for (InputFile& file : files) file.content = hash_with_included(file.path);
   return files;
 }
 
@@ -51,7 +59,8 @@ std::vector<InputFile> input_files(const Scene& scene, const Comm& comm) {
   auto files = files_of(scene);
   std::vector<long long> contents;
   if (comm.rank() == 0)
-    for (const InputFile& file : files) contents.push_back(static_cast<long long>(hash_of(file.path)));
+    for (const InputFile& file : files)
+      contents.push_back(static_cast<long long>(hash_with_included(file.path)));
   contents = comm.gather(contents);  // the first rank's: the others give none
   for (std::size_t i = 0; i < files.size(); ++i) files[i].content = static_cast<std::uint64_t>(contents[i]);
   return files;

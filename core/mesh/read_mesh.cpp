@@ -3,7 +3,9 @@
 #include <cctype>
 #include <filesystem>
 
+#include "core/base/error.hpp"
 #include "core/mesh/abaqus/abaqus.hpp"
+#include "core/mesh/abaqus/abaqus_lines.hpp"
 #include "core/mesh/gmsh/gmsh.hpp"
 #include "core/mesh/vtk/vtk.hpp"
 
@@ -27,6 +29,17 @@ ReadMesh read_mesh(const std::string& path, const std::string& regions) {
   if (is_vtk(path)) return read_vtk(path, regions);
   if (extension_of(path) == ".inp") return read_abaqus(path);
   return {read_gmsh(path), {}};
+}
+
+std::vector<std::string> included_files(const std::string& path) {
+  if (extension_of(path) != ".inp") return {};
+  try {
+    AbaqusLines lines(path);
+    while (!lines.at_end()) lines.next();
+    return {lines.files().begin() + 1, lines.files().end()};
+  } catch (const InputError&) {
+    return {};  // the reader tells
+  }
 }
 
 }  // namespace bulbus::inline mesh

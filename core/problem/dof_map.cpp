@@ -19,7 +19,11 @@ void DofMap::constrain(const std::string& name, std::vector<Constraint> constrai
   moving_.insert(name);
 }
 
-bool DofMap::release(const std::string& name) { return constraints_.erase(name) > 0; }
+bool DofMap::release(const std::string& name) {
+  return std::erase_if(constraints_, [&](const auto& one) {
+           return one.first == name || one.first.starts_with(name + " ");
+         }) > 0;
+}
 
 void DofMap::freeze() {
   for (auto& [name, constraints] : constraints_)

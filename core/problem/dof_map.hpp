@@ -31,6 +31,7 @@ class DofMap {
 
   /// Replaces the constraints called `name`; those of a node are orthonormalised in the order of their names.
   void constrain(const std::string& name, std::vector<Constraint> constraints);
+  /// Those called `name`, and those whose names go on behind a blank. False where there are none.
   bool release(const std::string& name);
   /// From now on every hold stays where it is at s = 1.
   void freeze();

@@ -5,6 +5,7 @@
 
 #include <cfenv>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "core/base/characters.hpp"
@@ -46,6 +47,18 @@ bool compares_twice(const std::string& text) {
   return false;
 }
 
+// `X = 1` would set X, and be 1 everywhere.
+bool assigns(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    const bool twice = i + 1 < text.size() && text[i + 1] == '=';
+    if (!twice && (i == 0 || std::string_view("<>!").find(text[i - 1]) == std::string_view::npos))
+      return true;
+    i += twice;
+  }
+  return false;
+}
+
 }  // namespace
 
 struct Formula::Parser {
@@ -67,6 +80,9 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
   bare_ = false;
   if (has_stray_comma(text))
     throw scene_error(where, "the formula '" + text + "' has a comma outside of a function", decimal_point);
+  if (assigns(text))
+    throw scene_error(where, "the formula '" + text + "' has a single '=', which compares nothing",
+                      "Write == to compare, or of coordinates better \"abs(X - 1) < 0.001\".");
   if (compares_twice(text))
     throw scene_error(where,
                       "the formula '" + text + "' compares the outcome of a comparison, which is 0 or 1",

@@ -97,6 +97,8 @@ void refuse_idle_keys(const LoadSpec& l, const std::string& key) {
   const std::string give = "Give `pressure`, or leave it out.";
   refuse_idle(l.pressure && !l.dead && l.direction != none.direction, key + ".direction", follows,
               "Add `dead: true` for a load in a fixed direction, or leave `direction` out.");
+  refuse_idle(l.pressure && l.dead && l.direction != none.direction && !l.region.empty(), key + ".region",
+              "a `dead` pressure with a `direction` has no side", "Leave `region` out.");
   refuse_idle(!l.pressure && l.direction != none.direction, key + ".direction", no_pressure, give);
   refuse_idle(!l.pressure && l.dead, key + ".dead", no_pressure, give);
   refuse_idle(!l.pressure && !l.region.empty(), key + ".region", no_pressure, give);

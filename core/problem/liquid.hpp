@@ -38,6 +38,8 @@ class Liquid {
   double violation(double V, double P) const { return enclosed_ ? V - V_i_ + (P - P_i_) * compliance() : 0; }
   /// V_i / K, mm³/MPa
   double compliance() const { return (enclosed_ ? V_i_ : V_scale_) / K_; }
+  /// What it is enclosed with at the start of the step, without what the step adds, mm³.
+  double at_start() const { return V_start_; }
   /// A volume that makes violations relative.
   double scale() const { return enclosed_ ? V_i_ : V_scale_; }
   void set_scale(double V) { V_scale_ = V; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/mesh/hex_edges.hpp"
@@ -20,9 +21,11 @@ bool has_an_edge(const Mesh& mesh, const std::vector<int>& nodes) {
   });
 }
 
-bool on_a_plane(const Mesh& mesh, const Model& model, int node) {
-  return std::ranges::any_of(
-      model.symmetry, [&](const std::string& plane) { return mesh.points[node][axis_of(plane)] == 0; });
+// `tolerance`: as nodes are held on planes.
+bool on_a_plane(const Mesh& mesh, const Model& model, int node, double tolerance) {
+  return std::ranges::any_of(model.symmetry, [&](const std::string& plane) {
+    return std::abs(mesh.points[node][axis_of(plane)]) <= tolerance;
+  });
 }
 
 }  // namespace
@@ -44,11 +47,13 @@ void require_forces_kept(const Mesh& mesh, const Model& model) {
 
 std::vector<std::string> forces_on_planes(const Mesh& mesh, const Model& model) {
   std::vector<std::string> sentences;
+  const double tolerance = mesh_tolerance(mesh);
   for (const StepSpec& step : model.steps)
     for (const LoadSpec& load : step.loads) {
       if (!load.force) continue;
       const auto nodes = nodes_of(mesh, load.set);
-      const auto count = std::ranges::count_if(nodes, [&](int n) { return on_a_plane(mesh, model, n); });
+      const auto count =
+          std::ranges::count_if(nodes, [&](int n) { return on_a_plane(mesh, model, n, tolerance); });
       if (count > 0)
         sentences.push_back(fmt::format(
             "step '{}': {} of {} nodes of set '{}' lie on a plane of symmetry, where the drawn "

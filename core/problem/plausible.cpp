@@ -101,6 +101,10 @@ void check_specs(const Sizes& sizes, const Model& model) {
   for (const auto& [name, bar] : model.bars)
     check_size(bar.area, sizes.diagonal * sizes.diagonal, "bars." + name + ".area", "a cross-section", "mm2",
                "more than the square of the mesh's diagonal");
+  for (const auto& [name, suture] : model.sutures)
+    if (suture.sets.empty())
+      check_size(suture.bite, .25 * sizes.diagonal * sizes.diagonal, "sutures." + name + ".bite", "a bite",
+                 "mm2", "more than a quarter of the square of the mesh's diagonal: all of the surface");
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     check_size(model.contacts[i].tolerance, sizes.diagonal, fmt::format("contacts.{}.tolerance", i),
                "a penetration", "mm", "more than the mesh's diagonal");

@@ -123,6 +123,7 @@ class Problem {
   void require_free_elements() const;
   void find_enclosed(int step, const State& start);
   void add_displacement(const DisplaceSpec& spec, int step, int index, const State& start);
+  std::string pressure_name(const LoadSpec& spec);
   void add_load(const LoadSpec& spec, int step, int index);
   void begin_liquids(const StepSpec& spec, int step, const State& start);
   void release(const StepSpec& spec, int step);

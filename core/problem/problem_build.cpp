@@ -78,6 +78,21 @@ Box box_of(const LocalMesh& mesh, std::span<const Quad> faces) {
   return box;
 }
 
+// Throws InputError where two rigid regions share a node of this rank.
+void mark_rigid_nodes(const LocalMesh& mesh, const Model& model, std::vector<bool>& rigid) {
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
+    const std::string& name = mesh.region_names[r];
+    if (!model.regions.at(name).rigid) continue;
+    for (int n : mesh.region_nodes[r]) {
+      if (rigid[n])
+        throw scene_error("regions." + name,
+                          "rigid region '" + name + "' shares nodes with another rigid region",
+                          "Give both one name, or let the tissue between them deform.");
+      rigid[n] = true;
+    }
+  }
+}
+
 }  // namespace
 
 void Problem::build_bodies_and_solid() {
@@ -88,6 +103,7 @@ void Problem::build_bodies_and_solid() {
   std::vector<SolidRegion> regions;
   std::vector<bool> rigid_node(mesh_.nodes());
   std::vector<Hex> hexes;
+  mesh_.comm.together([&] { mark_rigid_nodes(mesh_, model_, rigid_node); });
   for (std::size_t r = 0; r < mesh_.regions.size(); ++r) {
     const std::string& name = mesh_.region_names[r];
     const RegionSpec& spec = model_.regions.at(name);
@@ -95,19 +111,14 @@ void Problem::build_bodies_and_solid() {
       const auto& run = mesh_.regions[r];
       regions.push_back({name, material_of(spec), run.first, run.count});
       if (spec.fibres)
-        regions.back().directions = fibre_directions(*spec.fibres, "regions." + name + ".fibres", mesh_.X,
-                                                     std::span(mesh_.hexes).subspan(run.first, run.count));
+        mesh_.comm.together([&] {
+          regions.back().directions = fibre_directions(*spec.fibres, "regions." + name + ".fibres", mesh_.X,
+                                                       std::span(mesh_.hexes).subspan(run.first, run.count));
+        });
       continue;
     }
     const auto& nodes = mesh_.region_nodes[r];  // ghosts too of which this rank has no hexahedron
     const auto planes = planes_through(mesh_, nodes, model_.symmetry);
-    for (int n : nodes) {
-      if (rigid_node[n])
-        throw scene_error("regions." + name,
-                          "rigid region '" + name + "' shares nodes with another rigid region",
-                          "Give both one name, or let the tissue between them deform.");
-      rigid_node[n] = true;
-    }
     bodies.emplace_back(name, nodes, center_of(mesh_, nodes, planes), free_motions(planes));
   }
   solid_ = std::make_shared<const Solid>(mesh_.X, mesh_.hexes, regions);

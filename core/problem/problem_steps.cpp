@@ -48,17 +48,20 @@ std::function<double(double)> ramp(std::shared_ptr<Formula> f, double start, int
 }
 
 // Faces of a surface with normals out of a region that has each of them on one side; its hexahedron may be
-// another rank's.
+// another rank's, but that of a face's other side is then this one's.
 std::vector<Quad> faces_towards(const LocalMesh& mesh, const std::string& surface,
                                 const std::string& region) {
   const auto& run = mesh.regions[std::ranges::find(mesh.region_names, region) - mesh.region_names.begin()];
   const std::vector<Hex> hexes(mesh.hexes.begin() + run.first, mesh.hexes.begin() + run.first + run.count);
-  const FaceTable table(hexes);
+  const FaceTable table(hexes), of_all(mesh.hexes);
   std::vector<Quad> faces = mesh.surfaces.at(surface);
-  for (Quad& q : faces) {
-    const int face = table.first(q);
-    q = face >= 0 ? face_nodes(hexes, face) : Quad{q[3], q[2], q[1], q[0]};
-  }
+  for (Quad& q : faces)
+    if (const int face = table.first(q); face >= 0) {
+      q = face_nodes(hexes, face);
+    } else {
+      const Quad other = face_nodes(mesh.hexes, of_all.first(q));
+      q = {other[3], other[2], other[1], other[0]};
+    }
   return faces;
 }
 
@@ -84,7 +87,7 @@ void Problem::begin_step(int step, const State& start) {
   begin(step, start, &Term::begin_step);
   for (const auto& [name, volume] : model_.steps[step].add) {
     const std::string key = step_key(step, "add." + name);
-    const double there = multiplicity_ * liquids_[liquid_index(name, key)].scale();
+    const double there = multiplicity_ * liquids_[liquid_index(name, key)].at_start();
     if (there + volume <= 0)
       throw scene_error(
           key,
@@ -121,37 +124,57 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
   const std::string where = step_key(step, "displace." + std::to_string(index));
   const auto nodes = nodes_of(spec.set);
   const bool from_start = spec.from == "start";
-  const auto along = [&](const std::string& what, const std::string& text, auto direction) {
-    auto formula = std::make_shared<Formula>(text, where + "." + what);
+  // `key`: of the formula; `made`: of the displacement that it counts, what the start of the step has
+  const auto along = [&](const std::string& what, const std::string& key, const std::string& text,
+                         auto direction, auto made) {
+    auto formula = std::make_shared<Formula>(text, where + "." + key);
     std::vector<Constraint> constraints;
     for (int n : nodes) {
       const Vec3<double> d = direction(n), drawn = at(mesh_.drawn_places(), n);
       formula->require_finite(drawn, step);
-      const double done = dot(d, minus(at(start.x, n), at(mesh_.X, n)));
-      constraints.push_back({n, d, course(formula, drawn, done, from_start, step)});
+      const double done = dot(d, minus(at(start.x, n), at(mesh_.X, n))), before = made(n, done);
+      constraints.push_back(
+          {n, d, [value = course(formula, drawn, before, from_start, step), rest = done - before](double s) {
+             return value(s) + rest;
+           }});
     }
     dofs_->constrain("2 " + spec.set + "/" + what, std::move(constraints));
   };
+  const auto all = [](int, double done) { return done; };
   for (const auto& [name, text] : {std::pair{"x", &spec.x}, {"y", &spec.y}, {"z", &spec.z}})
     if (*text)
-      along(name, **text, [c = axis_of(name)](int) {
-        Vec3<double> d{0, 0, 0};
-        d[c] = 1;
-        return d;
-      });
+      along(
+          name, name, **text,
+          [c = axis_of(name)](int) {
+            Vec3<double> d{0, 0, 0};
+            d[c] = 1;
+            return d;
+          },
+          all);
+  const auto from_axis = [&](const Vec3<double>& x) {
+    const Vec3<double> axis = unit(spec.axis);
+    Vec3<double> r = minus(x, spec.center);
+    const double t = dot(r, axis);
+    for (int c = 0; c < 3; ++c) r[c] -= t * axis[c];
+    return r;
+  };
   if (spec.radial)
-    along("radial", *spec.radial, [&](int n) {
-      const Vec3<double> axis = unit(spec.axis);
-      Vec3<double> r = minus(at(start.x, n), spec.center);
-      const double t = dot(r, axis);
-      for (int c = 0; c < 3; ++c) r[c] -= t * axis[c];
-      if (!(norm(r) > 0))
-        throw scene_error(where + ".radial",
-                          "a node of '" + spec.set + "' lies on the axis: it has no radial direction",
-                          "Take it out of the set.");
-      return unit(r);
-    });
-  if (spec.by) along("along", *spec.by, [&](int) { return unit(spec.along); });
+    along(
+        "radial", "radial", *spec.radial,
+        [&](int n) {
+          const Vec3<double> r = from_axis(at(start.x, n));
+          if (!(norm(r) > 0))
+            throw scene_error(where + ".radial",
+                              "a node of '" + spec.set + "' lies on the axis: it has no radial direction",
+                              "Take it out of the set.");
+          return unit(r);
+        },
+        // a set that has turned about the axis is as far from it as before
+        [&](int n, double) { return norm(from_axis(at(start.x, n))) - norm(from_axis(at(mesh_.X, n))); });
+  if (spec.by)
+    along(
+        fmt::format("along {} {} {}", spec.along[0], spec.along[1], spec.along[2]), "by", *spec.by,
+        [&](int) { return unit(spec.along); }, all);
   if (!spec.affine && !spec.rotate && !spec.translate) return;
   // whole motions: u(s) for all three directions; affine from the reference, rigid from the start of the step
   const auto motion = [spec](const Vec3<double>& X, const Vec3<double>& x, double s) {
@@ -194,10 +217,27 @@ void Problem::find_enclosed(int step, const State& start) {
     if (std::ranges::find(warnings_, sentence) == warnings_.end()) warnings_.push_back(sentence);
 }
 
+// The two sides of a surface between regions have pressures of their own. A load that names its region
+// replaces one that did not have to, and the other way round.
+std::string Problem::pressure_name(const LoadSpec& spec) {
+  const std::string whole = "surface " + spec.surface;
+  if (spec.region.empty()) {
+    const auto one =
+        std::ranges::find_if(loads_, [&](const auto& load) { return load.first.starts_with(whole + "\n"); });
+    return one == loads_.end() ? whole : one->first;
+  }
+  const std::string name = whole + "\n" + spec.region;
+  if (auto old = loads_.extract(whole)) {
+    old.key() = name;
+    loads_.insert(std::move(old));
+  }
+  return name;
+}
+
 void Problem::add_load(const LoadSpec& spec, int step, int index) {
   const std::string where = step_key(step, "loads." + std::to_string(index));
   if (spec.pressure) {
-    const std::string name = "surface " + spec.surface;
+    const std::string name = pressure_name(spec);
     const double before = loads_.contains(name) ? loads_[name]->end() : 0;
     auto value = ramp(std::make_shared<Formula>(*spec.pressure, where + ".pressure"), before, step);
     const auto faces = spec.region.empty() ? mesh_.surfaces.at(spec.surface)
@@ -264,7 +304,11 @@ void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) 
 
 void Problem::release(const StepSpec& spec, int step) {
   for (const std::string& name : spec.release) {
-    bool found = loads_.erase("surface " + name) + loads_.erase("force " + name) > 0;
+    const auto acts_on = [&](const auto& load) {
+      return load.first == "force " + name || load.first == "surface " + name ||
+             load.first.starts_with("surface " + name + "\n");
+    };
+    bool found = std::erase_if(loads_, acts_on) > 0;
     for (const char* what : {"x", "y", "z", "radial", "along"})
       found |= dofs_->release("2 " + name + "/" + what);
     if (!found)

@@ -145,7 +145,18 @@ class Constraints {
   Vector gram_;  // size_ × size_
 };
 
-void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
+// What is prescribed in a step: what steps before it prescribed and none has released.
+std::vector<DisplaceSpec> held_in(const Model& model, std::size_t step) {
+  std::vector<DisplaceSpec> held;
+  for (std::size_t k = 0; k <= step; ++k) {
+    for (const std::string& name : model.steps[k].release)
+      std::erase_if(held, [&](const DisplaceSpec& d) { return d.set == name; });
+    held.insert(held.end(), model.steps[k].displace.begin(), model.steps[k].displace.end());
+  }
+  return held;
+}
+
+void add_holds(const Mesh& mesh, const Model& model, std::size_t step, Constraints& constraints) {
   const auto unit = [](int c) {
     Vec3<double> d{0, 0, 0};
     d[c] = 1;
@@ -159,7 +170,7 @@ void add_holds(const Mesh& mesh, const Model& model, Constraints& constraints) {
   for (const FixSpec& f : model.fix)
     for (int n : nodes_of(mesh, f.set))
       for (const std::string& d : f.directions) constraints.constrain(n, unit(axis_of(d)));
-  for (const DisplaceSpec& d : model.steps.front().displace) {
+  for (const DisplaceSpec& d : held_in(model, step)) {
     const bool all = d.affine || d.rotate || d.translate;
     const bool along[3] = {all || d.x, all || d.y, all || d.z};
     const double axis2 = dot(d.axis, d.axis);
@@ -192,12 +203,9 @@ std::string describe(std::span<const double> motion) {
                      d[2]);
 }
 
-}  // namespace
-
-void require_supported(const Mesh& mesh, const Model& model) {
-  const Parts parts = find_parts(mesh);
+void require_supported(const Mesh& mesh, const Model& model, const Parts& parts, std::size_t step) {
   Constraints constraints(mesh, parts);
-  add_holds(mesh, model, constraints);
+  add_holds(mesh, model, step, constraints);
   for (const auto& [name, group] : mesh.bars)
     for (const Bar& bar : group) constraints.add(bar);
   for (const Parts::Joint& joint : parts.joints) constraints.add(joint);
@@ -212,14 +220,26 @@ void require_supported(const Mesh& mesh, const Model& model) {
   for (int p = 1; p < static_cast<int>(parts.name.size()); ++p)
     if (square(motion(p)) > square(motion(worst))) worst = p;
   throw scene_error(
-      "fix",
+      step == 0 ? "fix" : fmt::format("steps.{}.release", step),
       fmt::format("under-constrained: nothing prevents a rigid motion of {} ({}), {}",
                   parts.name.size() == 1 ? "the model" : "a part of the model", parts.name[worst],
                   describe(motion(worst))),
-      std::string("Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars.") +
+      std::string(step == 0 ? "Constrain it with `fix`, `symmetry`, `displace` in the first step, or bars."
+                            : "Keep one of the holds, or give the step another in `displace`.") +
           (parts.joints.empty() ? ""
                                 : " Hexahedra that share an edge or a corner, but no face, "
                                   "turn about it: join them by faces."));
+}
+
+}  // namespace
+
+// Once a step has released something contacts and sutures may be what holds.
+void require_supported(const Mesh& mesh, const Model& model) {
+  const Parts parts = find_parts(mesh);
+  const bool held_otherwise = !model.contacts.empty() || !model.sutures.empty();
+  for (std::size_t k = 0; k < model.steps.size(); ++k)
+    if (k == 0 || (!model.steps[k].release.empty() && !held_otherwise))
+      require_supported(mesh, model, parts, k);
 }
 
 }  // namespace bulbus::inline problem

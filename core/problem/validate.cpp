@@ -157,10 +157,13 @@ void check_step(const Mesh& mesh, const Model& model, const StepSpec& step, cons
   for (std::size_t i = 0; i < step.move.size(); ++i) {
     const MoveSpec& m = step.move[i];
     const auto body = model.rigid_bodies.find(m.body);
-    if (m.shorten != 0 && body != model.rigid_bodies.end() && !body->second.band && !body->second.tire &&
-        !body->second.swept)
+    if (m.shorten != 0 && body != model.rigid_bodies.end() &&
+        ((!body->second.band && !body->second.tire && !body->second.swept) ||
+         norm(body->second.direction) > 0))
       throw scene_error(key + ".move." + std::to_string(i) + ".shorten",
-                        "'" + m.body + "' has no circumference: it is no band, tire or swept section",
+                        "'" + m.body +
+                            "' has no circumference to shorten: it is no band, tire or swept section, or "
+                            "has a `direction` of its own",
                         "Give `translate`, or `close` for a motion along its own direction.");
   }
 }

@@ -17,8 +17,9 @@ void validate(const Mesh& mesh, const Model& model);
 /// Throws InputError for a contact whose surfaces do not exist, are empty or are the same.
 std::set<std::string> shared_surfaces(const Mesh& mesh, const Model& model);
 
-/// Refuses rigid motions that nothing prevents, of the whole or of a part, in the first step: fixed and
-/// prescribed directions, symmetry planes and bars count. Throws InputError naming part and motion.
+/// Refuses rigid motions that nothing prevents, of the whole or of a part, in the first step and, where there
+/// are neither contacts nor sutures, in those that release something: fixed and prescribed directions,
+/// symmetry planes and bars count. Throws InputError naming part and motion.
 void require_supported(const Mesh& mesh, const Model& model);
 
 }  // namespace bulbus::inline problem

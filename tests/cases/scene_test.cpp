@@ -201,6 +201,49 @@ TEST(WholeTurn, TwistsInAnyNumberOfIncrements) {
   }
 }
 
+// The search for the unloaded reference knows the first step's end, to which all of a turn at once would lead
+// the short way.
+TEST(WholeTurn, TwistsBehindAnUnloadedReference) {
+  const std::string loads = "loads=[{surface: side, pressure: 1 Pa}]";
+  const Ran run =
+      run_case("whole_turn", {"reference={loads: [{surface: side, pressure: 1 Pa}]}", "steps.0." + loads});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NEAR(probe(run, "moment"), .1234, .004);
+}
+
+// The volume that is added is less than what may be missing of the liquid's law.
+TEST(SmallLoads, AreNotPassedOver) {
+  const Ran run = run_scene(R"yaml(mesh: {shell: {inner: 10, outer: 10.5, n: 4, layers: 1, part: octant}}
+regions: {shell: {c10: 50 kPa}}
+liquids: {filling: {surface: inner}}
+symmetry: [x, y, z]
+steps:
+  - {name: fill, pressures: {filling: 2 kPa}}
+  - {name: inject, enclose: [filling], add: {filling: 0.0003}}
+  - {name: more, add: {filling: 0.03}}
+probes:
+  - {name: P, kind: pressure, liquid: filling, unit: Pa}
+)yaml",
+                            {});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto fields_of = [](const std::string& line) {
+    std::istringstream in(line);
+    std::vector<std::string> fields;
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+    return fields;
+  };
+  const auto lines = run.lines("history.csv");
+  const auto names = fields_of(lines.at(0));
+  const auto column = std::ranges::find_if(names, [](const std::string& n) { return n.starts_with("P"); });
+  ASSERT_NE(column, names.end());
+  std::vector<double> P;  // at the ends of the steps
+  for (std::size_t k = 1; k < lines.size(); ++k)
+    P.push_back(std::stod(fields_of(lines[k]).at(column - names.begin())));
+  ASSERT_GE(P.size(), 3u);
+  const std::size_t n = P.size();
+  EXPECT_NEAR((P[n - 2] - P[n - 3]) / (P[n - 1] - P[n - 2]), .01, .001);
+}
+
 // A comparison with what is not a number is false, and the set would lack these nodes in silence.
 TEST(NotANumber, IsRefusedInPartsOfConditions) {
   const auto checked = [](const std::string& condition) {
@@ -209,6 +252,19 @@ TEST(NotANumber, IsRefusedInPartsOfConditions) {
   expect_refused(checked("sqrt(Z - 1) < 2"), {"mesh.sets.a", "is not a number at", "? "});
   EXPECT_EQ(checked("Z > 1 ? sqrt(Z - 1) < 2 : 0").status, 0);
   EXPECT_EQ(checked("sqrt(Z + 1) < 2").status, 0);
+}
+
+std::string shipped(const std::string& name) {
+  std::ifstream in(std::string(BULBUS_DATA) + "/scenes/" + name);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(IdleKeys, OfBodiesAndSuturesAreRefused) {
+  expect_refused(run_scene(shipped("band.yaml"),
+                           {"mesh.eye.n=4", "rigid_bodies.band.band.stiffness=0.5", "steps.1.move=[]"}),
+                 {"rigid_bodies.band.band.stiffness", "no step shortens the band"});
+  expect_refused(run_scene(shipped("suture.yaml"), {"sutures.string.bite=1000"}),
+                 {"sutures.string.bite", "all of the surface"});
 }
 
 TEST(Drained, MoreThanThereIsIsRefused) {

@@ -179,6 +179,56 @@ TEST(Restart, GoesOnThroughAStepThatIsDividedOtherwise) {
   EXPECT_EQ(r.summary()["totals"]["increments"], increments_of_memory + 1);
 }
 
+// What a step does from its beginning must not be judged by what it has done so far.
+void expect_same_end(const std::string& name, const std::string& yaml, int increments) {
+  const Ran whole = call("run", fresh_folder(name + "_whole"), "scene.yaml", yaml, {});
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  const auto left = left_folders(name, yaml);
+  for (int k = 1; k < increments; ++k) {
+    const auto folder = fresh_folder(name + "_left");
+    write_scene(folder, yaml);
+    fs::copy(left / std::to_string(k), folder / "out");
+    const Ran r = go_on(folder);
+    ASSERT_EQ(r.status, 0) << k << r.err;
+    for (const auto& [probe, value] : whole.summary()["probes"].items())
+      EXPECT_NEAR(r.summary()["probes"][probe].get<double>(), value.get<double>(),
+                  1e-6 * std::abs(value.get<double>()))
+          << probe << k;
+  }
+}
+
+TEST(Restart, GoesOnWhereMoreThanHalfOfALiquidIsDrained) {
+  expect_same_end("bulbus_drained", R"yaml(mesh: {shell: {inner: 2, outer: 4, n: 2, layers: 2, part: octant}}
+regions: {shell: {c10: 50 kPa}}
+liquids: {inside: {surface: inner}}
+symmetry: [x, y, z]
+steps:
+  - {name: fill, pressures: {inside: 0.1 kPa}}
+  - {name: drain, increments: 4, enclose: [inside], add: {inside: -20}}
+probes: [{name: V, kind: volume, liquid: inside}]
+solver: {linear: {method: direct}}
+output: {checkpoint: 1}
+)yaml",
+                  5);
+}
+
+TEST(Restart, GoesOnAmidATurnFromTouch) {
+  expect_same_end("bulbus_wiped", R"yaml(mesh: {block: {upper: [4, 4, 1], nx: 8, ny: 8, nz: 2}}
+regions: {block: {c10: 50 kPa}}
+fix: [{set: zmin, directions: [x, y, z]}]
+rigid_bodies: {ball: {sphere: {center: [2, 2, 2], radius: 0.5}}}
+contacts: [{name: c, slave: zmax, master: ball}]
+steps:
+  - name: wipe
+    increments: 8
+    move: [{body: ball, from: touch, translate: [0, 0, -0.02], rotate: {axis: [0, 0, 1], center: [-8, 2, 0], angle: 60 deg}}]
+probes: [{name: u, kind: displacement, set: zmax, statistic: max}]
+solver: {linear: {method: direct}}
+output: {checkpoint: 1}
+)yaml",
+                  8);
+}
+
 /// Refused with status 2 and a message that begins with the file; the folder stays as it was.
 void expect_refused(const fs::path& folder, const std::string& message,
                     const std::vector<std::string>& more = {}) {
@@ -201,6 +251,8 @@ TEST(Restart, RefusesAnotherProblemAndSaysWhatDiffers) {
                    "is of another problem: the scene says something else under 'steps', no later than"},
         std::array{"tolerance: 0.002", "tolerance: 0.003",
                    "is of another problem: the scene says something else under 'contacts'"},
+        std::array{"n: 4, layers: 2, part: octant}", "n: 4, layers: 2, part: octant}, sets: {a: \"X < 1\"}",
+                   "is of another problem: the scene says something else under 'mesh'"},
         std::array{"outer: 12,", "outer: 12.01,", "is of another mesh of the same size"},
         std::array{"n: 4, layers: 2", "n: 4, layers: 3", "is of another mesh: 96 hexahedra"}}) {
     write_scene(folder, replaced(full_of_memory, from, to));

@@ -87,6 +87,42 @@ TEST_F(Displaced, RadiallyFromAnAxis) {
       true);
 }
 
+// A set that has turned about the axis is as far from it as before, and does not move.
+TEST_F(Displaced, RadiallyFromAnAxisAfterATurn) {
+  d.radial = "0", d.center = {-1, -1, 0};
+  scene.model.steps[0].displace = {d};
+  Problem p(scene.mesh, scene.model, world());
+  State start = p.initial_state();
+  for (int n = 0; n < p.mesh().nodes(); ++n) {
+    const double x = start.x[3 * n] + 1, y = start.x[3 * n + 1] + 1, c = std::cos(.5), s = std::sin(.5);
+    start.x[3 * n] = c * x - s * y - 1, start.x[3 * n + 1] = s * x + c * y - 1;
+  }
+  p.begin_step(0, start);
+  p.set_progress(1, start);
+  const State end = obeyed(p, start, 1);
+  for (int n : p.nodes_of("zmax")) expect_near(at(end.x, n), at(start.x, n), 1e-13);
+}
+
+TEST_F(Displaced, AlongTwoDirectionsInTwoStepsKeepsBoth) {
+  scene.model.steps = {step("one"), step("two")};
+  d.by = "0.1", d.along = {1, 0, 0};
+  scene.model.steps[0].displace = {d};
+  d.by = "0.2", d.along = {0, 1, 0};
+  scene.model.steps[1].displace = {d};
+  Problem p(scene.mesh, scene.model, world());
+  State s = p.initial_state();
+  for (int k : {0, 1}) {
+    p.begin_step(k, s);
+    p.set_progress(1, s);
+    s = obeyed(p, s, 1);
+    p.end_step();
+  }
+  for (int n : p.nodes_of("zmax"))
+    expect_near(minus(at(s.x, n), at(p.mesh().X, n)), {.1, .2, s.x[3 * n + 2] - p.mesh().X[3 * n + 2]},
+                1e-13);
+  for (int n : p.nodes_of("zmax")) EXPECT_TRUE(p.dofs().constrains(n, {1, 0, 0}));
+}
+
 TEST_F(Displaced, NodeOnTheRadialAxisIsRefused) {
   d.radial = "0.5";
   scene.model.steps[0].displace = {d};

@@ -47,5 +47,12 @@ TEST(Formula, ComparisonsOfComparisonsAreRefused) {
     EXPECT_EQ(refusal(joined), "") << joined;
 }
 
+// To the parser `=` sets a variable, and has its value.
+TEST(Formula, SingleEqualsSignsAreRefused) {
+  for (const char* one : {"X = 1", "Z = 5 && Y > 0", "(Z=3)", "X < 2 ? Y = 1 : 0"})
+    EXPECT_NE(refusal(one).find("a single '='"), std::string::npos) << one;
+  for (const char* two : {"X == 1", "Y <= 2", "Z >= 3", "X != 5"}) EXPECT_EQ(refusal(two), "") << two;
+}
+
 }  // namespace
 }  // namespace bulbus

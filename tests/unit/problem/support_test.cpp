@@ -161,5 +161,22 @@ TEST(Support, BarsDoNotHoldAWholeThatFloats) {
   EXPECT_NE(complaint(s), "");
 }
 
+TEST(Support, IsNotReleasedInALaterStep) {
+  Scene s = block();
+  s.model.fix.push_back({"zmin", {"z"}});
+  s.model.steps = {step("hold"), step("let go")};
+  s.model.steps[0].displace = {{.set = "zmax", .x = "0", .y = "0", .z = "0.1"}};
+  EXPECT_NO_THROW(require_supported(s.mesh, s.model));
+  s.model.steps[1].release = {"zmax"};
+  try {
+    require_supported(s.mesh, s.model);
+    ADD_FAILURE();
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.key, "steps.1.release");
+  }
+  s.model.steps[1].displace = {{.set = "zmax", .x = "0", .y = "0"}};
+  EXPECT_NO_THROW(require_supported(s.mesh, s.model));
+}
+
 }  // namespace
 }  // namespace bulbus

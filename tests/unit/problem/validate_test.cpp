@@ -188,6 +188,8 @@ TEST(IdleKeys, OfLoadsAreRefused) {
   };
   refused("direction", {.surface = "zmax", .pressure = "0.01", .direction = {1, 0, 0}});
   refused("set", {.surface = "zmax", .set = "zmax", .pressure = "0.01"});
+  refused("region",
+          {.surface = "zmax", .region = "typo", .pressure = "0.01", .dead = true, .direction = {1, 0, 0}});
   refused("surface", {.surface = "zmax", .set = "zmax", .force = Point{1, 0, 0}});
   refused("dead", {.set = "zmax", .dead = true, .force = Point{1, 0, 0}});
   Scene both = sound();
