@@ -25,6 +25,7 @@ void serialize(Archive& archive, std::vector<double>& unloaded, UnloadedReport& 
   archive.nodes("X", unloaded);
   archive.scalars("report", r.found, r.iterations, r.krylov_iterations, r.divisions, r.distance, r.way,
                   r.negative_pivots, r.seconds);
+  if (!archive.reading() || archive.knows("curvature")) archive.scalars("curvature", r.curvature);
   if (!r.loaded || (archive.reading() && !archive.knows("loaded"))) return;
   const Archive::Group loaded(archive, "loaded");
   r.loaded->serialize(archive);

@@ -34,6 +34,11 @@ std::vector<double> without_augmentation(const CoupledOperator& A, std::span<con
   return plain;
 }
 
+// More than can be assembled, perhaps.
+long long unknowns_of(const Problem& problem) {
+  return problem.comm().sum(static_cast<long long>(layout_of(problem).size()));
+}
+
 // x = A⁻¹ b by the factors of the system without augmentation.
 bool solve_once(const CoupledOperator& A, Mumps& mumps, std::span<const double> b, std::span<double> x) {
   const CoupledSystem& system = A.system();
@@ -53,24 +58,26 @@ DirectFallback::DirectFallback(const LinearSettings& settings, Profiler& profile
       profiler_(profiler) {}
 
 double DirectFallback::available_mb(const Comm& comm) const {
-  return comm.min(limit_mb_) - 1e-6 * comm.sum(static_cast<double>(resident_bytes()));
+  constexpr double least = 1e-3;  // 0 would be no limit
+  return std::max(least, comm.min(limit_mb_) - 1e-6 * comm.sum(static_cast<double>(resident_bytes())));
 }
 
 bool DirectFallback::available(const Problem& problem) {
   if (!allowed_) return false;
   if (!fits_) {
     const double hexes = static_cast<double>(problem.mesh().all_hexes),
-                 unknowns = static_cast<double>(global_size(problem));
-    fits_ = 1e-6 * (direct_matrix_bytes(hexes, problem.symmetric()) +
+                 unknowns = static_cast<double>(unknowns_of(problem));
+    fits_ = unknowns < 2147483648. &&
+            1e-6 * (direct_matrix_bytes(hexes, problem.symmetric()) +
                     direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes),
                                         problem.comm().size(), problem.symmetric())) <
-            available_mb(problem.comm());
+                available_mb(problem.comm());
   }
   return *fits_;
 }
 
 bool DirectFallback::cheap(const Problem& problem) const {
-  return allowed_ && global_size(problem) <= few_unknowns;
+  return allowed_ && unknowns_of(problem) <= few_unknowns;
 }
 
 FactorReport DirectFallback::factorise(const CoupledSystem& system, Mumps& mumps) {

@@ -147,8 +147,10 @@ class KrylovSolver final : public LinearSolver {
     r.retry = !r.ok && factory_->can_improve();
     if (r.retry)
       factory_->improve();
-    else
+    else if (r.ok)
       factory_->record(r.iterations / -std::log10(tolerance));
+    else
+      factory_->forget();
     if (r.ok || r.retry || !fallback_.available(system.problem())) return r;
     LinearReport direct = fallback_.solve(A, b, x, tolerance);
     direct.iterations = r.iterations, direct.history = std::move(r.history),

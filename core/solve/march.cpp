@@ -19,8 +19,9 @@ namespace {
 // The part of a step that comes next: whole increments as long as nothing fails.
 class Increments {
  public:
-  Increments(int count, const SteppingSettings& settings, double size)
-      : settings_(settings), largest_(1.0 / count), size_(std::min(size, largest_)) {}
+  // `longest`: of a leap
+  Increments(int count, const SteppingSettings& settings, double size, double longest)
+      : settings_(settings), largest_(1.0 / count), longest_(longest), size_(std::min(size, largest_)) {}
   double size() const { return size_; }
   double next(double from) const {
     const double to = from + size_;
@@ -35,7 +36,7 @@ class Increments {
     if ((leaps_ == 0 && size_ > shortest_cycle * largest_) || leaps_ == 3) return false;
     const double rest = 1 - from;
     ++leaps_;
-    size_ = leaps_ == 3 ? rest : std::min(rest, leaps_ * largest_);
+    size_ = std::min(longest_, leaps_ == 3 ? rest : std::min(rest, leaps_ * largest_));
     return true;
   }
   bool leaping() const { return leaps_ > 0; }
@@ -47,7 +48,7 @@ class Increments {
  private:
   static constexpr double shortest_cycle = 0.125;  // of a whole increment (docs/decisions/049)
   SteppingSettings settings_;
-  double largest_, size_;
+  double largest_, longest_, size_;
   int leaps_ = 0;
 };
 
@@ -75,6 +76,12 @@ double largest_turn(const StepSpec& step) {
 // Places before and after a whole turn are the same, and a body's points are followed along straight ways: an
 // eighth of a turn leaves 8 % of the radius between arc and chord.
 constexpr double turn_of_increment = std::numbers::pi / 4, most_increments = 1e6;
+
+// Part of a step that may be taken at once.
+double longest_part(const StepSpec& step) {
+  const double turn = largest_turn(step);
+  return turn > turn_of_increment ? turn_of_increment / turn : 1;
+}
 
 NewtonSettings tolerances_at(double progress, bool careful, NewtonSettings settings) {
   if (careful) settings.eta_max = std::min(settings.eta_max, careful_eta);
@@ -137,7 +144,8 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
       place.begun = true;
       observer.step_begun(k, state);
     }
-    Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size);
+    Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size,
+                          longest_part(steps[k]));
     const auto leave = [&] {
       report.signal = interrupt(problem.comm());
       report.reason = describe(Outcome::interrupted);
@@ -148,7 +156,8 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
     };
     while (done < 1) {
       if (interrupt(problem.comm())) return leave();
-      const auto expected = std::exchange(place.expected, nullptr);
+      auto expected = std::exchange(place.expected, nullptr);
+      if (longest_part(steps[k]) < 1) expected.reset();
       const double to = expected ? 1 : increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = expected ? *expected : state;

@@ -4,6 +4,7 @@
 #include <smumps_c.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -256,7 +257,9 @@ struct Mumps::InstanceOf final : Instance {
                   " MB allowed");
     double begin = Clock::now();
     factorised = run(factorisation);
-    while ((infog(1) == -8 || infog(1) == -9) && report.relaxations < options.relaxations) {
+    // workspaces and, on several ranks, buffers of messages that are too small
+    const auto too_small = [&] { return std::ranges::count(std::array{-8, -9, -17, -20}, infog(1)) > 0; };
+    while (too_small() && report.relaxations < options.relaxations) {
       control(14) = 2 * std::max(control(14), 20);  // percent beyond the estimate
       ++report.relaxations;
       factorised = run(factorisation);

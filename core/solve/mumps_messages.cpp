@@ -31,6 +31,8 @@ std::string explain_mumps(int code, int detail) {
       return "not enough memory";
     case -8:
     case -9:
+    case -17:
+    case -20:
       return "pivoting needs more workspace than was allowed";
     case -10:
       return "the matrix is singular";

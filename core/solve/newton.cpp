@@ -18,6 +18,10 @@
 namespace bulbus::inline solve {
 namespace {
 
+// Of the criteria, in the first iterate of a step's last increment: a load that changes by less than they see
+// would have no effect at all.
+constexpr double untouched = 1e-2;
+
 bool finite(const EquilibriumError& b) {
   return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid);
 }
@@ -217,7 +221,8 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
     iteration.measure(now);
     report.error = now.error;
     if (!finite(now.error)) return fail(Outcome::not_finite);
-    if (excess(now.error, criteria) <= 1 && iteration.prescribed_done(now)) {
+    const double enough = number == 0 && progress == 1 ? untouched : 1;
+    if (excess(now.error, criteria) <= enough && iteration.prescribed_done(now)) {
       if (!problem.update_multipliers(state)) {
         observe(now);
         if (std::string why = refusal(problem, state); !why.empty())

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -41,6 +42,22 @@ NewtonSettings single_step() {
   return s;
 }
 
+// Of the mesh's extent: the most that a distance may be, so that small meshes are found as well as large
+// ones.
+constexpr double part_of_size = 1e-7;
+
+// Longest side of the box around the mesh, mm. Collective.
+double size_of(const LocalMesh& mesh) {
+  std::array<double, 6> ends;
+  ends.fill(-1e300);
+  for (std::size_t i = 0; i < mesh.X.size(); ++i) {
+    ends[i % 3] = std::max(ends[i % 3], mesh.X[i]);
+    ends[3 + i % 3] = std::max(ends[3 + i % 3], -mesh.X[i]);
+  }
+  mesh.comm.max(ends);
+  return std::max({ends[0] + ends[3], ends[1] + ends[4], ends[2] + ends[5]});
+}
+
 bool usable(const NewtonReport& r) {
   return r.outcome == Outcome::converged || r.outcome == Outcome::too_many_iterations;
 }
@@ -55,7 +72,8 @@ class Search {
         solver_(solver),
         observer_(observer),
         mesh_(*levels.back().mesh),
-        drawn_(mesh_.X) {}
+        drawn_(mesh_.X),
+        tolerance_(std::min(spec.tolerance, part_of_size * size_of(mesh_))) {}
 
   UnloadedReport run() {
     const double start = Clock::now();
@@ -83,7 +101,7 @@ class Search {
   // Iterates under a part of the loads. False where it fails.
   bool reach(double load, Iterate& iterate) {
     AndersonAcceleration anderson(spec_.depth, static_cast<std::size_t>(3 * mesh_.owned), mesh_.comm);
-    double enough = spec_.tolerance, least = 0, before = 0;
+    double enough = tolerance_, least = 0, before = 0;
     int since = 0;  // the least distance
     for (int k = 0; k < spec_.max_iterations; ++k, ++since) {
       move_reference(levels_, iterate.X);
@@ -212,6 +230,7 @@ class Search {
   const UnloadedObserver& observer_;
   const LocalMesh& mesh_;  // the finest
   const std::vector<double> drawn_;
+  double tolerance_;                   // mm
   std::vector<Vec3<double>> centers_;  // of rigid regions, as drawn
   std::vector<double> pressures_;      // of the liquids
   NewtonReport newton_;                // of the last iteration

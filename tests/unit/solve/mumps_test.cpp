@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/solve/mumps_messages.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace bulbus {
@@ -263,6 +264,11 @@ TEST_F(MumpsTest, RefusesWrongSizes) {
   EXPECT_THROW(mumps.factorise(c.mine, 3000000000LL, true), InputError);
   c.add(5, 0, 1);
   EXPECT_THROW(mumps.factorise(c.mine, 5, true), std::invalid_argument);
+}
+
+// Buffers of messages are too small on several ranks alone.
+TEST(MumpsMessages, ExplainWhatMoreWorkspaceMends) {
+  for (int code : {-8, -9, -17, -20}) EXPECT_EQ(explain_mumps(code, 1), explain_mumps(-9, 1)) << code;
 }
 
 }  // namespace
