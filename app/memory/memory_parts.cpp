@@ -97,15 +97,15 @@ double factors_of_aggregate(const Size& s) {
   return (thin * 1350 + 18 * round * std::cbrt(s.nodes)) * 16;
 }
 
-// Levels of aggregates: half of the blocks with their positions while they are gathered, all of them in the
-// rows of the levels, frames, weights and six vectors of the aggregates; each further level has a sixth of
-// the rows, and the last one is factorised in double precision, both triangles.
+// Levels of aggregates: nineteen blocks a row with their columns, in single precision off the diagonal; in
+// double those on it, their inverses, frames, weights and eight vectors; each further level has a sixth of
+// the rows, and the last one is factorised in double precision, both triangles. While they are made there is
+// no Krylov basis, which is larger than what the blocks are gathered in.
 double levels_bytes(const Size& s, double aggregates, int factorised) {
-  const double gathered = 8 * (48 * number + 40), block = 36 * number + 4,
-               of_aggregate = 40 * number + 2 * 36 * number + 36 * number;
+  const double blocks = 19 * (36 * single + 4), of_aggregate = (2 * 36 + 24 + 36 + 8 * 6) * number;
   double last = aggregates;
   while (6 * last > factorised) last /= 6;
-  return aggregates * (gathered + 1.2 * (15 * block + of_aggregate)) + last * 4 * factors_of_aggregate(s);
+  return 1.2 * aggregates * (blocks + of_aggregate) + last * 4 * factors_of_aggregate(s);
 }
 
 // Aggregates' matrix of 6 x 6 blocks, their triplets and those in single precision while the factors are

@@ -7,7 +7,9 @@
 
 namespace bulbus::inline precond {
 
-void CoarseMatrix::clear() { std::ranges::fill(blocks_, Block{}); }
+void CoarseMatrix::clear() { blocks_.assign(places_.size(), Block{}); }
+
+void CoarseMatrix::release() { std::vector<Block>().swap(blocks_); }
 
 void CoarseMatrix::shrink() {
   blocks_.shrink_to_fit();

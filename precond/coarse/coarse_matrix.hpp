@@ -22,6 +22,8 @@ class CoarseMatrix {
 
   /// Everything zero again.
   void clear();
+  /// Gives the values back; of no use until clear(). The pattern stays.
+  void release();
   /// Gives back what blocks were reserved and not needed.
   void shrink();
   /// Adds a contribution to the reduced displacement block (see for_each_condensed_matrix). `modes`: of every

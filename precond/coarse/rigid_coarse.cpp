@@ -59,6 +59,7 @@ bool RigidCoarse::make_levels(const CoupledSystem& system, const std::vector<Rig
       system.constrained_diagonal(), plan_->levels);
   if (!levels_->stable()) levels_.reset();
   if (!levels_) return false;
+  plan_->matrix.release();
   setup_error_ = levels_->setup_error();
   factor_bytes_ = levels_->bytes();
   return true;
