@@ -18,8 +18,8 @@
 namespace bulbus::inline solve {
 namespace {
 
-// Of the criteria, in the first iterate of a step's last increment: a load that changes by less than they see
-// would have no effect at all.
+// Of a liquid's criterion, in the first iterate of a step's last increment: a volume added that is less than
+// it sees would have no effect at all.
 constexpr double untouched = 1e-2;
 
 bool finite(const EquilibriumError& b) {
@@ -221,8 +221,8 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
     iteration.measure(now);
     report.error = now.error;
     if (!finite(now.error)) return fail(Outcome::not_finite);
-    const double enough = number == 0 && progress == 1 ? untouched : 1;
-    if (excess(now.error, criteria) <= enough && iteration.prescribed_done(now)) {
+    const bool passed_over = number == 0 && progress == 1 && now.error.liquid > untouched * criteria.liquid;
+    if (excess(now.error, criteria) <= 1 && !passed_over && iteration.prescribed_done(now)) {
       if (!problem.update_multipliers(state)) {
         observe(now);
         if (std::string why = refusal(problem, state); !why.empty())
