@@ -58,7 +58,6 @@ std::unique_ptr<TangentBlock> displacement_block(SharedSystem system, Precision 
 
 struct DisplacementFactory::Plans {
   const Problem* problem;
-  Precision smoothing;
   std::shared_ptr<MultigridPlan> multigrid;
   std::shared_ptr<AggregationPlan> aggregation;
   std::shared_ptr<RigidPlan> rigid;
@@ -70,11 +69,9 @@ DisplacementFactory::~DisplacementFactory() = default;
 std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(SharedSystem system,
                                                                       const KeepFactors& keep) {
   const Problem& problem = system->problem();
+  if (!plans_ || plans_->problem != &problem) plans_ = std::make_unique<Plans>(&problem);
   const Displacement name = settings_.displacement_on(problem.coarser());
   const Precision smoothing = fitting_precision(*system, settings_);
-  const bool too_rough = plans_ && smoothing == Precision::full && plans_->smoothing == Precision::single;
-  if (!plans_ || plans_->problem != &problem || too_rough)
-    plans_ = std::make_unique<Plans>(&problem, smoothing);
   if (name == Displacement::jacobi) return std::make_unique<BlockJacobi>(*system);
   if (name == Displacement::scalar_amg) return std::make_unique<ScalarAmgAlone>(*system);
   if (name == Displacement::boomeramg || name == Displacement::boomeramg_nodal)
