@@ -108,17 +108,29 @@ double levels_bytes(const Size& s, double aggregates, int factorised) {
   return 1.2 * aggregates * (blocks + of_aggregate) + last * 4 * factors_of_aggregate(s);
 }
 
-// Aggregates' matrix of 6 x 6 blocks, their triplets and those in single precision while the factors are
-// made, and the factors: an aggregate is coupled with fifteen others (half eyes at n = 8 and 14: 7.9 and 8.1
-// blocks in the upper triangle).
+bool has_levels(double aggregates, const LinearSettings& l) {
+  return l.smoothing == Precision::single && 6 * aggregates > l.aggregation.factorised;
+}
+
+// 6 x 6 blocks of the aggregates' matrix: an aggregate is coupled with fifteen others (half eyes at n = 8 and
+// 14: 7.9 and 8.1 blocks in the upper triangle).
+double blocks_of(double aggregates, bool symmetric) { return (symmetric ? 8 : 15) * aggregates; }
+
+// The blocks' triplets, and those in single precision, while the factors are made.
+double aggregation_triplets(const Size& s, const LinearSettings& l, bool symmetric) {
+  const double aggregates = s.nodes / l.aggregation.nodes;
+  if (has_levels(aggregates, l)) return 0;
+  return 36 * (2 * sizeof(int) + number + single) * blocks_of(aggregates, symmetric);
+}
+
+// The blocks and the factors, or the levels.
 double aggregation_bytes(const Size& s, const LinearSettings& l, bool symmetric) {
   const double aggregates = s.nodes / l.aggregation.nodes;
-  if (l.smoothing == Precision::single && 6 * aggregates > l.aggregation.factorised)
-    return levels_bytes(s, aggregates, l.aggregation.factorised);
-  const double triplet = 2 * sizeof(int) + number + single, block = 48 * number + 40 + 36 * triplet;
-  return aggregates *
-         ((l.smoothing == Precision::full ? 1.4 : 1) * (symmetric ? 1 : 2) * factors_of_aggregate(s) +
-          (symmetric ? 8 : 15) * block);
+  if (has_levels(aggregates, l)) return levels_bytes(s, aggregates, l.aggregation.factorised);
+  const double factors =
+      (l.smoothing == Precision::full ? 1.4 : 1) * (symmetric ? 1 : 2) * factors_of_aggregate(s);
+  return factors * aggregates + (48 * number + 40) * blocks_of(aggregates, symmetric) +
+         aggregation_triplets(s, l, symmetric);
 }
 
 // Of hypre's hierarchies, and of the nodes' blocks.
@@ -151,6 +163,14 @@ void add_iterative(const RunSize& size, const SolverSettings& solver, std::vecto
     add_coarser_levels(size, l, parts);
   else
     parts.push_back({"coarse matrix", coarse_bytes(name, s, l, size.symmetric)});
+}
+
+// GMRES has ended when MUMPS begins, and the preconditioner is made.
+double bytes_given_back(const RunSize& size, const SolverSettings& solver) {
+  const Size& s = size.levels.front();
+  const bool aggregates = solver.linear.displacement_on(size.levels.size() > 1) == Displacement::aggregation;
+  return krylov_bytes(s, solver, size.refinements) +
+         (aggregates ? aggregation_triplets(s, solver.linear, size.symmetric) : 0);
 }
 
 }  // namespace
@@ -189,7 +209,7 @@ double bytes_of_fallback(const RunSize& size, const Scene& scene) {
   if (l.method == Method::direct || l.fallback != Fallback::direct) return 0;
   std::vector<MemoryPart> parts;
   add_direct(size, Direct::mumps, parts);
-  return sum_of(parts);
+  return sum_of(parts) - bytes_given_back(size, scene.solver);
 }
 
 }  // namespace bulbus::inline app
