@@ -14,6 +14,7 @@
 #include "contact/suture/sutured_tissue.hpp"
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
+#include "core/mesh/distributed/bounds.hpp"
 #include "core/problem/region_material.hpp"
 
 namespace bulbus::inline contact {
@@ -30,16 +31,7 @@ constexpr double out_of_sight =
 constexpr double farthest_gap = 0.25;  // the same of the gaps reported
 
 double diagonal(const LocalMesh& mesh) {
-  std::array<double, 6> ends;  // greatest of x and of −x
-  ends.fill(-1e300);
-  for (int i = 0; i < 3 * mesh.owned; ++i) {
-    ends[i % 3] = std::max(ends[i % 3], mesh.X[i]);
-    ends[3 + i % 3] = std::max(ends[3 + i % 3], -mesh.X[i]);
-  }
-  mesh.comm.max(ends);
-  double sum = 0;
-  for (int c = 0; c < 3; ++c) sum += std::pow(ends[c] + ends[3 + c], 2);
-  return std::sqrt(sum);
+  return norm(bounds_of(mesh.comm, std::span(mesh.X).first(3 * mesh.owned)).sides());
 }
 
 double shear_modulus(const Mesh& mesh, const Model& model, const Layer& layer) {

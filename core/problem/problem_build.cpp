@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/mesh/distributed/bounds.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/fibre_directions.hpp"
 #include "core/problem/problem.hpp"
@@ -61,19 +62,14 @@ struct Box {
 };
 
 Box box_of(const LocalMesh& mesh, std::span<const Quad> faces) {
-  std::array<double, 6> ends;  // greatest of x and of −x
-  ends.fill(-1e300);
+  std::vector<double> corners;
   for (const Quad& q : faces)
-    for (int n : q)
-      for (int c = 0; c < 3; ++c) {
-        ends[c] = std::max(ends[c], mesh.X[3 * n + c]);
-        ends[3 + c] = std::max(ends[3 + c], -mesh.X[3 * n + c]);
-      }
-  mesh.comm.max(ends);
+    for (int n : q) corners.insert(corners.end(), &mesh.X[3 * n], &mesh.X[3 * n] + 3);
+  const Bounds bounds = bounds_of(mesh.comm, corners);
   Box box;
   for (int c = 0; c < 3; ++c) {
-    box.middle[c] = (ends[c] - ends[3 + c]) / 2;
-    box.volume *= ends[c] + ends[3 + c];
+    box.middle[c] = (bounds.high[c] + bounds.low[c]) / 2;
+    box.volume *= bounds.sides()[c];
   }
   return box;
 }

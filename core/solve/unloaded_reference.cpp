@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "core/base/interrupt.hpp"
+#include "core/mesh/distributed/bounds.hpp"
 #include "core/solve/anderson.hpp"
 
 namespace bulbus::inline solve {
@@ -42,21 +42,9 @@ NewtonSettings single_step() {
   return s;
 }
 
-// Of the mesh's extent: the most that a distance may be, so that small meshes are found as well as large
-// ones.
+// Of the longest side of the box around the mesh: the most that a distance may be, so that small meshes are
+// found as well as large ones.
 constexpr double part_of_size = 1e-7;
-
-// Longest side of the box around the mesh, mm. Collective.
-double size_of(const LocalMesh& mesh) {
-  std::array<double, 6> ends;
-  ends.fill(-1e300);
-  for (std::size_t i = 0; i < mesh.X.size(); ++i) {
-    ends[i % 3] = std::max(ends[i % 3], mesh.X[i]);
-    ends[3 + i % 3] = std::max(ends[3 + i % 3], -mesh.X[i]);
-  }
-  mesh.comm.max(ends);
-  return std::max({ends[0] + ends[3], ends[1] + ends[4], ends[2] + ends[5]});
-}
 
 bool usable(const NewtonReport& r) {
   return r.outcome == Outcome::converged || r.outcome == Outcome::too_many_iterations;
@@ -73,7 +61,8 @@ class Search {
         observer_(observer),
         mesh_(*levels.back().mesh),
         drawn_(mesh_.X),
-        tolerance_(std::min(spec.tolerance, part_of_size * size_of(mesh_))) {}
+        tolerance_(std::min(spec.tolerance,
+                            part_of_size * std::ranges::max(bounds_of(mesh_.comm, mesh_.X).sides()))) {}
 
   UnloadedReport run() {
     const double start = Clock::now();

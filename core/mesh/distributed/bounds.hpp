@@ -1,0 +1,18 @@
+#pragma once
+#include <span>
+
+#include "core/base/parallel.hpp"
+#include "core/base/tensor.hpp"
+
+namespace bulbus::inline mesh {
+
+/// The box around points of all ranks, its sides along x, y and z.
+struct Bounds {
+  Vec3<double> low, high;
+  Vec3<double> sides() const { return {high[0] - low[0], high[1] - low[1], high[2] - low[2]}; }
+};
+
+/// `points`: 3 numbers each. Collective.
+Bounds bounds_of(const Comm& comm, std::span<const double> points);
+
+}  // namespace bulbus::inline mesh
