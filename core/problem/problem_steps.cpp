@@ -72,6 +72,11 @@ State as_drawn(const LocalMesh& mesh, State state) {
   return state;
 }
 
+// Whether a load of this name is a pressure on the surface, or on one side of it.
+bool presses(const std::string& load, const std::string& surface) {
+  return load == "surface " + surface || load.starts_with("surface " + surface + "\n");
+}
+
 void build_dofs(DofMap& dofs, int step) {
   try {
     dofs.build();
@@ -223,7 +228,7 @@ std::string Problem::pressure_name(const LoadSpec& spec) {
   const std::string whole = "surface " + spec.surface;
   if (spec.region.empty()) {
     const auto one =
-        std::ranges::find_if(loads_, [&](const auto& load) { return load.first.starts_with(whole + "\n"); });
+        std::ranges::find_if(loads_, [&](const auto& load) { return presses(load.first, spec.surface); });
     return one == loads_.end() ? whole : one->first;
   }
   const std::string name = whole + "\n" + spec.region;
@@ -305,8 +310,7 @@ void Problem::begin_liquids(const StepSpec& spec, int step, const State& start) 
 void Problem::release(const StepSpec& spec, int step) {
   for (const std::string& name : spec.release) {
     const auto acts_on = [&](const auto& load) {
-      return load.first == "force " + name || load.first == "surface " + name ||
-             load.first.starts_with("surface " + name + "\n");
+      return load.first == "force " + name || presses(load.first, name);
     };
     bool found = std::erase_if(loads_, acts_on) > 0;
     for (const char* what : {"x", "y", "z", "radial", "along"})

@@ -242,9 +242,13 @@ Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented,
 
 }  // namespace
 
+long long unknowns_of(const Problem& problem) {
+  return problem.comm().sum(static_cast<long long>(layout_of(problem).size()));
+}
+
 long long global_size(const Problem& problem) {
-  const long long n = problem.comm().sum(static_cast<long long>(layout_of(problem).size()));
-  if (n > 2147483647LL)
+  const long long n = unknowns_of(problem);
+  if (n > most_assembled)
     throw input_error("more than 2^31 unknowns cannot be assembled",
                       "Use the iterative solver, or a coarser mesh.");
   return n;

@@ -22,7 +22,12 @@ long long liquid_entries(const CoupledSystem& system, Triangles part = Triangles
 /// The displacement block alone (nodal unknowns, γ included), in the order of the ranks' owned nodes.
 Triplets assemble_displacement(const CoupledSystem& system, Triangles part = Triangles::both);
 
+/// As many unknowns as can be assembled: matrices have whole numbers of 32 bits.
+inline constexpr long long most_assembled = 2147483647;
+
 /// Unknowns of all ranks. Collective.
+long long unknowns_of(const Problem& problem);
+/// The same; throws InputError where they are too many to be assembled. Collective.
 long long global_size(const Problem& problem);
 
 /// Kind of each of this rank's unknowns.

@@ -34,11 +34,6 @@ std::vector<double> without_augmentation(const CoupledOperator& A, std::span<con
   return plain;
 }
 
-// More than can be assembled, perhaps.
-long long unknowns_of(const Problem& problem) {
-  return problem.comm().sum(static_cast<long long>(layout_of(problem).size()));
-}
-
 // x = A⁻¹ b by the factors of the system without augmentation.
 bool solve_once(const CoupledOperator& A, Mumps& mumps, std::span<const double> b, std::span<double> x) {
   const CoupledSystem& system = A.system();
@@ -65,12 +60,13 @@ double DirectFallback::available_mb(const Comm& comm) const {
 bool DirectFallback::available(const Problem& problem) {
   if (!allowed_) return false;
   if (!fits_) {
-    const double hexes = static_cast<double>(problem.mesh().all_hexes),
-                 unknowns = static_cast<double>(unknowns_of(problem));
-    fits_ = unknowns < 2147483648. &&
+    const long long unknowns = unknowns_of(problem);
+    const double hexes = static_cast<double>(problem.mesh().all_hexes);
+    fits_ = unknowns <= most_assembled &&
             1e-6 * (direct_matrix_bytes(hexes, problem.symmetric()) +
-                    direct_factor_bytes(unknowns, hexes, static_cast<double>(problem.mesh().all_nodes),
-                                        problem.comm().size(), problem.symmetric())) <
+                    direct_factor_bytes(static_cast<double>(unknowns), hexes,
+                                        static_cast<double>(problem.mesh().all_nodes), problem.comm().size(),
+                                        problem.symmetric())) <
                 available_mb(problem.comm());
   }
   return *fits_;

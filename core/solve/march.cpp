@@ -111,7 +111,7 @@ NewtonReport within_memory(const Comm& comm, const std::function<NewtonReport()>
 
 int increments_of(const StepSpec& step, const SteppingSettings& settings) {
   const double wanted = step.increments * settings.increments,
-               turns = std::min(largest_turn(step) / turn_of_increment, most_increments);
+               turns = std::min(1 / longest_part(step), most_increments);
   return static_cast<int>(std::ceil(std::max(wanted, turns) - 1e-9));
 }
 
@@ -144,8 +144,8 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
       place.begun = true;
       observer.step_begun(k, state);
     }
-    Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size,
-                          longest_part(steps[k]));
+    const double longest = longest_part(steps[k]);
+    Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size, longest);
     const auto leave = [&] {
       report.signal = interrupt(problem.comm());
       report.reason = describe(Outcome::interrupted);
@@ -157,7 +157,7 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
     while (done < 1) {
       if (interrupt(problem.comm())) return leave();
       auto expected = std::exchange(place.expected, nullptr);
-      if (longest_part(steps[k]) < 1) expected.reset();
+      if (longest < 1) expected.reset();
       const double to = expected ? 1 : increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = expected ? *expected : state;
