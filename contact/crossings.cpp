@@ -87,7 +87,7 @@ void add_mesh(std::span<const long long> faces, std::span<const double> places, 
   for (std::size_t i = 0; i < quads.size(); ++i) {
     const Quad& q = quads[i];
     if (ranks[sorted(q)] > 1) continue;
-    for (const auto& t : {std::array{q[0], q[1], q[2]}, {q[0], q[2], q[3]}})
+    for (const auto& t : triangles_of(std::span(&q, 1)))
       all.triangles.push_back(t), all.part.push_back(static_cast<int>(faces[of_face * i + 8]));
   }
 }

@@ -49,11 +49,7 @@ Overlap entered(const Interactions::Contact& c, const LocalMesh& mesh, std::span
                 double penetration) {
   const double part = penetration > 0 ? beside_points : untouched;
   const auto vertices = vertices_of_master(c, mesh, x);
-  Facets faces;  // of a slave, whose edges may have more than two faces
-  for (const Quad& q : mesh.shared.at(c.spec.slave)) {
-    faces.triangles.push_back({q[0], q[1], q[2]});
-    faces.triangles.push_back({q[0], q[2], q[3]});
-  }
+  const Facets faces{triangles_of(mesh.shared.at(c.spec.slave)), {}};
   const Candidates near = find_candidates(vertices, faces.triangles, x, c.thickness / 2);
   Overlap deepest{};
   for (int i = 0; i < static_cast<int>(vertices.size() / 3); ++i) {

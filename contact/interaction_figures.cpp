@@ -59,12 +59,14 @@ ContactStanding standing(const Interactions::Contact& contact, Snapshot& s) {
   for (const ContactNode& n : nodes_of(contact, s))
     touching += n.active, pressure = std::max(pressure, n.pressure);
   all.touching = comm.sum(touching);
-  double area = comm.sum(own.area);  // each side sees what its own nodes touch
-  if (contact.exchanged) area = std::max(area, comm.sum(contact.exchanged->figures(s.state).area));
-  all.area = s.problem.multiplicity() * area;
+  all.area = comm.sum(own.area);
   all.penetration = comm.max(own.penetration);
-  if (contact.exchanged)
-    all.penetration = std::max(all.penetration, comm.max(contact.exchanged->penetration(s.state)));
+  if (contact.exchanged) {  // each side sees what its own nodes touch
+    const ContactFigures other = contact.exchanged->figures(s.state);
+    all.area = std::max(all.area, comm.sum(other.area));
+    all.penetration = std::max(all.penetration, comm.max(other.penetration));
+  }
+  all.area *= s.problem.multiplicity();
   all.pressure = comm.max(pressure);
   std::vector<double> sums;
   for (const Wrench& w : own.on_master) {

@@ -31,13 +31,17 @@ Facets make_facets(std::vector<std::array<int, 3>> triangles, std::span<const do
   return f;
 }
 
-Facets split(std::span<const Quad> quads, std::span<const double> points) {
+std::vector<std::array<int, 3>> triangles_of(std::span<const Quad> quads) {
   std::vector<std::array<int, 3>> triangles;
   for (const Quad& q : quads) {
     triangles.push_back({q[0], q[1], q[2]});
     triangles.push_back({q[0], q[2], q[3]});
   }
-  return make_facets(std::move(triangles), points);
+  return triangles;
+}
+
+Facets split(std::span<const Quad> quads, std::span<const double> points) {
+  return make_facets(triangles_of(quads), points);
 }
 
 }  // namespace bulbus::inline contact

@@ -18,7 +18,11 @@ struct Facets {
 /// neighbours disagree on which side is out; `points`, 3 numbers per corner, tell where.
 Facets make_facets(std::vector<std::array<int, 3>> triangles, std::span<const double> points = {});
 
-/// Two triangles from every quad, 0-1-2 and 0-2-3: triangles 2i and 2i + 1 are of quad i.
+/// Two triangles from every quad, 0-1-2 and 0-2-3: triangles 2i and 2i + 1 are of quad i. Edges may have any
+/// number of quads.
+std::vector<std::array<int, 3>> triangles_of(std::span<const Quad> quads);
+
+/// The same with their neighbours, as make_facets finds them.
 Facets split(std::span<const Quad> quads, std::span<const double> points = {});
 
 }  // namespace bulbus::inline contact
