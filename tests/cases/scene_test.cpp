@@ -268,8 +268,7 @@ TEST(IdleKeys, OfBodiesAndSuturesAreRefused) {
 }
 
 TEST(Drained, MoreThanThereIsIsRefused) {
-  std::ifstream in(std::string(BULBUS_DATA) + "/scenes/sphere_liquid.yaml");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = shipped("sphere_liquid.yaml");
   expect_refused(run_scene(text, {"mesh.shell.n=2", "steps.1.add={inside: -8 mL}"}),
                  {"steps.1.add.inside", "8000 mm3 are drained", "Drain less"});
   EXPECT_EQ(run_scene(text, {"mesh.shell.n=2", "steps.1.add={inside: -4.2 mL}"}, "check").status, 0)

@@ -2,25 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/mesh/faces.hpp"
 #include "core/problem/problem.hpp"
 #include "precond/coarse/distributed_blocks.hpp"
-#include "tests/support/models.hpp"
 #include "tests/support/numbers.hpp"
+#include "tests/support/two_regions.hpp"
 
 namespace bulbus {
 namespace {
-
-// Four hexahedra in a row along x; regions by hexahedron.
-Scene row(const std::vector<int>& region, std::vector<std::string> names) {
-  Scene s{generate(BlockShape{.upper = {4, 1, 1}, .nx = 4}), {}};
-  s.mesh.region = region;
-  s.mesh.region_names = std::move(names);
-  for (const std::string& name : s.mesh.region_names) s.model.regions[name] = neo_hooke(.5);
-  s.model.fix.push_back({"xmin", {"x", "y", "z"}});
-  s.model.steps = {step("one")};
-  return s;
-}
 
 double force_along_x(const Scene& scene) {
   Problem p(scene.mesh, scene.model, Comm());
@@ -35,23 +23,16 @@ double force_along_x(const Scene& scene) {
 
 // A face belongs to the rank of the first hexahedron that has it; the region that is named may be on another.
 TEST(Loads, PushIntoTheirRegionWhoeverHoldsIt) {
-  Scene scene = row({1, 1, 0, 0}, {"right", "left"});
-  for (int f = 12; f < 18; ++f)  // out of the third hexahedron
-    if (const Quad q = face_nodes(scene.mesh.hexes, f);
-        std::ranges::all_of(q, [&](int n) { return scene.mesh.points[n][0] == 2; }))
-      scene.mesh.surfaces["mid"] = {q};
-  LoadSpec load;
-  load.surface = "mid", load.pressure = "0.1";
+  Scene scene = two_regions();
   for (const auto& [region, force] : {std::pair{"left", -.1}, {"right", .1}}) {
-    load.region = region;
-    scene.model.steps[0].loads = {load};
+    scene.model.steps[0].loads = {on_side(region, "0.1")};
     EXPECT_NEAR(force_along_x(scene), force, 1e-13) << region;
   }
 }
 
 // A rank that alone sees what is wrong must not leave the others waiting.
 TEST(RigidRegions, ThatShareNodesAreRefusedByAllRanks) {
-  Scene scene = row({0, 1, 2, 2}, {"a", "b", "soft"});
+  Scene scene = row_of_four({0, 1, 2, 2}, {"a", "b", "soft"});
   for (const char* name : {"a", "b"}) scene.model.regions[name] = {.rigid = true};
   EXPECT_THROW(Problem(scene.mesh, scene.model, Comm()), InputError);
 }

@@ -1,4 +1,4 @@
-#include "core/mesh/faces.hpp"
+#include "tests/support/two_regions.hpp"
 #include "tests/unit/problem/standing_block.hpp"
 
 namespace bulbus {
@@ -90,30 +90,8 @@ TEST(Loads, FormulasAreTakenAsTheyStand) {
   expect_near(load_only(p, s), {0, 0, 2 * (.25 + 15)});
 }
 
-// Of two regions, in one row along x; `mid` between them, out of the second one.
-Scene two_regions() {
-  Scene s{generate(BlockShape{.upper = {4, 1, 1}, .nx = 4}), {}};
-  s.mesh.region = {1, 1, 0, 0};
-  s.mesh.region_names = {"one", "two"};
-  for (int f = 12; f < 18; ++f)  // of the third hexahedron
-    if (const Quad q = face_nodes(s.mesh.hexes, f);
-        std::ranges::all_of(q, [&](int n) { return s.mesh.points[n][0] == 2; }))
-      s.mesh.surfaces["mid"] = {q};
-  for (const char* name : {"one", "two"}) s.model.regions[name] = neo_hooke(.5);
-  s.model.fix.push_back({"xmin", {"x", "y", "z"}});
-  s.model.steps = {step("press"), step("more")};
-  return s;
-}
-
-LoadSpec on_side(const std::string& region, const std::string& p) {
-  LoadSpec l = pressure("mid", p);
-  l.region = region;
-  return l;
-}
-
-// `two` is the half x < 2: a pressure on it pushes to −x, on `one` to +x, whoever has the hexahedra.
-TEST(Loads, OfARegionPushIntoItOnAnyNumberOfRanks) {
-  for (const auto& [region, sign] : {std::pair{"two", -1}, {"one", 1}}) {
+TEST(Loads, OfARegionPushIntoIt) {
+  for (const auto& [region, sign] : {std::pair{"left", -1}, {"right", 1}}) {
     Scene scene = two_regions();
     scene.model.steps[0].loads = {on_side(region, "0.1")};
     Problem p(scene.mesh, scene.model, world());
@@ -124,8 +102,8 @@ TEST(Loads, OfARegionPushIntoItOnAnyNumberOfRanks) {
 
 TEST(Loads, OfTheOtherRegionInALaterStepLeaveTheFirst) {
   Scene scene = two_regions();
-  scene.model.steps[0].loads = {on_side("two", "0.1")};
-  scene.model.steps[1].loads = {on_side("one", "0.3")};
+  scene.model.steps[0].loads = {on_side("left", "0.1")};
+  scene.model.steps[1].loads = {on_side("right", "0.3")};
   Problem p(scene.mesh, scene.model, world());
   State s = p.initial_state();
   p.begin_step(0, s), p.set_progress(1, s), p.end_step(), p.begin_step(1, s);
