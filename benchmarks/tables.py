@@ -104,7 +104,7 @@ def value(row, key):
     if row is None or row == "":
         return ""
     if isinstance(row, float):
-        return f"{row:,.0f}" if abs(row) >= 1000 else f"{row:.3g}"
+        return answers.number(row)
     return f"{row:,}" if isinstance(row, int) and not isinstance(row, bool) else str(row)
 
 
@@ -168,9 +168,9 @@ def recorded():
 
 def answers_table():
     rows = []
-    for path in recorded():
-        question, answer = answers.answer(path.stem, json.loads(path.read_text()))
-        rows.append({"question": question, "answer": answer, "record": f"[`{path.stem}`](#{path.stem})"})
+    for name, report in series.records(HERE / "results").items():
+        question, answer = answers.answer(name, report)
+        rows.append({"question": question, "answer": answer, "record": f"[`{name}`](#{name})"})
     return table(rows, [("question", "question"), ("answer", "answer"), ("record", "record")])
 
 
