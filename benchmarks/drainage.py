@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """The encircling operation with and without drainage, for the table of docs/operation.md: every figure after every step.
 
     benchmarks/drainage.py build/bulbus -n 8 -o docs/operation.csv        four runs per mesh; benchmarks/tables.py --write makes the table

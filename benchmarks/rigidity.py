@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Rigidity of the whole eye from runs of data/scenes/rigidity.yaml, and the fit of a constant to it.
 
     benchmarks/rigidity.py DIR ...                                                     K of finished runs
