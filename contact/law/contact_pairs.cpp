@@ -25,22 +25,18 @@ double distance_beside(const Pair& p, const Triangle& v) {
 }  // namespace
 
 std::vector<double> ContactTerm::surfaces(const State& state) const {
-  std::vector<double> key;
+  std::vector<double> key{static_cast<double>(master_.moves())};
   const auto add = [&](int n) {
     for (int c = 0; c < 3; ++c) key.push_back(state.x[3 * n + c]);
   };
   for (const Quad& q : slave_.faces()) std::ranges::for_each(q, add);
   std::ranges::for_each(master_.nodes(), add);
-  if (master_.rigid()) {
-    const auto places = master_.places(state);
-    key.insert(key.end(), places.begin(), places.end());
-  }
   return key;
 }
 
 const ContactTerm::Found& ContactTerm::found(const State& state) const {
   auto key = surfaces(state);
-  if (key.empty() || key != found_.key) {
+  if (key != found_.key) {
     found_ = find(state, limits_, Search::near_last);
     found_.key = std::move(key);
   }

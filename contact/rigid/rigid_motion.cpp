@@ -184,6 +184,7 @@ void RigidMotion::freeze() {
 }
 
 void RigidMotion::place() {
+  bool moved = false;
   for (std::size_t p = 0; p < now_.size(); ++p) {
     RigidSurface::Part& part = surface_->parts[p];
     part.closes = turned(now_[p].rotation, part.inwards);
@@ -191,6 +192,7 @@ void RigidMotion::place() {
     for (int i = 3 * part.first_point; i < 3 * (part.first_point + part.points); i += 3) {
       const Vec3<double> X{surface_->reference[i], surface_->reference[i + 1], surface_->reference[i + 2]};
       const Vec3<double> x = anchor + turned(now_[p].rotation, X - part.center);
+      moved = moved || !std::equal(x.begin(), x.end(), surface_->places.begin() + i);
       std::copy(x.begin(), x.end(), surface_->places.begin() + i);
     }
     if (surface_->normals.empty()) continue;
@@ -198,6 +200,7 @@ void RigidMotion::place() {
       for (int i = 0; i < 3; ++i)
         surface_->normals[t][i] = turned(now_[p].rotation, surface_->reference_normals[t][i]);
   }
+  surface_->moves += moved;
 }
 
 }  // namespace bulbus::inline contact

@@ -35,7 +35,7 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
         return {t, d};
   Hit best;
   for (int t : candidates) {
-    if (passes_by(x, N, master.spheres[t])) continue;
+    if (passes_by(x, N, master.sphere(t))) continue;
     const Triangle corners = master.corners(t);
     const Crossing c = cross_line(x, N, corners);
     if (!c.facing || !c.inside(master.facets.neighbours[t], master.rim) ||
@@ -88,17 +88,24 @@ Around around(const MasterSurface& master, int triangle, const std::array<double
 
 }  // namespace
 
-MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::span<const CornerNormals> n)
-    : facets(f), places(p), normals(n) {
+TriangleRadii::TriangleRadii(const Facets& facets, std::span<const double> places) {
+  of_each.reserve(facets.triangles.size());
   for (int t = 0; t < static_cast<int>(facets.triangles.size()); ++t) {
-    const Triangle v = corners(t);
-    Sphere s{{}, 0};
-    for (int c = 0; c < 3; ++c) s.center[c] = (v[0][c] + v[1][c] + v[2][c]) / 3;
-    for (const auto& corner : v) s.radius = std::max(s.radius, norm(minus(corner, s.center)));
-    largest_radius = std::max(largest_radius, s.radius);
-    spheres.push_back(s);
+    const Triangle v = corners_of(facets, places, t);
+    const Vec3<double> center = centroid(v);
+    double radius = 0;
+    for (const auto& corner : v) radius = std::max(radius, norm(minus(corner, center)));
+    of_each.push_back(radius);
+    largest = std::max(largest, radius);
   }
 }
+
+MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::span<const CornerNormals> n,
+                             std::shared_ptr<const TriangleRadii> r)
+    : facets(f),
+      places(p),
+      normals(n),
+      radii(r ? std::move(r) : std::make_shared<const TriangleRadii>(f, p)) {}
 
 Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle) {
   Triangle c;
@@ -157,7 +164,7 @@ Selection select(const MasterSurface& master, const Vec3<double>& x, const Vec3<
   int nearest = -1;
   NearestPoint projection{{}, on_line.distance};
   for (int t : candidates) {
-    if (farther(x, master.spheres[t], projection.distance)) continue;
+    if (farther(x, master.sphere(t), projection.distance)) continue;
     if (const NearestPoint p = nearest_point(x, master.corners(t));
         nearer(p.distance, projection.distance, limits))
       nearest = t, projection = p;

@@ -31,6 +31,8 @@ class Master {
   std::vector<NormalShare> turning(int node, std::span<const double> places) const {
     return node_normals_->turning(node, places);
   }
+  /// How often a rigid body has moved; 0 of a surface of the mesh.
+  long moves() const { return surface_ ? surface_->moves : 0; }
   /// Where its corners are, 3 numbers each, mm.
   std::vector<double> places(const State& state) const;
   /// The mesh nodes of its corners, ascending; none of a rigid body.
@@ -48,6 +50,7 @@ class Master {
  private:
   Facets faces_;
   std::shared_ptr<const RigidSurface> surface_;
+  std::shared_ptr<const TriangleRadii> radii_;  // of a rigid body
   SharpEdges edges_, hollows_;
   int pieces_ = 1;
   std::vector<int> piece_, nodes_;

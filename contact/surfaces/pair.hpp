@@ -7,6 +7,12 @@ namespace bulbus::inline contact {
 
 using Triangle = std::array<Vec3<double>, 3>;
 
+inline Vec3<double> centroid(const Triangle& v) {
+  Vec3<double> middle;
+  for (int c = 0; c < 3; ++c) middle[c] = (v[0][c] + v[1][c] + v[2][c]) / 3;
+  return middle;
+}
+
 /// A slave node x above or below a master triangle x1 x2 x3 and its perpendicular projection in the
 /// triangle's plane (formulation, section 5):
 ///     n = e1×e2/j,  G = (x − x1)·n,  L2 = (e2×n/j)·(x−x1),  L3 = (n×e1/j)·(x−x1),  L1 = 1 − L2 − L3

@@ -13,9 +13,7 @@ struct Plane {
   Vec3<double> middle, normal;
 };
 
-Plane plane_of(const Triangle& v) {
-  return {(1. / 3) * (v[0] + v[1] + v[2]), unit(cross(minus(v[1], v[0]), minus(v[2], v[0])))};
-}
+Plane plane_of(const Triangle& v) { return {centroid(v), unit(cross(minus(v[1], v[0]), minus(v[2], v[0])))}; }
 
 bool behind(const Plane& a, const Plane& b) { return dot(minus(a.middle, b.middle), b.normal) < 0; }
 

@@ -175,7 +175,7 @@ Scene hertz(int n) {
   Model& m = scene.model;
   m.regions["ball"] = neo_hooke(c10);
   m.symmetry = {"x", "y"};
-  m.rigid_bodies["ball"].sphere = SphereShape{.center = {0, 0, -1.5}, .radius = 1, .facets = 400};
+  m.rigid_bodies["ball"].sphere = SphereShape{.center = {0, 0, -1.5}, .radius = 1, .facets = 200};
   m.contacts = {contact_between("pole", "zmin", "ball")};
   double before = 0;
   press(scene, [&](StepSpec& s, double depth) {
