@@ -41,9 +41,10 @@ Field pressure(const Snapshot& s) {
 
 Field volume_ratio(Snapshot& s) {
   const auto V0 = s.problem.solid().reference_volumes();
+  const auto& volume = s.residual().volume;  // collective: also on a rank without deformable hexahedra
   Field f{"J", 1, std::vector<double>(V0.size(), 1)};
   for (const SolidRegion& r : s.problem.solid().regions())
-    for (int h = r.first; h < r.first + r.count; ++h) f.values[h] += s.residual().volume[h] / V0[h];
+    for (int h = r.first; h < r.first + r.count; ++h) f.values[h] += volume[h] / V0[h];
   return f;
 }
 

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "app/records/contact_fields.hpp"
+#include "app/records/result_fields.hpp"
 #include "contact/interaction_figures.hpp"
 #include "contact/interaction_probes.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/two_regions.hpp"
 
 namespace bulbus {
 namespace {
@@ -90,6 +91,17 @@ TEST(ContactFields, DoNotDependOnTheRanks) {
       EXPECT_TRUE(
           same(found[f].values[n], expected[f].values[local[together.problem.mesh().input_node[n]]], 1e-12))
           << found[f].name << ' ' << n;
+}
+
+// On two and three ranks some have none.
+TEST(ResultFields, AreMadeWhereARankHasNoDeformableHexahedron) {
+  Scene scene = row_of_four({1, 1, 0, 0}, {"hard", "soft"});
+  scene.model.regions["hard"] = {}, scene.model.regions["hard"].rigid = true;
+  Trial run(scene, Comm());
+  const auto points = reference_points(run.problem.mesh());
+  const Piece piece = piece_of(run.snapshot, *run.interactions, {"displacement", "pressure"}, points);
+  ASSERT_EQ(piece.cell_fields.size(), 2u);
+  EXPECT_EQ(piece.cell_fields[1].values.size(), run.problem.mesh().hexes.size());
 }
 
 }  // namespace
