@@ -1,8 +1,15 @@
 #include "contact/band_tension.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#include "contact/surfaces/meridians.hpp"
 #include "core/base/error.hpp"
+#include "core/mesh/distributed/bounds.hpp"
+#include "core/problem/closed_surface.hpp"
 
 namespace bulbus::inline contact {
 
@@ -14,10 +21,37 @@ double band_opening(const RigidBodySpec& body, const std::string& name, const st
   return (body.band->arc.to - body.band->arc.from) * std::numbers::pi / 180;
 }
 
-double band_tension(const RigidSurface& band, double opening, std::span<const Wrench> on_arcs) {
+BandArcs band_arcs(const Problem& problem, const RigidSurface& band, const std::string& body,
+                   const std::string& key) {
+  const RigidBodySpec& spec = problem.model().rigid_bodies.at(body);
+  BandArcs arcs{band_opening(spec, body, key)};
+  const Meridians& about = spec.band->arc.meridians;
+  const Vec3<double> axis = unit(about.axis);
+  const double slack = 1e-6 * spec.band->radius;
+  const Bounds model = bounds_of(problem.comm(), problem.mesh().X),
+               drawn = bounds_of(problem.comm(), band.reference);
+  for (const std::string& plane : problem.model().symmetry) {
+    const int c = axis_of(plane);
+    const double side = model.high[c] > -model.low[c] ? 1 : -1;
+    const double beyond = side > 0 ? -drawn.low[c] : drawn.high[c],
+                 inside = side > 0 ? drawn.high[c] : -drawn.low[c];
+    if (std::abs(axis[c]) > 1 - 1e-6 && std::min(beyond, inside) > slack) arcs.widths = 2;
+    if (std::abs(axis[c]) < 1e-6 && std::abs(about.center[c]) < slack && beyond > slack)
+      throw scene_error(
+          key,
+          fmt::format("arcs of the band '{}' lie beyond the plane of symmetry {}, where nothing is drawn "
+                      "that they could press on",
+                      body, plane),
+          fmt::format("Let the band end in the plane: change `from` and `to` of `rigid_bodies.{}.band`.",
+                      body));
+  }
+  return arcs;
+}
+
+double band_tension(const RigidSurface& band, const BandArcs& arcs, std::span<const Wrench> on_arcs) {
   double outwards = 0;
   for (std::size_t p = 0; p < on_arcs.size(); ++p) outwards -= dot(on_arcs[p].force, band.parts[p].closes);
-  return outwards / opening;
+  return arcs.widths * outwards / arcs.opening;
 }
 
 }  // namespace bulbus::inline contact

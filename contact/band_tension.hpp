@@ -4,7 +4,7 @@
 
 #include "contact/law/contact_figures.hpp"
 #include "contact/rigid/rigid_surface.hpp"
-#include "core/problem/spec/rigid_spec.hpp"
+#include "core/problem/problem.hpp"
 
 namespace bulbus::inline contact {
 
@@ -12,10 +12,22 @@ namespace bulbus::inline contact {
 /// arcs close radially.
 double band_opening(const RigidBodySpec& body, const std::string& name, const std::string& key);
 
+/// What the drawn model has of a band whose arcs close radially.
+struct BandArcs {
+  double opening;  ///< the angle that the arcs span, rad
+  int widths =
+      1;  ///< 2 where a plane of symmetry halves the band's width: its forces are then those of a half
+};
+
+/// Throws InputError (with `key`) unless `body` is such a band, on the drawn side of the planes of symmetry
+/// that its axis lies in. Collective.
+BandArcs band_arcs(const Problem& problem, const RigidSurface& band, const std::string& body,
+                   const std::string& key);
+
 /// Hoop force of a band without friction, N, from the forces on its arcs (as drawn, without images):
-///     T = −Σ F_p·d_p / φ,   d_p the direction in which an arc closes where it is now, φ the opening
-/// the force that does the work of what presses when the radius changes; p w r under a pressure p on a width
-/// w.
-double band_tension(const RigidSurface& band, double opening, std::span<const Wrench> on_arcs);
+///     T = −w Σ F_p·d_p / φ,   d_p the direction in which an arc closes where it is now, φ the opening, w the
+/// widths: the force that does the work of what presses when the radius changes; p w r under a pressure p on
+/// a width w.
+double band_tension(const RigidSurface& band, const BandArcs& arcs, std::span<const Wrench> on_arcs);
 
 }  // namespace bulbus::inline contact

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <set>
 
-#include "contact/band_tension.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus::inline contact {
@@ -46,7 +45,8 @@ ElasticBands::ElasticBands(Problem& problem, Interactions& interactions) : probl
     check_moves(problem.model(), name);
     bands_.emplace(name, Ring{ElasticBand(spec.band->stiffness), interactions.motion(name),
                               *interactions.bodies().at(name), spec.band->radius,
-                              band_opening(spec, name, key), interactions.contacts_on(name, key)});
+                              band_arcs(problem, *interactions.bodies().at(name), name, key),
+                              interactions.contacts_on(name, key)});
   }
 }
 
@@ -62,7 +62,7 @@ double ElasticBands::circumference(const Ring& ring) const {
 double ElasticBands::pressed(const Ring& ring, const State& state) const {
   double tension = 0;
   for (const Interactions::Contact* c : ring.contacts)
-    tension += band_tension(ring.surface, ring.opening, c->term->figures(state).on_master);
+    tension += band_tension(ring.surface, ring.arcs, c->term->figures(state).on_master);
   return problem_.comm().sum(tension);
 }
 

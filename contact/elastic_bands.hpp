@@ -2,6 +2,7 @@
 #include <map>
 #include <string>
 
+#include "contact/band_tension.hpp"
 #include "contact/elastic_band.hpp"
 #include "contact/interactions.hpp"
 
@@ -30,7 +31,8 @@ class ElasticBands final : public Term {
     ElasticBand band;
     RigidMotion& motion;
     const RigidSurface& surface;
-    double radius, opening;  // of the inner face as drawn, mm; of its arcs, rad
+    double radius;  // of the inner face as drawn, mm
+    BandArcs arcs;
     std::vector<const Interactions::Contact*> contacts;
   };
   double circumference(const Ring& ring) const;

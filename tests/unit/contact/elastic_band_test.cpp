@@ -30,7 +30,7 @@ TEST(BandTension, IsPressureTimesWidthTimesRadius) {
     const double angle = turn * to / 360 / parts, on_arc = 2 * p * w * r * std::sin(angle / 2);
     std::vector<Wrench> forces;
     for (const auto& part : band.parts) forces.push_back({-on_arc * part.inwards, {}});
-    EXPECT_NEAR(band_tension(band, band_opening(spec, "band", ""), forces), p * w * r, 2e-3 * p * w * r);
+    EXPECT_NEAR(band_tension(band, {band_opening(spec, "band", "")}, forces), p * w * r, 2e-3 * p * w * r);
   }
 }
 
@@ -43,7 +43,7 @@ TEST(BandTension, TurnsWithTheBand) {
   std::vector<Wrench> forces;
   for (const auto& part : band->parts)
     forces.push_back({{part.inwards[1], -part.inwards[0], -part.inwards[2]}, {}});
-  EXPECT_NEAR(band_tension(*band, turn, forces), 36 / turn, 1e-9);
+  EXPECT_NEAR(band_tension(*band, {turn}, forces), 36 / turn, 1e-9);
 }
 
 TEST(BandTension, NeedsArcsThatCloseRadially) {
