@@ -1,6 +1,7 @@
 #include "contact/interaction_figures.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace bulbus::inline contact {
 
@@ -20,6 +21,15 @@ void add_exchanged(const ContactTerm& term, const ContactTerm& other, const Snap
     nodes[i].pressure -= dot(force, shape.normals[i]) / shape.areas[i];
     nodes[i].active |= norm(force) > 0;
   }
+}
+
+// Each side sees what its own points touch: the side whose points stand for less area sees it better.
+double area_of_finer(const ContactFigures& own, const ContactFigures& other, const Comm& comm) {
+  std::array<double, 4> sums{own.area, double(own.pairs), other.area, double(other.pairs)};
+  comm.sum(sums);
+  const auto [here, pairs_here, there, pairs_there] = sums;
+  if (here == 0 || there == 0) return here + there;
+  return here * pairs_there <= there * pairs_here ? here : there;
 }
 
 std::vector<ContactNode> nodes_of(const ContactTerm& term, const ContactTerm* other, double farthest,
@@ -61,9 +71,9 @@ ContactStanding standing(const Interactions::Contact& contact, Snapshot& s) {
   all.touching = comm.sum(touching);
   all.area = comm.sum(own.area);
   all.penetration = comm.max(own.penetration);
-  if (contact.exchanged) {  // each side sees what its own nodes touch
+  if (contact.exchanged) {
     const ContactFigures other = contact.exchanged->figures(s.state);
-    all.area = std::max(all.area, comm.sum(other.area));
+    all.area = area_of_finer(own, other, comm);
     all.penetration = std::max(all.penetration, comm.max(other.penetration));
   }
   all.area *= s.problem.multiplicity();

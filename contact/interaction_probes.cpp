@@ -25,9 +25,9 @@ auto of_contact(std::shared_ptr<const Interactions> interactions, Number number)
 }
 
 // A number of every slave node, or of those in the set, then mean, max or min.
-template <class Number>
+template <class Numbers>
 ProbeSet::Figure over_slaves(const Problem& problem, const Contact& contact, const std::string& set,
-                             const std::string& statistic, Number number) {
+                             const std::string& statistic, Numbers numbers) {
   std::vector<bool> counts(problem.mesh().nodes(), set.empty());
   if (!set.empty())
     for (int n : problem.nodes_of(set)) counts[n] = true;
@@ -36,12 +36,26 @@ ProbeSet::Figure over_slaves(const Problem& problem, const Contact& contact, con
     throw scene_error("set",
                       "no node of '" + set + "' is a slave node of contact '" + contact.spec.name + "'",
                       "Name nodes of '" + contact.spec.slave + "' that its master does not share.");
-  return [&contact, counts, statistic, number](Snapshot& s) {
-    std::vector<double> numbers;
+  return [&contact, counts, statistic, numbers](Snapshot& s) {
+    std::vector<ContactNode> nodes;
     for (const ContactNode& n : nodes_of(contact, s))
-      if (counts[n.node]) numbers.push_back(number(n));
-    return probes::statistic(s.problem.comm(), statistic, numbers);
+      if (counts[n.node]) nodes.push_back(n);
+    return probes::statistic(s.problem.comm(), statistic, numbers(s.state, nodes));
   };
+}
+
+// Also of nodes that are too far away for the fields.
+std::vector<double> gaps(const Contact& contact, const State& state, std::vector<ContactNode> nodes) {
+  contact.term->measure_far(state, nodes);
+  std::vector<double> gaps;
+  for (const ContactNode& n : nodes) gaps.push_back(n.gap);
+  return gaps;
+}
+
+std::vector<double> closed(const std::vector<ContactNode>& nodes, double tolerance) {
+  std::vector<double> closed;
+  for (const ContactNode& n : nodes) closed.push_back(n.gap < tolerance);
+  return closed;
 }
 
 // Of faces as polygons, on this rank, mm².
@@ -144,16 +158,19 @@ ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interacti
                               };
                             }};
   kinds["gap"] = {Q::length, [=](const Problem& problem, const ProbeSpec& spec) {
-                    return over_slaves(problem, interactions->contact(spec.contact, "contact"), spec.set,
-                                       spec.statistic,
-                                       [interactions](const ContactNode& n) { return n.gap; });
+                    const Contact& contact = interactions->contact(spec.contact, "contact");
+                    return over_slaves(problem, contact, spec.set, spec.statistic,
+                                       [interactions, &contact](const State& state, const auto& nodes) {
+                                         return gaps(contact, state, nodes);
+                                       });
                   }};
-  kinds["closed_fraction"] = {
-      Q::number, [=](const Problem& problem, const ProbeSpec& spec) {
-        return over_slaves(
-            problem, interactions->contact(spec.contact, "contact"), spec.set, "mean",
-            [interactions, limit = spec.tolerance](const ContactNode& n) { return n.gap < limit ? 1. : 0.; });
-      }};
+  kinds["closed_fraction"] = {Q::number, [=](const Problem& problem, const ProbeSpec& spec) {
+                                return over_slaves(
+                                    problem, interactions->contact(spec.contact, "contact"), spec.set, "mean",
+                                    [interactions, limit = spec.tolerance](const State&, const auto& nodes) {
+                                      return closed(nodes, limit);
+                                    });
+                              }};
   const auto of_spec = [interactions](auto figure) {
     return [=](const Problem&, const ProbeSpec& spec) {
       return [interactions, f = figure(interactions->contact(spec.contact, "contact"))](Snapshot& s) {
@@ -183,12 +200,12 @@ ProbeSet::Kinds interaction_probes(std::shared_ptr<const Interactions> interacti
                           " mm"};
   kinds["band_tension"] = {Q::force, [=](const Problem& problem, const ProbeSpec& spec) -> Figure {
                              const auto on = interactions->contacts_on(spec.body, "body");
-                             const double opening =
-                                 band_opening(problem.model().rigid_bodies.at(spec.body), spec.body, "body");
-                             return [interactions, on, opening](Snapshot& s) {
+                             const BandArcs arcs =
+                                 band_arcs(problem, *interactions->bodies().at(spec.body), spec.body, "body");
+                             return [interactions, on, arcs](Snapshot& s) {
                                double tension = 0;
                                for (const Contact* c : on)
-                                 tension += band_tension(*c->body, opening, standing(*c, s).on_master);
+                                 tension += band_tension(*c->body, arcs, standing(*c, s).on_master);
                                return tension;
                              };
                            }};

@@ -8,8 +8,7 @@ namespace bulbus::inline contact {
 ///
 ///     contact_area, contact_force, contact_pressure, mean_contact_pressure, penetration, contact_fraction
 ///                               of a contact; the force is that on its master
-///     gap, closed_fraction      of its slave nodes, or of those in the probe's set; gaps up to
-///                               Contact::farthest
+///     gap, closed_fraction      of its slave nodes, or of those in the probe's set
 ///     sealed_fraction           of an edge of its slave
 ///     body_force, body_moment   of all contacts on a rigid body, about the origin
 ///     band_tension              of a band

@@ -68,6 +68,41 @@ void keep_away(RigidMotion& motion, const RigidSurface& body, const MoveSpec& mo
   motion.set_poses(std::move(poses));
 }
 
+struct FirstMove {
+  std::size_t step = 0;
+  const MoveSpec* move = nullptr;
+  bool from_touch() const { return move && move->from == "touch"; }
+};
+
+FirstMove first_move(const Model& model, const std::string& body) {
+  for (std::size_t k = 0; k < model.steps.size(); ++k)
+    for (const MoveSpec& move : model.steps[k].move)
+      if (move.body == body) return {k, &move};
+  return {};
+}
+
+void check_sewing(const Model& model) {
+  for (std::size_t k = 0; k < model.steps.size(); ++k)
+    for (const auto& [name, force] : model.steps[k].sew) {
+      const std::string key = fmt::format("steps.{}.sew.{}", k, name);
+      const auto suture = model.sutures.find(name);
+      if (suture == model.sutures.end())
+        throw scene_error(key, "there is no suture '" + name + "'",
+                          did_you_mean(name, keys(model.sutures), "Describe it under `sutures`."));
+      if (force < 0)
+        throw scene_error(key, fmt::format("a string pulls, it cannot push with {:g} N", -force),
+                          "Give a force of 0 or more.");
+      const std::string& body = suture->second.body;
+      if (const FirstMove first = first_move(model, body); force > 0 && first.from_touch() && first.step > k)
+        throw scene_error(
+            key,
+            fmt::format(
+                "the string is drawn over '{}', which is kept away until step {} brings it `from: touch`",
+                body, first.step + 1),
+            "Sew in that step or later, or draw the body where it touches and leave `from: touch` out.");
+    }
+}
+
 // A plane of no given size reaches past the model on all sides.
 RigidBodySpec sized(RigidBodySpec spec, const Mesh& base) {
   if (spec.plane && !spec.plane->size) spec.plane->size = std::max(usual_plane, 2 * diagonal(base));
@@ -114,27 +149,14 @@ Interactions::Interactions(Problem& problem, const Mesh& base) : problem_(proble
               "Put both into one motion (`translate`, `rotate` and `close` go together), or into two steps.");
       }
     }
-    for (std::size_t k = 0; k < model.steps.size(); ++k)
-      for (const auto& [name, force] : model.steps[k].sew)
-        if (!model.sutures.contains(name))
-          throw scene_error(fmt::format("steps.{}.sew.{}", k, name), "there is no suture '" + name + "'",
-                            did_you_mean(name, keys(model.sutures), "Describe it under `sutures`."));
-        else if (force < 0)
-          throw scene_error(fmt::format("steps.{}.sew.{}", k, name),
-                            fmt::format("a string pulls, it cannot push with {:g} N", -force),
-                            "Give a force of 0 or more.");
+    check_sewing(model);
   });
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     add_contact(base, model.contacts[i], "contacts." + std::to_string(i));
   for (const auto& [name, spec] : model.sutures) add_suture(name, spec);
-  for (auto& [name, motion] : motions_) {
-    const MoveSpec* first = nullptr;
-    for (const StepSpec& step : model.steps)
-      for (const MoveSpec& move : step.move)
-        if (!first && move.body == name) first = &move;
-    if (first && first->from == "touch")
-      keep_away(motion, *bodies_[name], *first, 2 * diagonal(problem.mesh()));
-  }
+  for (auto& [name, motion] : motions_)
+    if (const FirstMove first = first_move(model, name); first.from_touch())
+      keep_away(motion, *bodies_[name], *first.move, 2 * diagonal(problem.mesh()));
 }
 
 void Interactions::add_contact(const Mesh& base, const ContactSpec& spec, const std::string& key) {

@@ -24,7 +24,7 @@ class Interactions final : public Term {
     std::shared_ptr<MidfaceCheck> middles;     ///< of a contact of nodes that goes one way
     std::shared_ptr<const RigidSurface> body;  ///< of a rigid master
     double penalty, thickness;                 ///< MPa/mm; thinner layer of the two, mm
-    double farthest;  ///< gaps are reported up to here, a quarter of the model's diagonal, mm
+    double farthest;  ///< fields have gaps up to here, a quarter of the model's diagonal, mm
   };
 
   /// Adds its terms to the problem; a model without any of the three has none. `base`: the mesh that was read

@@ -38,8 +38,29 @@ ContactFigures ContactTerm::figures(const State& state) const {
     const Vec3<double> moment = cross(at(places, t.point), force);
     for (int c = 0; c < 3; ++c) w.force[c] += force[c], w.moment[c] += moment[c];
   }
-  sum.area = points_.on_faces() ? area_of_points(f) : area_of_faces(state, f);
+  if (points_.on_faces()) {
+    sum.area = area_of_points(f);
+  } else {
+    sum.area = area_of_faces(state, f);
+    const double missing = least_area(f) - comm_.sum(sum.area);
+    if (comm_.rank() == 0) sum.area += std::max(0., missing);
+  }
   return sum;
+}
+
+// Contact that is narrower than an edge has next to no area on the faces beside it: no less than what would
+// carry the force with the largest nodal pressure. Of all ranks.
+double ContactTerm::least_area(const Found& f) const {
+  double force = 0, most = 0, of_point = 0;
+  int last = -1;
+  for (const Touch& t : f.touches) {
+    if (!points_[t.point].mine) continue;
+    const double push = area(t) * pressure(t).value;
+    of_point = (t.point == last ? of_point : 0) + push, last = t.point;
+    force += push, most = std::max(most, of_point / f.shape.areas[t.point]);
+  }
+  force = comm_.sum(force), most = comm_.max(most);
+  return most > 0 ? force / most : 0;
 }
 
 Overlap ContactTerm::overlap_of(const Found& f, const State& state,
@@ -131,9 +152,9 @@ std::vector<ContactNode> ContactTerm::nodes(const State& state, double farthest)
   const Found& f = found(state);
   std::vector<double> places;
   for (int n : slave_.nodes()) places.insert(places.end(), &state.x[3 * n], &state.x[3 * n] + 3);
-  const auto distance = distances(places, master_.at(state), farthest > 0 ? farthest : limits_.reach);
+  const auto gaps = distances(places, master_.at(state), farthest > 0 ? farthest : limits_.reach);
   std::vector<ContactNode> nodes;
-  for (std::size_t i = 0; i < distance.size(); ++i) nodes.push_back({slave_.nodes()[i], distance[i]});
+  for (std::size_t i = 0; i < gaps.size(); ++i) nodes.push_back({slave_.nodes()[i], gaps[i]});
   const std::vector<double> areas = points_.on_faces() ? slave_.shape(state.x).areas : f.shape.areas;
   for (const Touch& t : f.touches) {
     const SlavePoints::Point& point = points_[t.point];
@@ -152,6 +173,14 @@ std::vector<ContactNode> ContactTerm::nodes(const State& state, double farthest)
     }
   }
   return nodes;
+}
+
+void ContactTerm::measure_far(const State& state, std::span<ContactNode> nodes) const {
+  const auto far = [](const ContactNode& n) { return std::isinf(n.gap); };
+  if (std::ranges::none_of(nodes, far)) return;
+  const MasterSurface master = master_.at(state);
+  for (ContactNode& n : nodes)
+    if (far(n)) n.gap = distance(at(state.x, n.node), master);
 }
 
 }  // namespace bulbus::inline contact

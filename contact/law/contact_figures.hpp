@@ -18,16 +18,18 @@ inline Vec3<double> moment_about(const Vec3<double>& point, const Wrench& w) {
 /// Figures of one contact on one rank: sums and the largest penetration are those of its slave points.
 struct ContactFigures {
   int pairs = 0;    ///< active ones
-  double area = 0;  ///< current area in contact, mm²: of faces up to where contact ends on them, of points
-                    ///< on faces as in area_in_contact()
+  double area = 0;  ///< current area in contact, mm²: of faces up to where contact ends on them, and no less
+                    ///< than the force over the largest nodal pressure; of points on faces as in
+                    ///< area_in_contact()
   double penetration = 0;         ///< largest, mm
   std::vector<Wrench> on_master;  ///< per part of a rigid body; one in all for a master of the mesh
 };
 
 /// A slave node that this rank owns.
 struct ContactNode {
-  int node;                     ///< local
-  double gap;                   ///< mm: distance to the master; negative where that keeps the node out
+  int node;    ///< local
+  double gap;  ///< mm: distance to the master; negative where that keeps the node out, infinite where it was
+               ///< not looked for so far away
   double pressure = 0;          ///< force over current tributary area, MPa
   Vec3<double> force{0, 0, 0};  ///< on the node, N
   bool active = false;

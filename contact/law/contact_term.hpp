@@ -88,8 +88,10 @@ class ContactTerm final : public Term {
   double potential(const State& state) const;
   /// Collective.
   ContactFigures figures(const State& state) const;
-  /// In the order of slave().nodes(); gaps no larger than `farthest` (mm; 0: the search's reach).
+  /// In the order of slave().nodes(); gaps larger than `farthest` (mm; 0: the search's reach) are infinite.
   std::vector<ContactNode> nodes(const State& state, double farthest = 0) const;
+  /// Gives `nodes` whose gap is infinite the distance to the master, however far.
+  void measure_far(const State& state, std::span<ContactNode> nodes) const;
   /// The owned nodes that a contact of nodes presses on.
   std::vector<int> active_nodes(const State& state) const;
   /// Largest, mm, on this rank.
@@ -167,6 +169,7 @@ class ContactTerm final : public Term {
   double area(const Touch& touch) const;
   double area_of_points(const Found& found) const;
   double area_of_faces(const State& state, const Found& found) const;
+  double least_area(const Found& found) const;
   void add_tangent(const Touch& touch, const PairGradient& gradient, double a, double b,
                    BlockTangent& blocks) const;
   enum class Search { whole, with_history, near_last };

@@ -23,7 +23,7 @@ struct RigidSurface {
   Facets facets;
   std::vector<double> reference;  ///< 3 per point, as drawn
   std::vector<double> places;     ///< 3 per point, where the motion has brought them
-  long moves = 0;                 ///< how often the motion has changed them
+  long moves = 0;                 ///< how often they have changed: contacts look for it
   /// At the corners of the triangles, as drawn and as moved; empty where every triangle keeps its own normal.
   std::vector<CornerNormals> reference_normals, normals;
   std::vector<Part> parts;

@@ -1,6 +1,7 @@
 #include "contact/search/distances.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "contact/search/nearest_point.hpp"
@@ -31,7 +32,7 @@ std::vector<int> within(double reach, std::span<const int> of, std::span<const d
 
 // Points that nothing is near look twice as far in the next round.
 std::vector<double> distances(std::span<const double> points, const MasterSurface& surface, double farthest) {
-  std::vector<double> distance(points.size() / 3, farthest);
+  std::vector<double> distance(points.size() / 3, INFINITY);
   std::vector<int> open(distance.size());
   std::iota(open.begin(), open.end(), 0);
   for (double reach = farthest / 16; reach <= farthest && !open.empty(); reach *= 2) {
@@ -44,7 +45,18 @@ std::vector<double> distances(std::span<const double> points, const MasterSurfac
     }
     open = std::move(rest);
   }
+  for (int i : open) distance[i] = INFINITY;
   return distance;
+}
+
+double distance(const Vec3<double>& point, const MasterSurface& surface) {
+  double nearest = INFINITY;
+  for (int t = 0; t < static_cast<int>(surface.facets.triangles.size()); ++t) {
+    const auto [center, radius] = surface.sphere(t);
+    if (norm(minus(center, point)) - radius < nearest)
+      nearest = std::min(nearest, nearest_point(point, surface.corners(t)).distance);
+  }
+  return nearest;
 }
 
 }  // namespace bulbus::inline contact

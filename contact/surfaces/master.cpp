@@ -21,7 +21,7 @@ void Master::mirror(std::vector<std::array<bool, 3>> components) {
 
 Master::Master(std::shared_ptr<const RigidSurface> surface)
     : surface_(std::move(surface)),
-      radii_(std::make_shared<const TriangleRadii>(surface_->facets, surface_->reference)),
+      radii_(std::make_shared<const TriangleRadii>(surface_->facets, surface_->places)),
       edges_(surface_->facets, surface_->places, SharpEdges::Kind::convex),
       hollows_(surface_->facets, surface_->places, SharpEdges::Kind::concave),
       pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),

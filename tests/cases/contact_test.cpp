@@ -65,6 +65,56 @@ TEST(Punch, HasAnAreaInContactBothWays) {
   EXPECT_GT(probe(run, "mean"), 0);
 }
 
+// The slab's faces are sixteen times as large as the punch's.
+TEST(Punch, HasTheAreaOfTheFinerSide) {
+  const Ran run = run_case("punch", {"contacts.0={name: joint, slave: punch_bottom, master: slab_top, "
+                                     "two_way: true, divisions: 2}",
+                                     "probes=[{name: part, kind: contact_fraction, contact: joint}]"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(probe(run, "part"), .5);
+  EXPECT_LT(probe(run, "part"), 1.001);
+}
+
+// Narrower than an edge of the slave, then wider.
+TEST(LineContact, HasNoMeanPressureAboveTheLargest) {
+  for (int refine : {0, 2}) {
+    const Ran run = run_scene(R"(
+mesh: {block: {upper: [8, 4, 2], nx: 4, ny: 2, nz: 2}}
+regions: {block: {c10: 50 kPa}}
+fix: [{set: zmin}]
+rigid_bodies: {rod: {cylinder: {center: [4, 2, 4.05], axis: [0, 1, 0], radius: 2, length: 8}}}
+contacts: [{name: c, slave: zmax, master: rod}]
+steps: [{name: press, increments: 3, move: [{body: rod, translate: [0, 0, -0.1]}]}]
+probes:
+  - {name: area, kind: contact_area, contact: c}
+  - {name: mean, kind: mean_contact_pressure, contact: c}
+  - {name: most, kind: contact_pressure, contact: c}
+)",
+                              {"mesh.refine=" + std::to_string(refine)});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_GT(probe(run, "area"), 1);
+    EXPECT_LE(probe(run, "mean"), probe(run, "most") * (1 + 1e-9));
+  }
+}
+
+// Farther away than the model is large.
+TEST(FarBody, IsNotTakenForAClosedGap) {
+  const Ran run = run_scene(R"(
+mesh: {block: {upper: [.1, .1, .1], nx: 2, ny: 2, nz: 2}}
+regions: {block: {c10: 50 kPa}}
+fix: [{set: zmin}]
+rigid_bodies: {plate: {plane: {point: [.05, .05, .9], normal: [0, 0, -1]}}}
+contacts: [{name: c, slave: zmax, master: plate}]
+steps: [{name: away, move: [{body: plate, translate: [0, 0, -.1]}]}]
+probes:
+  - {name: closed, kind: closed_fraction, contact: c}
+  - {name: gap, kind: gap, contact: c}
+)");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(probe(run, "closed"), 0);
+  EXPECT_NEAR(probe(run, "gap"), .7, 1e-12);
+}
+
 TEST(Ridge, PushesNeitherWay) {
   const Ran run = run_case("ridge");
   ASSERT_EQ(run.status, 0) << run.err;
