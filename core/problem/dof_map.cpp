@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/problem/formula.hpp"
 
 namespace bulbus::inline problem {
 
@@ -63,7 +64,7 @@ void DofMap::add(Node& node, const Constraint& constraint, const std::string& na
     return v;
   };
   if (length < 1e-8) {
-    for (double s : {0.5, 1.0})
+    for (double s : looked_at)
       if (const double gap = rest(s); std::abs(gap) > 1e-9 * (1 + std::abs(constraint.value(s))))
         throw input_error(
             fmt::format("over-constrained: node {} at ({:.4g}, {:.4g}, {:.4g}) is given two displacements in "

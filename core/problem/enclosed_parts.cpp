@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/problem/connected_parts.hpp"
+#include "core/problem/formula.hpp"
 
 namespace bulbus::inline problem {
 namespace {
@@ -88,7 +89,7 @@ EnclosedParts::EnclosedParts(const Problem& problem, const State& start, int ste
   problem.comm().sum(volume_);
   mean_ = means(start.lambda);
   std::vector<double> prescribed(start.x.size()), x;
-  for (double s : {1.0, 0.5}) {
+  for (double s : looked_at) {
     problem.dofs().prescribed_increment(start, s, prescribed);
     x = start.x;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += prescribed[i];

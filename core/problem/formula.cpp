@@ -119,8 +119,9 @@ double Formula::operator()(const Vec3<double>& X, double s, double t) const {
 }
 
 void Formula::require_finite(const Vec3<double>& X, int step) const {
-  if (!constant_)
-    for (double s : {0.0, 0.5, 1.0}) (*this)(X, s, step + s);
+  if (constant_) return;
+  (*this)(X, 0, step);
+  for (double s : looked_at) (*this)(X, s, step + s);
 }
 
 void Formula::require_uniform() const {

@@ -1,10 +1,14 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 
 #include "core/base/tensor.hpp"
 
 namespace bulbus::inline problem {
+
+/// Parts of a step at which what it prescribes is looked at before it begins: no period hides from all.
+inline constexpr std::array looked_at{1., .5, .17, .39, .71};
 
 /// A number, with or without the unit it is kept in, or an expression in the reference position X, Y, Z (mm),
 /// the part s of the step done and the time t. Comparisons (<, <=, >, >=, ==, !=, &&, ||) are 1 where they

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "core/element/bars.hpp"
 #include "core/element/pressure_surface.hpp"
@@ -16,7 +17,13 @@ class Load : public Term {
   void freeze() override {
     value_ = [end = value_(1)](double) { return end; };
   }
+  /// From its size at the end of the last step to nothing at the end of this one.
+  void fade() {
+    value_ = [end = value_(1)](double s) { return end * (1 - s); };
+  }
   double end() const { return value_(1); }
+
+  std::string acts;  ///< how, but for its size: loads that act alike go over into one another
 
  protected:
   double now_ = 0;

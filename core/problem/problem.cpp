@@ -106,6 +106,7 @@ std::vector<std::shared_ptr<Term>> Problem::terms() const {
   std::vector<std::shared_ptr<Term>> all;
   for (const auto& [name, term] : bars_) all.push_back(term);
   for (const auto& [name, term] : loads_) all.push_back(term);
+  all.insert(all.end(), fading_.begin(), fading_.end());
   all.insert(all.end(), added_.begin(), added_.end());
   return all;
 }

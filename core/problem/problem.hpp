@@ -125,6 +125,7 @@ class Problem {
   void add_displacement(const DisplaceSpec& spec, int step, int index, const State& start);
   std::string pressure_name(const LoadSpec& spec);
   void add_load(const LoadSpec& spec, int step, int index);
+  void add_pressure(const LoadSpec& spec, const std::string& key, int step);
   void begin_liquids(const StepSpec& spec, int step, const State& start);
   void release(const StepSpec& spec, int step);
   void go_through(int steps);
@@ -144,6 +145,7 @@ class Problem {
   std::vector<Liquid> liquids_;
   std::map<std::string, std::shared_ptr<BarsTerm>> bars_;
   std::map<std::string, std::shared_ptr<Load>> loads_;
+  std::vector<std::shared_ptr<Load>> fading_;  // in this step: others have taken their place
   std::vector<std::shared_ptr<Term>> added_;
   std::vector<std::vector<int>> region_nodes_;  // owned free nodes of each solid region
   std::vector<double> region_floor_;            // smallest force that counts, N

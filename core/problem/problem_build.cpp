@@ -119,16 +119,25 @@ void Problem::build_bodies_and_solid() {
   }
   solid_ = std::make_shared<const Solid>(mesh_.X, mesh_.hexes, regions);
   dofs_ = std::make_unique<DofMap>(mesh_, std::move(bodies));
+  const auto nodes_of_region = [&](const std::string& name) -> const std::vector<int>& {
+    return mesh_.region_nodes[std::ranges::find(mesh_.region_names, name) - mesh_.region_names.begin()];
+  };
+  std::vector<double> stiffest(mesh_.nodes());  // shear moduli of the regions around each node
+  for (const SolidRegion& r : solid_->regions())
+    for (int n : nodes_of_region(r.name))
+      stiffest[n] = std::max(stiffest[n], initial_shear_modulus(r.material));
   for (const SolidRegion& r : solid_->regions()) {
-    std::vector<int> nodes =
-        mesh_.region_nodes[std::ranges::find(mesh_.region_names, r.name) - mesh_.region_names.begin()];
+    std::vector<int> nodes = nodes_of_region(r.name);
     std::erase_if(nodes, [&](int n) { return n >= mesh_.owned || rigid_node[n]; });
-    // forces of a strain of 1e-7 on the faces of the region's hexahedra: rounded positions leave strains of
-    // 1e-14 in thin cells, and a softer region feels those of its neighbour
+    // forces of a strain of 1e-7 on the faces of the region's hexahedra, since rounded positions leave
+    // strains of 1e-14 in thin cells, and of 1e-9 in the stiffest region that shares its nodes
     double areas = 0;
     for (int h = r.first; h < r.first + r.count; ++h)
       areas += std::pow(solid_->reference_volumes()[h], 4.0 / 3);
-    region_floor_.push_back(1e-7 * initial_shear_modulus(r.material) * std::sqrt(comm().sum(areas)));
+    double beside = 0;
+    for (int n : nodes) beside = std::max(beside, stiffest[n]);
+    const double modulus = std::max(1e-7 * initial_shear_modulus(r.material), 1e-9 * comm().max(beside));
+    region_floor_.push_back(modulus * std::sqrt(comm().sum(areas)));
     region_nodes_.push_back(std::move(nodes));
   }
 }

@@ -31,6 +31,7 @@ void Problem::rehearse(int steps) {
 
 void Problem::renew() {
   loads_.clear();
+  fading_.clear();
   step_ = -1;
   s_ = 0;
   build();

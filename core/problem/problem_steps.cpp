@@ -104,6 +104,7 @@ void Problem::begin_step(int step, const State& start) {
 void Problem::begin(int step, const State& start, void (Term::*begin_term)(int, const State&)) {
   const StepSpec& spec = model_.steps.at(step);
   step_ = step;
+  fading_.clear();
   comm().together([&] {
     release(spec, step);
     for (std::size_t i = 0; i < spec.displace.size(); ++i)
@@ -239,20 +240,33 @@ std::string Problem::pressure_name(const LoadSpec& spec) {
   return name;
 }
 
+// A pressure that acts otherwise than the one it replaces grows from nothing while that one fades.
+void Problem::add_pressure(const LoadSpec& spec, const std::string& key, int step) {
+  const auto formula = std::make_shared<Formula>(*spec.pressure, key);
+  const auto [x, y, z] = spec.direction;
+  const std::string name = pressure_name(spec),
+                    acts = fmt::format("{} {} {} {} {}", spec.dead, x, y, z, spec.region);
+  const auto old = loads_.contains(name) ? loads_[name] : nullptr;
+  const bool alike = old && old->acts == acts;
+  const auto value = ramp(formula, alike ? old->end() : 0, step);
+  const auto faces =
+      spec.region.empty() ? mesh_.surfaces.at(spec.surface) : faces_towards(mesh_, spec.surface, spec.region);
+  std::shared_ptr<Load> load;
+  if (spec.dead)
+    load = std::make_shared<DeadLoad>(std::vector<double>{},
+                                      dead_pressure_pattern(mesh_.X, faces, spec.direction), value);
+  else
+    load = std::make_shared<FollowerPressure>(PressureSurface(faces), value, false);
+  load->acts = acts;
+  loads_[name] = load;
+  if (!old || alike || !formula->constant()) return;
+  old->fade();
+  fading_.push_back(old);
+}
+
 void Problem::add_load(const LoadSpec& spec, int step, int index) {
   const std::string where = step_key(step, "loads." + std::to_string(index));
-  if (spec.pressure) {
-    const std::string name = pressure_name(spec);
-    const double before = loads_.contains(name) ? loads_[name]->end() : 0;
-    auto value = ramp(std::make_shared<Formula>(*spec.pressure, where + ".pressure"), before, step);
-    const auto faces = spec.region.empty() ? mesh_.surfaces.at(spec.surface)
-                                           : faces_towards(mesh_, spec.surface, spec.region);
-    if (spec.dead)
-      loads_[name] = std::make_shared<DeadLoad>(std::vector<double>{},
-                                                dead_pressure_pattern(mesh_.X, faces, spec.direction), value);
-    else
-      loads_[name] = std::make_shared<FollowerPressure>(PressureSurface(faces), value, false);
-  }
+  if (spec.pressure) add_pressure(spec, where + ".pressure", step);
   if (spec.force) {
     std::vector<double> pattern(mesh_.X.size());
     for (int n : nodes_of(spec.set))

@@ -51,6 +51,47 @@ TEST(NotANumber, IsRefusedDuringAStep) {
       {"s = 0.25", "not a finite number"});
 }
 
+const std::string column = R"(
+mesh: {block: {upper: [1, 1, 4], nx: 2, ny: 2, nz: 4, region: soft}}
+regions: {soft: {c10: 50 kPa}}
+fix: [{set: zmin}]
+steps: [{name: one, increments: 4, displace: [{set: xmax, x: '0.1*sin(2*pi*s)'}]}]
+)";
+
+// They agree half way through the step and at its end.
+TEST(Prescriptions, ThatContradictInBetweenAreRefused) {
+  expect_refused(run_scene(column), {"steps.0.displace", "over-constrained", "two displacements"});
+}
+
+// The soft ends feel the rounding of the middle, in a motion without stress.
+TEST(StiffMiddle, IsTurnedWithItsSoftEnds) {
+  const Ran run = run_case("stiff_middle");
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+TEST(Reaction, OfARigidRegionAloneIsRefused) {
+  expect_refused(
+      run_case("stiff_middle", {"regions.mid={rigid: true}", "probes=[{name: R, kind: reaction, set: mid}]"}),
+      {"'mid'", "no support"});
+}
+
+TEST(Sewing, OverABodyThatIsKeptAwayIsRefused) {
+  expect_refused(run_scene(R"(
+mesh: {shell: {inner: 10, outer: 12, n: 2, layers: 1, part: half}}
+regions: {shell: {c10: 80 kPa}}
+symmetry: [x]
+fix: [{set: inner}]
+rigid_bodies:
+  tire: {tire: {width: 4, crown: 2, inner_radius_of_curvature: 12, radius: 12.3, from: 0, to: 30}, direction: [0, -1, 0]}
+contacts: [{name: t, slave: outer, master: tire}]
+sutures: {string: {body: tire, surface: outer, pair: {azimuth: 0, spacing: 8}}}
+steps:
+  - {name: sew, sew: {string: 0.02}}
+  - {name: press, move: [{body: tire, from: touch, close: 0.05}]}
+)"),
+                 {"steps.0.sew.string", "step 2", "from: touch"});
+}
+
 TEST(MergeKey, IsRead) {
   const Ran run = run_case("not_a_number", {}, "merge.yaml");
   ASSERT_EQ(run.status, 0) << run.err;

@@ -16,6 +16,28 @@ Resultant resultant(Snapshot& s, std::span<const int> nodes, const std::string& 
   return total(s.problem, own, of);
 }
 
+// Loads there are balanced by the rest of the body: nothing supports its nodes one by one.
+void refuse_inside_rigid(const Problem& problem, const std::vector<int>& owned, const std::string& set) {
+  const LocalMesh& mesh = problem.mesh();
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
+    const std::string& name = mesh.region_names[r];
+    if (!problem.model().regions.at(name).rigid) continue;
+    std::vector<bool> rigid(mesh.nodes());
+    for (int n : mesh.region_nodes[r]) rigid[n] = true;
+    if (!problem.comm().any(std::ranges::any_of(owned, [&](int n) { return !rigid[n]; })))
+      throw scene_error(
+          "set",
+          "all nodes of '" + set + "' are of the rigid region '" + name + "', and no support holds them",
+          "Name a set that is fixed, displaced or in a plane of symmetry.");
+  }
+}
+
+std::vector<int> supported_nodes(const Problem& problem, const std::string& set) {
+  std::vector<int> nodes = owned_nodes(problem, set);
+  refuse_inside_rigid(problem, nodes, set);
+  return nodes;
+}
+
 std::size_t liquid_of(const Problem& problem, const ProbeSpec& spec) {
   const auto& all = problem.liquids();
   return std::ranges::find(all, spec.liquid, &Liquid::name) - all.begin();
@@ -56,13 +78,13 @@ Resultant total(const Problem& problem, const Resultant& own, const std::string&
 }
 
 ProbeSet::Figure reaction(const Problem& problem, const ProbeSpec& spec) {
-  return [nodes = owned_nodes(problem, spec.set), c = spec.component, of = spec.of](Snapshot& s) {
+  return [nodes = supported_nodes(problem, spec.set), c = spec.component, of = spec.of](Snapshot& s) {
     return resultant(s, nodes, of).component(c);
   };
 }
 
 ProbeSet::Figure moment(const Problem& problem, const ProbeSpec& spec) {
-  return [nodes = owned_nodes(problem, spec.set), c = spec.component, of = spec.of](Snapshot& s) {
+  return [nodes = supported_nodes(problem, spec.set), c = spec.component, of = spec.of](Snapshot& s) {
     return component_of(resultant(s, nodes, of).moment, c);
   };
 }

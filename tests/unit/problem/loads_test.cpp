@@ -156,6 +156,33 @@ TEST(Loads, NodalForcesRampFromStepToStepAndStay) {
   }
 }
 
+// Of one kind or direction into another, as nodal forces do.
+TEST(Loads, PressuresGoOverIntoThoseThatReplaceThem) {
+  Scene scene = standing_block();
+  scene.model.steps = {step("one"), step("two"), step("three")};
+  for (const auto& [k, direction] : {std::pair{0, Point{1, 0, 0}}, {1, {0, 1, 0}}}) {
+    scene.model.steps[k].loads.push_back(pressure("zmax", k == 0 ? "0.2" : "0.3", true));
+    scene.model.steps[k].loads[0].direction = direction;
+  }
+  scene.model.steps[2].loads.push_back(pressure("zmax", "0.1"));
+  Problem p(scene.mesh, scene.model, world());
+  State s = p.initial_state();
+  const double A = 2;
+  const Vec3<double> expected[3][3] = {{{0, 0, 0}, {.1, 0, 0}, {.2, 0, 0}},
+                                       {{.2, 0, 0}, {.1, .15, 0}, {0, .3, 0}},
+                                       {{0, .3, 0}, {0, .15, -.05}, {0, 0, -.1}}};
+  for (int k = 0; k < 3; ++k) {
+    p.begin_step(k, s);
+    for (int i : {0, 1, 2}) {
+      p.set_progress(.5 * i, s);
+      Vec3<double> f = expected[k][i];
+      for (double& c : f) c *= -A;
+      expect_near(load_only(p, s), f);
+    }
+    p.end_step();
+  }
+}
+
 TEST(Loads, LoadsOfBothKindsAdd) {
   Scene scene = standing_block();
   scene.model.steps[0].loads = {pressure("zmax", "0.2", true), force("zmax", {1, 0, 0}),
