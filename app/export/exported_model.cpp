@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/export/untold_step.hpp"
+#include "core/base/sort_unique.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/formula.hpp"
@@ -17,7 +18,8 @@ namespace {
 class ModelExport {
  public:
   ModelExport(const Model& model, const Mesh& mesh) : model_(model), mesh_(mesh) {
-    for (const auto& [name, nodes] : mesh.node_sets) nodes_in(name);
+    made_.sets = mesh.node_sets;
+    for (auto& [name, nodes] : made_.sets) sort_unique(nodes);
   }
 
   ExportedModel take() {

@@ -69,28 +69,37 @@ TEST(HexahedraTwice, InAnyOrderAndInOneRegion) {
                    {"element 57 of region 'right'", "1 of 17 hexahedra stand twice"});
 }
 
-TEST(CoincidentNodes, AreWarnedOf) {
-  const Ran run = run_case("coincident_nodes");
-  expect_warning(run, {"9 nodes of region 'left'", "region 'right'", "(1, 0, 0) mm", "Coherence"});
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(run_case("coincident_nodes", {}, "s.yaml", "check").status, 0);
-  EXPECT_NE(testing::internal::GetCapturedStdout().find("warning: 9 nodes of region 'left'"),
-            std::string::npos);
+TEST(OneName, OfSeveralKindsWithOtherNodesIsRefusedWhereASetIsMeant) {
+  const std::string told = "'BASE' is a node set of 3 nodes and a surface of 9 nodes, not the same ones";
+  expect_refused(run_case("one_name"), {"s.yaml:4", "fix.0.set", told, "Rename one of the two"});
+  for (const char* use :
+       {"probes=[{name: p, kind: position, set: BASE}]", "steps.0.displace=[{set: BASE, z: 0.1}]",
+        "sutures={s: {body: none, sets: [BASE, TOP]}}"})
+    expect_refused(run_case("one_name", {"fix=[{set: TOP}]", use}), {told});
 }
 
-TEST(CoincidentNodes, AreFoundThroughNoise) {
-  expect_warning(
-      run_changed("coincident_nodes", "block.msh", replacing("28 1.0 0.0 0.0", "28 1.000001 -1e-6 2e-6")),
-      {"9 nodes of region 'left'"});
+TEST(OneName, IsNoneWhereNodesAreEqualOrTheNameIsASurfaceAlone) {
+  const Edit renamed = replacing("*NSET,NSET=BASE", "*NSET,NSET=three");
+  const Ran by_surface = run_changed("one_name", "block.inp", renamed);
+  ASSERT_EQ(by_surface.status, 0) << by_surface.err;
+  const double held = probe(by_surface, "u");
+  EXPECT_NEAR(held, .189, 5e-4);
+  const Ran equal = run_changed("one_name", "block.inp", replacing("1,3,7\n", "1,2,3,4,5,6,7,8,9\n"));
+  ASSERT_EQ(equal.status, 0) << equal.err;
+  EXPECT_EQ(probe(equal, "u"), held);
+  const Ran pressed =
+      run_case("one_name", {"fix=[{set: TOP}]", "steps.0.loads=[{surface: BASE, pressure: 1 kPa}]"});
+  EXPECT_EQ(pressed.status, 0) << pressed.err;
 }
 
-TEST(CoincidentNodes, OfAContactAreNone) {
-  const Ran run =
-      run_case("matching_nodes", {"steps.0.increments=1", "steps.0.displace.0.z=0.001"}, "s.yaml", "check");
-  EXPECT_EQ(run.status, 0) << run.err;
-  testing::internal::CaptureStdout();
-  run_case("matching_nodes", {}, "s.yaml", "check");
-  EXPECT_EQ(testing::internal::GetCapturedStdout().find("warning"), std::string::npos);
+// Whatever node set has the name of a side: its nodes lie on those of the other side, and are no slip.
+TEST(OneName, OfTheSidesOfAContactMeansTheSurfaces) {
+  const Edit with_points = [](const std::string& text) {
+    std::string more = replacing("6\n2 1 \"bottom\"", "7\n0 9 \"high_bottom\"\n2 1 \"bottom\"")(text);
+    more = replacing("$Elements\n192\n", "$Elements\n193\n")(more);
+    return replacing("$EndElements", "193 15 2 9 9 250\n$EndElements")(more);
+  };
+  expect_no_warning(run_changed("matching_nodes", "two.msh", with_points));
 }
 
 TEST(PartitionedMesh, IsReadAsTheWhole) {
