@@ -18,13 +18,13 @@
 namespace bulbus::inline app {
 namespace {
 
-MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, std::vector<std::string>& notes) {
+MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, ToldOfMesh& told) {
   MeshHierarchy meshes;
   try {
     comm.together([&] {
       refuse_too_many_facets(scene, comm.size());
       if (const auto base = count_of(scene.mesh)) refuse_too_large(*base, scene, comm.size());
-      meshes = make_meshes(scene.mesh, &notes);
+      meshes = make_meshes(scene.mesh, &told);
       if (scene.mesh.file) refuse_too_large(count(meshes.base), scene, comm.size());
       refuse_too_many_points(meshes.base, scene, comm.size());
       move_onto_planes(meshes.base, scene.model);
@@ -79,8 +79,8 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   refuse_outside(scene);
   check_direct(scene.solver.linear, comm.size());
   auto inputs = input_files(scene, comm);
-  std::vector<std::string> notes;
-  const MeshHierarchy meshes = meshes_of(scene, comm, notes);
+  ToldOfMesh told;
+  const MeshHierarchy meshes = meshes_of(scene, comm, told);
   Model model = scene.model;
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
@@ -92,19 +92,20 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   Prepared prepared{std::make_unique<Problem>(std::move(levels), model),
                     nullptr,
                     {},
-                    std::move(notes),
+                    std::move(told.notes),
                     {},
                     std::move(inputs),
                     scene.reference ? std::make_shared<Mesh>(meshes.base) : nullptr};
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
-  prepared.warnings = warnings_of(meshes.base, model);
+  prepared.warnings = std::move(told.warnings);
   const auto more_nodes =
       meshes.refinements > 0 ? thickened_sets(meshes.base, model) : std::vector<std::string>{};
   std::vector<std::string> by_condition;
   for (const auto& [name, condition] : scene.mesh.surfaces) by_condition.push_back(name);
-  for (const auto& more : {prepared.problem->warnings(), coarse_slaves(meshes.base, model), more_nodes,
-                           thickened_surfaces(meshes.base, by_condition)})
+  for (const auto& more :
+       {warnings_of(meshes.base, model), prepared.problem->warnings(), coarse_slaves(meshes.base, model),
+        more_nodes, thickened_surfaces(meshes.base, by_condition)})
     prepared.warnings.insert(prepared.warnings.end(), more.begin(), more.end());
   prepared.interactions = Interactions::attach(*prepared.problem, meshes.base);
   for (const auto& [name, body] : prepared.interactions->bodies())
