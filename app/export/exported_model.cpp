@@ -54,7 +54,8 @@ class ModelExport {
     const double tolerance = mesh_tolerance(mesh_);
     for (const std::string& plane : model_.symmetry) {
       std::string name = "symmetry_" + plane;
-      while (made_.sets.contains(name)) name += "_";
+      while (made_.sets.contains(name) || mesh_.surfaces.contains(name) || region_index(mesh_, name) >= 0)
+        name += "_";
       for (int n = 0; n < static_cast<int>(mesh_.points.size()); ++n)
         if (std::abs(mesh_.points[n][axis_of(plane)]) <= tolerance) made_.sets[name].push_back(n);
       ExportedModel::Fixed fixed{name};

@@ -207,6 +207,18 @@ TEST_F(Export, GivesNamesThatAreRead) {
     EXPECT_NE(run.out.find(told), std::string::npos) << run.out;
 }
 
+TEST_F(Export, LeavesNamesOfTheMeshToTheMesh) {
+  ASSERT_EQ(write("a.inp", {"--set", "mesh={block: {nx: 2}, surfaces: {symmetry_x: \"Z > 0.9\"}}",
+                            "regions={block: {c10: 1}}", "symmetry=[x]", "fix=[{set: symmetry_x}]",
+                            "steps=[{}]", "probes=[]"})
+                .status,
+            0);
+  const Mesh mesh = read_abaqus(file("a.inp")).mesh;
+  EXPECT_EQ(mesh.node_sets.at("symmetry_x"), nodes_of(mesh, "symmetry_x"));
+  for (int n : not_empty(mesh.node_sets.at("symmetry_x"))) EXPECT_EQ(mesh.points[n][2], 1);
+  for (int n : not_empty(mesh.node_sets.at("symmetry_x_"))) EXPECT_EQ(mesh.points[n][0], 0);
+}
+
 TEST_F(Export, RefusesWhatItCannotWrite) {
   EXPECT_EQ(write("a.stl").status, 2);
   EXPECT_NE(write("a.stl").err.find("end it in .inp"), std::string::npos);
