@@ -1,6 +1,7 @@
 #include "app/prepare.hpp"
 
 #include "app/eye/tissues.hpp"
+#include "app/records/alike_names.hpp"
 #include "app/records/probe_kinds.hpp"
 #include "app/records/record_names.hpp"
 #include "app/scene/contact_limits.hpp"
@@ -85,6 +86,7 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);
+  refuse_names_alike_in_records(model);
   if (meshes.refinements > 0) require_forces_kept(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);

@@ -102,6 +102,22 @@ TEST(OneName, OfTheSidesOfAContactMeansTheSurfaces) {
   expect_no_warning(run_changed("matching_nodes", "two.msh", with_points));
 }
 
+TEST(AlikeNames, ThatRecordsCannotTellApartAreRefused) {
+  const Edit regions = [](const std::string& text) {
+    return replaced(replaced(text, "\"left\"", "\"wall/left\""), "\"right\"", "\"wall_left\"");
+  };
+  expect_refused(run_changed("coincident_nodes", "block.msh", regions,
+                             {"regions={wall/left: {c10: 50 kPa}, wall_left: {c10: 50 kPa}}"}),
+                 {"'wall/left' and 'wall_left' would have one name", "Rename one"});
+  const std::string probes =
+      "probes=[{name: a/b, kind: position, set: xmin}, {name: a|b, kind: position, set: xmax}]";
+  expect_refused(run_case("partitioned_mesh", {probes}), {"probes.1.name", "'a/b' and 'a|b'"});
+  expect_refused(run_case("partitioned_mesh",
+                          {"rigid_bodies={a/b: {sphere: {center: [9, 9, 9], radius: 1}}, a<b: {sphere: "
+                           "{center: [19, 9, 9], radius: 1}}}"}),
+                 {"rigid_bodies.", "would have one name"});
+}
+
 TEST(PartitionedMesh, IsReadAsTheWhole) {
   for (const char* mesh : {"block.msh", "block2.msh"}) {
     const Ran run = run_case("partitioned_mesh", {std::string("mesh.file=") + mesh});
