@@ -8,6 +8,7 @@
 #include "app/scene/size_limits.hpp"
 #include "contact/coarse_slaves.hpp"
 #include "core/base/error.hpp"
+#include "core/mesh/overlapping.hpp"
 #include "core/problem/nodal_forces.hpp"
 #include "core/problem/reference_model.hpp"
 #include "core/problem/symmetry_planes.hpp"
@@ -30,6 +31,7 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, ToldOfMesh& told) 
       refuse_too_many_points(meshes.base, scene, comm.size());
       move_onto_planes(meshes.base, scene.model);
       refuse_inverted(meshes.base);
+      if (scene.mesh.file) refuse_overlapping(meshes.base);
     });
   } catch (const InputError& fault) {
     throw InputError(fault.what(), fault.key.empty() ? "mesh" : fault.key);

@@ -69,6 +69,20 @@ TEST(HexahedraTwice, InAnyOrderAndInOneRegion) {
                    {"element 57 of region 'right'", "1 of 17 hexahedra stand twice"});
 }
 
+// From the lower layer's bottom to the upper layer's top.
+TEST(HexahedraTwice, OnOneSideOfAFaceAreRefused) {
+  const Edit tall = [](const std::string& text) {
+    return text.substr(0, text.find("\n57 5") + 1) + "57 5 2 2 2 9 10 15 14 39 40 45 44\n$EndElements\n";
+  };
+  const Edit counted = [=](const std::string& text) {
+    return std::regex_replace(tall(text), std::regex(R"(\$Elements\n\d+)"), "$$Elements\n57");
+  };
+  expect_refused(run_changed("hexahedra_twice", "block.msh", counted,
+                             {"regions={left: {c10: 50 kPa}, right: {c10: 50 kPa}}"}),
+                 {"mesh:", "hexahedron 17 (region 'right') overlaps hexahedron", "(1.75, 0.75, 0) mm",
+                  "there are 2 such faces", "Mesh every part of the body once"});
+}
+
 TEST(OneName, OfSeveralKindsWithOtherNodesIsRefusedWhereASetIsMeant) {
   const std::string told = "'BASE' is a node set of 3 nodes and a surface of 9 nodes, not the same ones";
   expect_refused(run_case("one_name"), {"s.yaml:4", "fix.0.set", told, "Rename one of the two"});
