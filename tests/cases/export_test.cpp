@@ -226,6 +226,8 @@ TEST_F(Export, RefusesWhatItCannotWrite) {
   for (const char* wrong :
        {"regions={}", "regions.soft={fung: {a: 1, b: 2}}", "steps.0.loads.0.pressure=log(s - 2)"})
     EXPECT_EQ(write("a.inp", {"--set", wrong}).status, 2) << wrong;
+  for (const char* bulk : {"nan", "-nan", "NaN", "inf", "0"})
+    EXPECT_EQ(write("a.inp", {"--bulk", bulk}).status, 2) << bulk;
 }
 
 TEST(Decimal, FitsInTwentyCharacters) {
@@ -234,8 +236,9 @@ TEST(Decimal, FitsInTwentyCharacters) {
     EXPECT_LE(decimal(x).size(), 20u) << decimal(x);
     EXPECT_NE(decimal(x).find('.'), std::string::npos) << decimal(x);
   }
-  for (const double x : {1 / 300., -1e-5 / 3, 6.123233995736766e-17, -1e-30, 1e300 / 3}) {
-    EXPECT_NEAR(std::stod(decimal(x)), x, std::max(1e-18, 1e-11 * std::abs(x))) << decimal(x);
+  for (const double x : {1 / 300., -1e-4 / 3, -1e-5 / 3, 6.123233995736766e-17, -1e-15 / 3, 1e-18 / 3, -1e-30,
+                         -1e-200 / 3, 1e300 / 3}) {
+    EXPECT_NEAR(std::stod(decimal(x)), x, 1e-12 * std::abs(x)) << decimal(x);
     EXPECT_LE(decimal(x).size(), 20u) << decimal(x);
   }
 }
