@@ -77,6 +77,7 @@ class Assembler {
       add_node_sets(i);
       add_surfaces(i);
     }
+    note_sets_of_no_instance();
     note_skipped();
     return {std::move(mesh_), std::move(notes_), std::move(warnings_)};
   }
@@ -240,6 +241,27 @@ class Assembler {
   const FaceTable& faces() {
     if (!faces_) faces_.emplace(mesh_.hexes);
     return *faces_;
+  }
+
+  // Of parts without an instance, and of what stands outside of parts and assembly where no element does.
+  void note_sets_of_no_instance() {
+    std::string names;
+    for (std::size_t p = 0; p < model_.parts.size(); ++p) {
+      const AbaqusPart& part = model_.parts[p];
+      if (std::ranges::any_of(model_.instances, [&](const AbaqusInstance& i) {
+            return in_capitals(i.part) == in_capitals(part.name);
+          }))
+        continue;
+      for (const auto& [key, set] : part.node_sets)
+        if (!set.internal) names += (names.empty() ? "'" : ", '") + printable(set.name, true) + "'";
+      for (const auto& [key, surface] : part.surfaces)
+        names += (names.empty() ? "'" : ", '") + printable(surface.name, true) + "'";
+    }
+    if (!names.empty())
+      notes_.push_back(
+          "sets and surfaces are left out that belong to no instance of a part, nor to the "
+          "assembly: " +
+          names);
   }
 
   void note_skipped() {
