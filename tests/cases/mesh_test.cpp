@@ -116,6 +116,31 @@ TEST(OneName, OfTheSidesOfAContactMeansTheSurfaces) {
   expect_no_warning(run_changed("matching_nodes", "two.msh", with_points));
 }
 
+TEST(BarsOnPlanes, WithTheShareOfAWholeAreWarnedOf) {
+  const auto figures = [](const Ran& run) {
+    return std::array{probe(run, "pull"), probe(run, "mean"), probe(run, "largest")};
+  };
+  const Ran quarter = run_case("bars_on_planes");
+  expect_warning(quarter, {"3 of 4 bars 'S' lie in a plane of symmetry", "'S share=0.5'"});
+  const double too_stiff = probe(quarter, "pull");
+  const Ran whole = run_case("bars_on_planes", {"mesh.file=whole.msh", "symmetry=[]"});
+  expect_no_warning(whole);
+  const auto wanted = figures(whole);
+  EXPECT_GT(too_stiff, 1.2 * wanted[0]);
+  const Edit shares = [](const std::string& text) {  // bars 1 to 4: both planes, x = 0, y = 0, none
+    std::string more =
+        replacing("7\n1 1 \"S\"", "9\n1 1 \"S\"\n1 8 \"S share=0.5\"\n1 9 \"S share=0.25\"")(text);
+    for (const auto& [bar, group] : {std::pair{"1 1 2 1 1 5 9", "1 1 2 9 9 5 9"},
+                                     {"2 1 2 1 1 7 11", "2 1 2 8 8 7 11"},
+                                     {"3 1 2 1 1 6 10", "3 1 2 8 8 6 10"}})
+      more = replacing(bar, group)(more);
+    return more;
+  };
+  const Ran right = run_changed("bars_on_planes", "quarter.msh", shares);
+  expect_no_warning(right);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(figures(right)[k] / wanted[k], 1, 1e-6) << k;
+}
+
 TEST(AlikeNames, ThatRecordsCannotTellApartAreRefused) {
   const Edit regions = [](const std::string& text) {
     return replaced(replaced(text, "\"left\"", "\"wall/left\""), "\"right\"", "\"wall_left\"");
