@@ -1,12 +1,14 @@
 #include "app/prepare.hpp"
 
 #include "app/eye/tissues.hpp"
+#include "app/records/alike_names.hpp"
 #include "app/records/probe_kinds.hpp"
 #include "app/records/record_names.hpp"
 #include "app/scene/contact_limits.hpp"
 #include "app/scene/size_limits.hpp"
 #include "contact/coarse_slaves.hpp"
 #include "core/base/error.hpp"
+#include "core/mesh/overlapping.hpp"
 #include "core/problem/nodal_forces.hpp"
 #include "core/problem/reference_model.hpp"
 #include "core/problem/symmetry_planes.hpp"
@@ -18,17 +20,18 @@
 namespace bulbus::inline app {
 namespace {
 
-MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, std::vector<std::string>& notes) {
+MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, ToldOfMesh& told) {
   MeshHierarchy meshes;
   try {
     comm.together([&] {
       refuse_too_many_facets(scene, comm.size());
       if (const auto base = count_of(scene.mesh)) refuse_too_large(*base, scene, comm.size());
-      meshes = make_meshes(scene.mesh, &notes);
+      meshes = make_meshes(scene.mesh, &told);
       if (scene.mesh.file) refuse_too_large(count(meshes.base), scene, comm.size());
       refuse_too_many_points(meshes.base, scene, comm.size());
       move_onto_planes(meshes.base, scene.model);
       refuse_inverted(meshes.base);
+      if (scene.mesh.file) refuse_overlapping(meshes.base);
     });
   } catch (const InputError& fault) {
     throw InputError(fault.what(), fault.key.empty() ? "mesh" : fault.key);
@@ -79,12 +82,13 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   refuse_outside(scene);
   check_direct(scene.solver.linear, comm.size());
   auto inputs = input_files(scene, comm);
-  std::vector<std::string> notes;
-  const MeshHierarchy meshes = meshes_of(scene, comm, notes);
+  ToldOfMesh told;
+  const MeshHierarchy meshes = meshes_of(scene, comm, told);
   Model model = scene.model;
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);
+  refuse_names_alike_in_records(model);
   if (meshes.refinements > 0) require_forces_kept(meshes.base, model);
   auto levels = levels_of(meshes, model, comm);
   if (!scene.solver.linear.wants_hierarchy()) keep_finest(levels);
@@ -92,19 +96,20 @@ Prepared prepare(const Scene& scene, const Comm& comm) {
   Prepared prepared{std::make_unique<Problem>(std::move(levels), model),
                     nullptr,
                     {},
-                    std::move(notes),
+                    std::move(told.notes),
                     {},
                     std::move(inputs),
                     scene.reference ? std::make_shared<Mesh>(meshes.base) : nullptr};
   prepared.quality = quality(prepared.problem->mesh());
   rehearse(*prepared.problem, meshes.base);
-  prepared.warnings = warnings_of(meshes.base, model);
+  prepared.warnings = std::move(told.warnings);
   const auto more_nodes =
       meshes.refinements > 0 ? thickened_sets(meshes.base, model) : std::vector<std::string>{};
   std::vector<std::string> by_condition;
   for (const auto& [name, condition] : scene.mesh.surfaces) by_condition.push_back(name);
-  for (const auto& more : {prepared.problem->warnings(), coarse_slaves(meshes.base, model), more_nodes,
-                           thickened_surfaces(meshes.base, by_condition)})
+  for (const auto& more :
+       {warnings_of(meshes.base, model), prepared.problem->warnings(), coarse_slaves(meshes.base, model),
+        more_nodes, thickened_surfaces(meshes.base, by_condition)})
     prepared.warnings.insert(prepared.warnings.end(), more.begin(), more.end());
   prepared.interactions = Interactions::attach(*prepared.problem, meshes.base);
   for (const auto& [name, body] : prepared.interactions->bodies())

@@ -82,6 +82,7 @@ void write_header(const Log& log, const Scene& scene, const std::string& scene_p
   log.info(made_of);
   log.info(fmt::format("{}{} on {} rank{}", scene_path, scene.title.empty() ? "" : ": " + scene.title,
                        comm.size(), comm.size() == 1 ? "" : "s"));
+  log.info(prepared.notes);
   log.info(lines_of(prepared.quality));
   log.info(lines_of(sizes_of(*prepared.problem)));
   log.info(liquid_lines(*prepared.problem));

@@ -10,6 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
+#include "core/mesh/overlapping.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/problem/symmetry_planes.hpp"
 #include "core/problem/validate.hpp"
@@ -33,6 +34,7 @@ Mesh mesh_of_model(const Scene& scene, Model& model) {
   MeshHierarchy meshes = meshes_to_write(scene);
   move_onto_planes(meshes.base, model);
   refuse_inverted(meshes.base);
+  if (scene.mesh.file) refuse_overlapping(meshes.base);
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);

@@ -25,8 +25,8 @@ bool opposed(Sides a, Sides b) {
 std::vector<Sides> sides_of_nodes(const LocalMesh& mesh, const Interactions& interactions) {
   std::vector<Sides> sides(mesh.nodes());
   const auto mark = [&](const std::string& surface, Sides bit) {
-    if (const auto* nodes = mesh.nodes_of(surface))
-      for (int n : *nodes) sides[n] |= bit;
+    for (const Quad& q : mesh.shared.at(surface))
+      for (int n : q) sides[n] |= bit;
   };
   for (std::size_t k = 0; k < interactions.contacts().size(); ++k) {
     const auto& c = interactions.contacts()[k];

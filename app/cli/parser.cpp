@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 #include "app/new/starting_scene.hpp"
@@ -12,6 +14,11 @@
 
 namespace bulbus::inline app {
 namespace {
+
+// A range lets "nan" through, which is neither below nor above it.
+std::string no_nan(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "Value " + text + " is no number" : "";
+}
 
 // What stands for its value; empty of a flag.
 std::string value_text(const CLI::Option& option) {
@@ -214,6 +221,7 @@ struct Parser::Declared {
         ->add_option("--bulk", given.exported.bulk,
                      "bulk modulus in parts of each region's shear modulus: those programs are compressible")
         ->check(CLI::Range(1., 1e9))
+        ->check(no_nan)
         ->type_name("NUMBER")
         ->capture_default_str();
     CLI::App* market = command("matrix-market", "write a dumped linear system as Matrix Market files");

@@ -26,12 +26,14 @@ std::string fixed(double x, int digits_behind_point) {
 }  // namespace
 
 std::string decimal(double x) {
-  if (std::abs(x) >= 1e18) return fmt::format("{:.12e}", x);
-  std::string text = fixed(x, -1);
-  if (text.size() <= widest) return text;
-  text = fixed(x, 18);
-  if (text.size() > widest) text.resize(widest);
-  return text.find_first_of("123456789") == std::string::npos ? "0." : text;
+  const double size = std::abs(x);
+  if (size < 1e18) {
+    std::string text = fixed(x, -1);
+    if (text.size() <= widest) return text;
+    if (size >= 1e-4) return fixed(x, 18).substr(0, widest);
+  }
+  std::string text = fmt::format("{:.13e}", x);
+  return text.size() <= widest ? text : fmt::format("{:.12e}", x);  // three digits of the exponent
 }
 
 std::vector<Run> runs_of(std::span<const int> sorted) {

@@ -31,8 +31,9 @@ class ExportFile {
   std::string waiting_;
 };
 
-/// A number with a decimal point, not in exponential notation unless it is beyond 1e18, in at most 20
-/// characters, as Abaqus and CalculiX read them: exact from 0.1 on, below with an error of at most 1e-18.
+/// A number with a decimal point in at most 20 characters, as Abaqus and CalculiX read them: exact from 0.1
+/// on, below with a relative error of at most 1e-12. In exponential notation from 1e18 on, and below 1e-4
+/// where it has more digits than fit.
 std::string decimal(double x);
 
 /// Whole numbers in rising order as runs of consecutive ones.

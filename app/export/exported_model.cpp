@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/export/untold_step.hpp"
+#include "core/base/sort_unique.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/problem/closed_surface.hpp"
 #include "core/problem/formula.hpp"
@@ -17,7 +18,8 @@ namespace {
 class ModelExport {
  public:
   ModelExport(const Model& model, const Mesh& mesh) : model_(model), mesh_(mesh) {
-    for (const auto& [name, nodes] : mesh.node_sets) nodes_in(name);
+    made_.sets = mesh.node_sets;
+    for (auto& [name, nodes] : made_.sets) sort_unique(nodes);
   }
 
   ExportedModel take() {
@@ -52,7 +54,8 @@ class ModelExport {
     const double tolerance = mesh_tolerance(mesh_);
     for (const std::string& plane : model_.symmetry) {
       std::string name = "symmetry_" + plane;
-      while (made_.sets.contains(name)) name += "_";
+      while (made_.sets.contains(name) || mesh_.surfaces.contains(name) || region_index(mesh_, name) >= 0)
+        name += "_";
       for (int n = 0; n < static_cast<int>(mesh_.points.size()); ++n)
         if (std::abs(mesh_.points[n][axis_of(plane)]) <= tolerance) made_.sets[name].push_back(n);
       ExportedModel::Fixed fixed{name};

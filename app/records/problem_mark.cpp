@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -29,6 +31,59 @@ std::vector<double> figures_of(const LocalMesh& mesh) {
   sums.insert(sums.begin(), {static_cast<double>(mesh.all_hexes), static_cast<double>(mesh.all_nodes)});
   return sums;
 }
+
+// Of a name, a number below 1e6: FNV-1a, the same in every build.
+long long number_of_name(const std::string& name) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return static_cast<long long>(hash % 1000003);
+}
+
+double sum_of_regions(const LocalMesh& mesh) {
+  double sum = 0;
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r)
+    for (int k = 0; k < mesh.regions[r].count; ++k)
+      sum += draw(number_of_name(mesh.region_names[r])) * draw(mesh.input_hex[mesh.regions[r].first + k]);
+  return sum;
+}
+
+double sum_of_bars(const LocalMesh& mesh) {
+  double sum = 0;
+  for (const auto& [name, bars] : mesh.bars)
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+      const double of_bar = bars[i].share * draw(number_of_name(name) + mesh.input_bar.at(name)[i]);
+      for (const auto& [end, factor] : {std::pair{&bars[i].a, 1.}, {&bars[i].b, 2.}})
+        for (int k = 0; k < 4; ++k)
+          if (end->weights[k] != 0)
+            sum += of_bar * factor * end->weights[k] * draw(mesh.input_node[end->nodes[k]]);
+    }
+  return sum;
+}
+
+double sum_of_surfaces(const LocalMesh& mesh) {
+  double sum = 0;
+  for (const auto& [name, faces] : mesh.surfaces)
+    for (const Quad& q : faces)
+      for (int n : q) sum += draw(number_of_name(name) + mesh.input_node[n]);
+  return sum;
+}
+
+double sum_of_sets(const LocalMesh& mesh) {
+  double sum = 0;
+  for (const auto& [name, nodes] : mesh.sets)
+    for (int n : nodes)
+      if (n < mesh.owned) sum += draw(number_of_name(name) + mesh.input_node[n]);
+  return sum;
+}
+
+// As `named_things` lists them.
+std::vector<double> named_figures_of(const LocalMesh& mesh) {
+  std::vector<double> sums{sum_of_regions(mesh), sum_of_bars(mesh), sum_of_surfaces(mesh), sum_of_sets(mesh)};
+  mesh.comm.sum(sums);
+  return sums;
+}
+
+constexpr std::array named_things{"regions", "bars", "surfaces", "node sets"};
 
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
   double size = 0, gap = 0;
@@ -93,13 +148,15 @@ void ProblemMark::serialize(Archive& archive) {
   archive.text("scene", scene);
   archive.numbers("mesh", mesh);
   if (!archive.reading() || archive.knows("input files")) archive.text("input files", files);
+  if (!archive.reading() || archive.knows("named")) archive.numbers("named", named);
 }
 
 ProblemMark mark_of(const Scene& scene, const std::vector<InputFile>& inputs, const Problem& problem,
                     int step) {
   std::string files;
   for (const InputFile& file : inputs) files += file.hash() + " " + file.key + "\n";
-  return {resolved_yaml(without_its_course(scene, problem.model(), step)), files, figures_of(problem.mesh())};
+  return {resolved_yaml(without_its_course(scene, problem.model(), step)), files, figures_of(problem.mesh()),
+          named_figures_of(problem.mesh())};
 }
 
 void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std::vector<InputFile>& inputs,
@@ -121,6 +178,11 @@ void refuse_another(const ProblemMark& kept, const ProblemMark& here, const std:
         fmt::format("{}: is of another problem: the scene says something else under '{}'{}", path, key,
                     key == "steps" ? ", no later than the step that was under way" : ""),
         remedy);
+  for (std::size_t i = 0; i < kept.named.size(); ++i)
+    if (!same({kept.named[i]}, {here.named.at(i)}))
+      throw input_error(
+          fmt::format("{}: is of another mesh with the same nodes: its {} differ", path, named_things.at(i)),
+          remedy);
 }
 
 }  // namespace bulbus::inline app

@@ -13,6 +13,9 @@ struct ProblemMark {
   std::string files;  ///< a line for each: hash and key
   std::vector<double>
       mesh;  ///< hexahedra, nodes, a hash of who is whose corner, and weighted sums of the positions
+  /// Sums that tell what has a name in the mesh: of regions, bars, surfaces and node sets. Empty in
+  /// checkpoints of versions that did not keep them.
+  std::vector<double> named;
   void serialize(Archive& archive);
 };
 

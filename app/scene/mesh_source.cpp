@@ -20,16 +20,16 @@ void MeshSource::validate() const {
 
 namespace {
 
-Mesh read_scaled(const MeshSource& source, std::vector<std::string>* notes) {
+Mesh read_scaled(const MeshSource& source, ToldOfMesh* told) {
   ReadMesh read = read_mesh(*source.file, source.regions);
   for (Point& p : read.mesh.points)
     for (double& x : p) x *= source.scale;
-  if (notes) notes->insert(notes->end(), read.notes.begin(), read.notes.end());
+  if (told) *told = {std::move(read.notes), std::move(read.warnings)};
   return std::move(read.mesh);
 }
 
-Mesh make_base(const MeshSource& source, std::vector<std::string>* notes) {
-  if (source.file) return read_scaled(source, notes);
+Mesh make_base(const MeshSource& source, ToldOfMesh* told) {
+  if (source.file) return read_scaled(source, told);
   if (source.eye) return generate(*source.eye);
   if (source.block) return generate(*source.block);
   if (source.shell) return generate(*source.shell);
@@ -49,9 +49,9 @@ std::optional<MeshCount> count_of(const MeshSource& source) {
   return {};
 }
 
-MeshHierarchy make_meshes(const MeshSource& source, std::vector<std::string>* notes) {
+MeshHierarchy make_meshes(const MeshSource& source, ToldOfMesh* told) {
   source.validate();
-  Mesh base = make_base(source, notes);
+  Mesh base = make_base(source, told);
   add_sets(base, source.sets);
   add_surfaces(base, source.surfaces);
   return refined(std::move(base), source.refine);

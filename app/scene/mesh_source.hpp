@@ -50,12 +50,17 @@ struct MeshSource {
   void validate() const;
 };
 
+/// What a mesh file was read without, as ReadMesh has it.
+struct ToldOfMesh {
+  std::vector<std::string> notes, warnings;
+};
+
 /// How large the base will be; nothing where it is read from a file. Throws InputError if the source
 /// contradicts itself.
 std::optional<MeshCount> count_of(const MeshSource& source);
 
-/// Reads or generates the base, whole on every rank; `notes` gains lines on what of a file was left out.
+/// Reads or generates the base, whole on every rank; `told` gains the notes and warnings of a file.
 /// Throws InputError.
-MeshHierarchy make_meshes(const MeshSource& source, std::vector<std::string>* notes = nullptr);
+MeshHierarchy make_meshes(const MeshSource& source, ToldOfMesh* told = nullptr);
 
 }  // namespace bulbus::inline app

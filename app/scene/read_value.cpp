@@ -57,8 +57,10 @@ void read_map(const YamlNode& entry, const std::string& key, const About& about,
   map.clear();
   if (entry.is(YamlNode::Kind::nothing)) return;
   expect(entry, YamlNode::Kind::map, key);
-  for (std::size_t i = 0; i < entry.items.size(); ++i)
+  for (std::size_t i = 0; i < entry.items.size(); ++i) {
+    check_name(entry.key_places[i], key, entry.keys[i]);
     read(entry.items[i], below(key, entry.keys[i]), about, map.add(entry.keys[i]));
+  }
 }
 
 bool is_zero(const Value& value) {

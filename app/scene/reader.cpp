@@ -11,6 +11,7 @@
 #include "app/scene/text_format.hpp"
 #include "core/base/did_you_mean.hpp"
 #include "core/base/parse_number.hpp"
+#include "core/base/printable.hpp"
 
 namespace bulbus::inline app::reader {
 namespace {
@@ -128,6 +129,14 @@ void check_choice(const YamlNode& entry, const std::string& key, const std::vect
          guess + (guess.empty() ? "" : " ") + "choose " + alternatives(choices));
 }
 
+void check_name(const Place& place, const std::string& key, const std::string& name) {
+  if (std::ranges::any_of(name, [](unsigned char c) { return std::iscntrl(c); }))
+    throw input_error(
+        place.file, place.line,
+        key + ": the name '" + printable(name, true) + "' has a line break or another control character",
+        "write it on one line, without \\n and the like");
+}
+
 void refuse_missing(const YamlNode& map, const std::string& key, const std::string& name,
                     const About& about) {
   refuse(map, key, "the key '" + name + "' is missing", "add '" + name + ": ...' (" + about.help + ")");
@@ -177,6 +186,7 @@ void read(const YamlNode& entry, const std::string& key, const About& about, std
   expect(entry, YamlNode::Kind::word, key);
   if (about.required && entry.text.empty()) refuse(entry, key, "is empty", "give " + about.help);
   if (!about.choices.empty()) check_choice(entry, key, about.choices);
+  if (!about.formula && (key == "name" || key.ends_with(".name"))) check_name(entry.place, key, entry.text);
   value = about.formula ? read_formula(entry, key, about) : entry.text;
 }
 

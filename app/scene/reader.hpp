@@ -24,6 +24,8 @@ void refuse_former(const YamlNode& map, const std::string& key, const std::strin
 void check_choice(const YamlNode& entry, const std::string& key, const std::vector<std::string>& choices);
 [[noreturn]] void refuse_missing(const YamlNode& map, const std::string& key, const std::string& name,
                                  const About& about);
+/// Refuses a name that would break the lines of records; `place` is where it stands.
+void check_name(const Place& place, const std::string& key, const std::string& name);
 /// The path of what is called `name` within `key`.
 std::string below(const std::string& key, const std::string& name);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.hpp"
 #include "core/mesh/sorted.hpp"
 
 namespace bulbus::inline mesh {
@@ -32,6 +33,14 @@ std::vector<int> outer_faces(const std::vector<Hex>& hexes) {
   for (int f = 0; f < 6 * static_cast<int>(hexes.size()); ++f)
     if (table.count(face_nodes(hexes, f)) == 1) outer.push_back(f);
   return outer;
+}
+
+std::vector<int> nodes_of_faces(const std::vector<Quad>& faces) {
+  std::vector<int> nodes;
+  nodes.reserve(4 * faces.size());
+  for (const Quad& q : faces) nodes.insert(nodes.end(), q.begin(), q.end());
+  sort_unique(nodes);
+  return nodes;
 }
 
 FaceTable::FaceTable(const std::vector<Hex>& hexes) : hexes_(&hexes), start_(node_count(hexes) + 1, 0) {

@@ -11,6 +11,9 @@ Quad face_nodes(const std::vector<Hex>& hexes, int face);
 /// Faces that one hexahedron alone has, ascending; numbered 6·hexahedron + local face.
 std::vector<int> outer_faces(const std::vector<Hex>& hexes);
 
+/// Nodes of faces, sorted.
+std::vector<int> nodes_of_faces(const std::vector<Quad>& faces);
+
 /// All faces of a list of hexahedra, found by their nodes in any order. Faces are numbered 6·hexahedron +
 /// local face.
 class FaceTable {

@@ -7,10 +7,11 @@
 
 namespace bulbus::inline mesh {
 
-/// A mesh from a file, and lines that tell what of the file was left out.
+/// A mesh from a file.
 struct ReadMesh {
   Mesh mesh;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes;     ///< on what of the file was left out
+  std::vector<std::string> warnings;  ///< on what was left out and makes another body of the mesh
 };
 
 /// How many cells of a file are no 8-node hexahedra, by their kind ("tetrahedra").

@@ -1,5 +1,7 @@
 #include "core/mesh/mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/base/did_you_mean.hpp"
@@ -15,11 +17,30 @@ std::vector<int> sorted_unique(std::vector<int> nodes) {
   return nodes;
 }
 
-std::vector<int> nodes_of_surface(const std::vector<Quad>& quads) {
-  std::vector<int> nodes;
-  nodes.reserve(4 * quads.size());
-  for (const Quad& q : quads) nodes.insert(nodes.end(), q.begin(), q.end());
-  return sorted_unique(std::move(nodes));
+struct NamedNodes {
+  std::string kind;
+  std::vector<int> nodes;  // sorted
+};
+
+// What goes by the name, the node set before the surface before the region.
+std::vector<NamedNodes> all_of_name(const Mesh& mesh, const std::string& name) {
+  std::vector<NamedNodes> found;
+  if (const auto at = mesh.node_sets.find(name); at != mesh.node_sets.end())
+    found.push_back({"node set", sorted_unique(at->second)});
+  if (const auto at = mesh.surfaces.find(name); at != mesh.surfaces.end())
+    found.push_back({"surface", nodes_of_faces(at->second)});
+  if (const int region = region_index(mesh, name); region >= 0)
+    found.push_back({"region", nodes_of_region(mesh, region)});
+  return found;
+}
+
+// Gmsh and Abaqus name points, faces and volumes apart, a scene's `set` does not.
+void refuse_ambiguous(const std::string& name, const std::vector<NamedNodes>& found) {
+  for (const NamedNodes& other : found)
+    if (other.nodes != found[0].nodes)
+      throw input_error(fmt::format("'{}' is a {} of {} nodes and a {} of {} nodes, not the same ones", name,
+                                    found[0].kind, found[0].nodes.size(), other.kind, other.nodes.size()),
+                        "Rename one of the two in the mesh file.");
 }
 
 std::vector<std::string> all_names(const Mesh& mesh) {
@@ -67,10 +88,11 @@ int region_index(const Mesh& mesh, const std::string& name) {
 }
 
 std::vector<int> nodes_of(const Mesh& mesh, const std::string& name) {
-  if (const auto at = mesh.node_sets.find(name); at != mesh.node_sets.end()) return sorted_unique(at->second);
-  if (const auto at = mesh.surfaces.find(name); at != mesh.surfaces.end())
-    return nodes_of_surface(at->second);
-  if (const int region = region_index(mesh, name); region >= 0) return nodes_of_region(mesh, region);
+  std::vector<NamedNodes> found = all_of_name(mesh, name);
+  const bool known = !found.empty();
+  std::erase_if(found, [](const NamedNodes& n) { return n.nodes.empty(); });
+  refuse_ambiguous(name, found);
+  if (known) return found.empty() ? std::vector<int>{} : std::move(found[0].nodes);
   const std::vector<std::string> names = all_names(mesh);
   throw input_error("the mesh has no node set, surface or region '" + name + "'",
                     did_you_mean(name, names, "it has: " + known_names(names)));

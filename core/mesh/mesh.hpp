@@ -55,7 +55,8 @@ extern const std::array<std::array<int, 4>, 6> hex_faces;
 std::vector<Quad> boundary_faces(const Mesh& mesh, std::vector<int>* owner = nullptr);
 
 /// Nodes of a named set: a node set, or all nodes of a surface or of a region of that name. Sorted.
-/// Throws InputError with the nearest name if there is none.
+/// Throws InputError with the nearest name if there is none, and where several of these have the name and
+/// other nodes.
 std::vector<int> nodes_of(const Mesh& mesh, const std::string& name);
 
 /// Nodes of the hexahedra of a region. Sorted.

@@ -28,7 +28,7 @@ bool is_vtk(const std::string& path) {
 ReadMesh read_mesh(const std::string& path, const std::string& regions) {
   if (is_vtk(path)) return read_vtk(path, regions);
   if (extension_of(path) == ".inp") return read_abaqus(path);
-  return {read_gmsh(path), {}};
+  return {read_gmsh(path), {}, {}};
 }
 
 std::vector<std::string> included_files(const std::string& path) {

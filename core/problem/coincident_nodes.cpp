@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/base/sort_unique.hpp"
+#include "core/mesh/faces.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/hex_edges.hpp"
 
@@ -81,7 +82,8 @@ class Grid {
 void drop_contacts(const Mesh& mesh, const Model& model, std::vector<Pair>& pairs) {
   for (const ContactSpec& c : model.contacts) {
     if (pairs.empty() || !mesh.surfaces.contains(c.slave) || !mesh.surfaces.contains(c.master)) continue;
-    const auto slave = nodes_of(mesh, c.slave), master = nodes_of(mesh, c.master);
+    const auto slave = nodes_of_faces(mesh.surfaces.at(c.slave)),
+               master = nodes_of_faces(mesh.surfaces.at(c.master));
     const auto across = [&](int a, int b) {
       return std::ranges::binary_search(slave, a) && std::ranges::binary_search(master, b);
     };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/mesh/faces.hpp"
+
 namespace bulbus::inline problem {
 
 namespace {
@@ -43,7 +45,7 @@ std::vector<std::string> thickened_sets(const Mesh& mesh, const Model& model) {
 std::vector<std::string> thickened_surfaces(const Mesh& mesh, const std::vector<std::string>& names) {
   std::vector<std::string> sentences;
   for (const std::string& name : names)
-    if (const auto count = filled(mesh, nodes_of(mesh, name)); count > 0)
+    if (const auto count = filled(mesh, nodes_of_faces(mesh.surfaces.at(name))); count > 0)
       sentences.push_back(
           fmt::format("surface '{}' has all eight nodes of {} hexahedra, so that faces at their sides belong "
                       "to it as well: "

@@ -284,6 +284,8 @@ void validate(const Mesh& mesh, const Model& model) {
       throw scene_error("fix." + std::to_string(i) + ".directions", "no direction of the set is fixed",
                         "Give some of x, y and z, or leave `directions` out for all three.");
   }
+  for (const auto& [name, suture] : model.sutures)
+    for (const std::string& set : suture.sets) check_set(mesh, set, "sutures." + name + ".sets");
   if (model.steps.empty()) throw scene_error("steps", "there are no steps", "Give at least one.");
   for (std::size_t i = 0; i < model.steps.size(); ++i)
     check_step(mesh, model, model.steps[i], "steps." + std::to_string(i));

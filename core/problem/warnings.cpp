@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/mesh/geometry.hpp"
+#include "core/problem/bars_on_planes.hpp"
 #include "core/problem/coincident_nodes.hpp"
 #include "core/problem/material_stability.hpp"
 #include "core/problem/nodal_forces.hpp"
@@ -57,7 +58,7 @@ std::vector<std::string> warnings_of(const Mesh& mesh, const Model& model) {
   warn_of_stiffness(model, warnings);
   for (const Warnings& more :
        {coincident_nodes(mesh, model), overlapping_pressures(mesh, model), cancelled_figures(model),
-        unstable_regions(model), forces_on_planes(mesh, model)})
+        unstable_regions(model), forces_on_planes(mesh, model), bars_on_planes(mesh, model)})
     warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }

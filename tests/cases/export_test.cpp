@@ -207,6 +207,18 @@ TEST_F(Export, GivesNamesThatAreRead) {
     EXPECT_NE(run.out.find(told), std::string::npos) << run.out;
 }
 
+TEST_F(Export, LeavesNamesOfTheMeshToTheMesh) {
+  ASSERT_EQ(write("a.inp", {"--set", "mesh={block: {nx: 2}, surfaces: {symmetry_x: \"Z > 0.9\"}}",
+                            "regions={block: {c10: 1}}", "symmetry=[x]", "fix=[{set: symmetry_x}]",
+                            "steps=[{}]", "probes=[]"})
+                .status,
+            0);
+  const Mesh mesh = read_abaqus(file("a.inp")).mesh;
+  EXPECT_EQ(mesh.node_sets.at("symmetry_x"), nodes_of(mesh, "symmetry_x"));
+  for (int n : not_empty(mesh.node_sets.at("symmetry_x"))) EXPECT_EQ(mesh.points[n][2], 1);
+  for (int n : not_empty(mesh.node_sets.at("symmetry_x_"))) EXPECT_EQ(mesh.points[n][0], 0);
+}
+
 TEST_F(Export, RefusesWhatItCannotWrite) {
   EXPECT_EQ(write("a.stl").status, 2);
   EXPECT_NE(write("a.stl").err.find("end it in .inp"), std::string::npos);
@@ -214,6 +226,8 @@ TEST_F(Export, RefusesWhatItCannotWrite) {
   for (const char* wrong :
        {"regions={}", "regions.soft={fung: {a: 1, b: 2}}", "steps.0.loads.0.pressure=log(s - 2)"})
     EXPECT_EQ(write("a.inp", {"--set", wrong}).status, 2) << wrong;
+  for (const char* bulk : {"nan", "-nan", "NaN", "inf", "0"})
+    EXPECT_EQ(write("a.inp", {"--bulk", bulk}).status, 2) << bulk;
 }
 
 TEST(Decimal, FitsInTwentyCharacters) {
@@ -222,8 +236,9 @@ TEST(Decimal, FitsInTwentyCharacters) {
     EXPECT_LE(decimal(x).size(), 20u) << decimal(x);
     EXPECT_NE(decimal(x).find('.'), std::string::npos) << decimal(x);
   }
-  for (const double x : {1 / 300., -1e-5 / 3, 6.123233995736766e-17, -1e-30, 1e300 / 3}) {
-    EXPECT_NEAR(std::stod(decimal(x)), x, std::max(1e-18, 1e-11 * std::abs(x))) << decimal(x);
+  for (const double x : {1 / 300., -1e-4 / 3, -1e-5 / 3, 6.123233995736766e-17, -1e-15 / 3, 1e-18 / 3, -1e-30,
+                         -1e-200 / 3, 1e300 / 3}) {
+    EXPECT_NEAR(std::stod(decimal(x)), x, 1e-12 * std::abs(x)) << decimal(x);
     EXPECT_LE(decimal(x).size(), 20u) << decimal(x);
   }
 }

@@ -78,6 +78,27 @@ TEST_F(ForeignMeshes, AreListedByCheck) {
     EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
 }
 
+// What joins the parts of a body is told as a warning, the rest as a note.
+TEST_F(ForeignMeshes, ConstraintsThatAreNotReadAreWarnedOf) {
+  const auto text = [&](const std::string& name) {
+    std::ifstream in(file(name));
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  write("tied.inp", text("shell.inp") +
+                        "*TIE, NAME=t\nouter, inner\n*EQUATION\n2\n1,1,1.,2,1,-1.\n*EQUATION\n2\n"
+                        "1,2,1.,2,2,-1.\n*CONTACT PAIR, INTERACTION=i, TIED\nouter, inner\n");
+  const Ran tied = call_on("tied.inp");
+  ASSERT_EQ(tied.status, 0) << tied.err;
+  const std::string told = "the mesh file has *CONTACT PAIR, TIED, *EQUATION (2 times), *TIE: constraints";
+  EXPECT_NE(tied.summary()["warnings"].dump().find(told), std::string::npos);
+  EXPECT_NE(tied.text("run.log").find("warning: " + told), std::string::npos);
+  EXPECT_NE(tied.text("run.log").find("skipped in the mesh file: *ELASTIC, *END STEP"), std::string::npos);
+  EXPECT_EQ(call_on("shell.inp").summary()["warnings"].dump().find("constraints"), std::string::npos);
+  testing::internal::CaptureStdout();
+  call_on("tied.inp", {}, "check");
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("warning: " + told), std::string::npos);
+}
+
 TEST_F(ForeignMeshes, ConditionsThatChooseNothingAreRefused) {
   expect_refused(call_on("shell.msh", {"mesh.sets={end: \"X < -1\"}"}, "check"),
                  {"mesh.sets.end: 'X < -1' holds at none of", "X from 0 to 2"});

@@ -69,28 +69,92 @@ TEST(HexahedraTwice, InAnyOrderAndInOneRegion) {
                    {"element 57 of region 'right'", "1 of 17 hexahedra stand twice"});
 }
 
-TEST(CoincidentNodes, AreWarnedOf) {
-  const Ran run = run_case("coincident_nodes");
-  expect_warning(run, {"9 nodes of region 'left'", "region 'right'", "(1, 0, 0) mm", "Coherence"});
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(run_case("coincident_nodes", {}, "s.yaml", "check").status, 0);
-  EXPECT_NE(testing::internal::GetCapturedStdout().find("warning: 9 nodes of region 'left'"),
-            std::string::npos);
+// From the lower layer's bottom to the upper layer's top.
+TEST(HexahedraTwice, OnOneSideOfAFaceAreRefused) {
+  const Edit tall = [](const std::string& text) {
+    return text.substr(0, text.find("\n57 5") + 1) + "57 5 2 2 2 9 10 15 14 39 40 45 44\n$EndElements\n";
+  };
+  const Edit counted = [=](const std::string& text) {
+    return std::regex_replace(tall(text), std::regex(R"(\$Elements\n\d+)"), "$$Elements\n57");
+  };
+  expect_refused(run_changed("hexahedra_twice", "block.msh", counted,
+                             {"regions={left: {c10: 50 kPa}, right: {c10: 50 kPa}}"}),
+                 {"mesh:", "hexahedron 17 (region 'right') overlaps hexahedron", "(1.75, 0.75, 0) mm",
+                  "there are 2 such faces", "Mesh every part of the body once"});
 }
 
-TEST(CoincidentNodes, AreFoundThroughNoise) {
-  expect_warning(
-      run_changed("coincident_nodes", "block.msh", replacing("28 1.0 0.0 0.0", "28 1.000001 -1e-6 2e-6")),
-      {"9 nodes of region 'left'"});
+TEST(OneName, OfSeveralKindsWithOtherNodesIsRefusedWhereASetIsMeant) {
+  const std::string told = "'BASE' is a node set of 3 nodes and a surface of 9 nodes, not the same ones";
+  expect_refused(run_case("one_name"), {"s.yaml:4", "fix.0.set", told, "Rename one of the two"});
+  for (const char* use :
+       {"probes=[{name: p, kind: position, set: BASE}]", "steps.0.displace=[{set: BASE, z: 0.1}]",
+        "sutures={s: {body: none, sets: [BASE, TOP]}}"})
+    expect_refused(run_case("one_name", {"fix=[{set: TOP}]", use}), {told});
 }
 
-TEST(CoincidentNodes, OfAContactAreNone) {
-  const Ran run =
-      run_case("matching_nodes", {"steps.0.increments=1", "steps.0.displace.0.z=0.001"}, "s.yaml", "check");
-  EXPECT_EQ(run.status, 0) << run.err;
-  testing::internal::CaptureStdout();
-  run_case("matching_nodes", {}, "s.yaml", "check");
-  EXPECT_EQ(testing::internal::GetCapturedStdout().find("warning"), std::string::npos);
+TEST(OneName, IsNoneWhereNodesAreEqualOrTheNameIsASurfaceAlone) {
+  const Edit renamed = replacing("*NSET,NSET=BASE", "*NSET,NSET=three");
+  const Ran by_surface = run_changed("one_name", "block.inp", renamed);
+  ASSERT_EQ(by_surface.status, 0) << by_surface.err;
+  const double held = probe(by_surface, "u");
+  EXPECT_NEAR(held, .189, 5e-4);
+  const Ran equal = run_changed("one_name", "block.inp", replacing("1,3,7\n", "1,2,3,4,5,6,7,8,9\n"));
+  ASSERT_EQ(equal.status, 0) << equal.err;
+  EXPECT_EQ(probe(equal, "u"), held);
+  const Ran pressed =
+      run_case("one_name", {"fix=[{set: TOP}]", "steps.0.loads=[{surface: BASE, pressure: 1 kPa}]"});
+  EXPECT_EQ(pressed.status, 0) << pressed.err;
+}
+
+// Whatever node set has the name of a side: its nodes lie on those of the other side, and are no slip.
+TEST(OneName, OfTheSidesOfAContactMeansTheSurfaces) {
+  const Edit with_points = [](const std::string& text) {
+    std::string more = replacing("6\n2 1 \"bottom\"", "7\n0 9 \"high_bottom\"\n2 1 \"bottom\"")(text);
+    more = replacing("$Elements\n192\n", "$Elements\n193\n")(more);
+    return replacing("$EndElements", "193 15 2 9 9 250\n$EndElements")(more);
+  };
+  expect_no_warning(run_changed("matching_nodes", "two.msh", with_points));
+}
+
+TEST(BarsOnPlanes, WithTheShareOfAWholeAreWarnedOf) {
+  const auto figures = [](const Ran& run) {
+    return std::array{probe(run, "pull"), probe(run, "mean"), probe(run, "largest")};
+  };
+  const Ran quarter = run_case("bars_on_planes");
+  expect_warning(quarter, {"3 of 4 bars 'S' lie in a plane of symmetry", "'S share=0.5'"});
+  const double too_stiff = probe(quarter, "pull");
+  const Ran whole = run_case("bars_on_planes", {"mesh.file=whole.msh", "symmetry=[]"});
+  expect_no_warning(whole);
+  const auto wanted = figures(whole);
+  EXPECT_GT(too_stiff, 1.2 * wanted[0]);
+  const Edit shares = [](const std::string& text) {  // bars 1 to 4: both planes, x = 0, y = 0, none
+    std::string more =
+        replacing("7\n1 1 \"S\"", "9\n1 1 \"S\"\n1 8 \"S share=0.5\"\n1 9 \"S share=0.25\"")(text);
+    for (const auto& [bar, group] : {std::pair{"1 1 2 1 1 5 9", "1 1 2 9 9 5 9"},
+                                     {"2 1 2 1 1 7 11", "2 1 2 8 8 7 11"},
+                                     {"3 1 2 1 1 6 10", "3 1 2 8 8 6 10"}})
+      more = replacing(bar, group)(more);
+    return more;
+  };
+  const Ran right = run_changed("bars_on_planes", "quarter.msh", shares);
+  expect_no_warning(right);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(figures(right)[k] / wanted[k], 1, 1e-6) << k;
+}
+
+TEST(AlikeNames, ThatRecordsCannotTellApartAreRefused) {
+  const Edit regions = [](const std::string& text) {
+    return replaced(replaced(text, "\"left\"", "\"wall/left\""), "\"right\"", "\"wall_left\"");
+  };
+  expect_refused(run_changed("coincident_nodes", "block.msh", regions,
+                             {"regions={wall/left: {c10: 50 kPa}, wall_left: {c10: 50 kPa}}"}),
+                 {"'wall/left' and 'wall_left' would have one name", "Rename one"});
+  const std::string probes =
+      "probes=[{name: a/b, kind: position, set: xmin}, {name: a|b, kind: position, set: xmax}]";
+  expect_refused(run_case("partitioned_mesh", {probes}), {"probes.1.name", "'a/b' and 'a|b'"});
+  expect_refused(run_case("partitioned_mesh",
+                          {"rigid_bodies={a/b: {sphere: {center: [9, 9, 9], radius: 1}}, a<b: {sphere: "
+                           "{center: [19, 9, 9], radius: 1}}}"}),
+                 {"rigid_bodies.", "would have one name"});
 }
 
 TEST(PartitionedMesh, IsReadAsTheWhole) {

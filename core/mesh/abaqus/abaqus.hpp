@@ -18,7 +18,7 @@ namespace bulbus::inline mesh {
 /// the file has several instances, or the assembly has the same name.
 ///
 /// Names are compared without regard to case and kept as they are first spelt. The notes tell which keywords
-/// were skipped. Throws InputError with file and line.
+/// were skipped, a warning which of them are constraints. Throws InputError with file and line.
 ReadMesh read_abaqus(const std::string& path);
 
 }  // namespace bulbus::inline mesh

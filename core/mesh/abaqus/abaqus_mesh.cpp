@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "core/base/error.hpp"
 #include "core/base/printable.hpp"
@@ -16,6 +18,33 @@ namespace bulbus::inline mesh {
 namespace {
 
 using Kind = AbaqusResolver::Kind;
+
+// Keywords that join nodes which have no element in common, or keep their distances: what is read without
+// them is another body.
+const std::set<std::string> constraints{"TIE",
+                                        "EQUATION",
+                                        "MPC",
+                                        "NETWORK MPC",
+                                        "COUPLING",
+                                        "KINEMATIC COUPLING",
+                                        "DISTRIBUTING COUPLING",
+                                        "SHELL TO SOLID COUPLING",
+                                        "RIGID BODY",
+                                        "EMBEDDED ELEMENT",
+                                        "CYCLIC SYMMETRY MODEL",
+                                        "FASTENER",
+                                        "CONTACT PAIR, TIED"};
+
+// "*A, *B (2 times)": at most 20 keywords.
+std::string listed(const std::map<std::string, int>& keywords) {
+  std::string names;
+  int shown = 0;
+  for (const auto& [name, count] : keywords)
+    if (++shown <= 20)
+      names += fmt::format("{}*{}{}", shown > 1 ? ", " : "", name,
+                           count > 1 ? fmt::format(" ({} times)", count) : "");
+  return shown > 20 ? names + fmt::format(" and {} others", shown - 20) : names;
+}
 
 // Rodrigues: x turns by the angle about the axis through a.
 Point placed(const AbaqusInstance& instance, Point x) {
@@ -48,8 +77,9 @@ class Assembler {
       add_node_sets(i);
       add_surfaces(i);
     }
+    note_sets_of_no_instance();
     note_skipped();
-    return {std::move(mesh_), std::move(notes_)};
+    return {std::move(mesh_), std::move(notes_), std::move(warnings_)};
   }
 
  private:
@@ -213,22 +243,42 @@ class Assembler {
     return *faces_;
   }
 
-  void note_skipped() {
-    if (model_.skipped.empty()) return;
+  // Of parts without an instance, and of what stands outside of parts and assembly where no element does.
+  void note_sets_of_no_instance() {
     std::string names;
-    int shown = 0;
+    for (std::size_t p = 0; p < model_.parts.size(); ++p) {
+      const AbaqusPart& part = model_.parts[p];
+      if (std::ranges::any_of(model_.instances, [&](const AbaqusInstance& i) {
+            return in_capitals(i.part) == in_capitals(part.name);
+          }))
+        continue;
+      for (const auto& [key, set] : part.node_sets)
+        if (!set.internal) names += (names.empty() ? "'" : ", '") + printable(set.name, true) + "'";
+      for (const auto& [key, surface] : part.surfaces)
+        names += (names.empty() ? "'" : ", '") + printable(surface.name, true) + "'";
+    }
+    if (!names.empty())
+      notes_.push_back(
+          "sets and surfaces are left out that belong to no instance of a part, nor to the "
+          "assembly: " +
+          names);
+  }
+
+  void note_skipped() {
+    std::map<std::string, int> joining, others;
     for (const auto& [name, count] : model_.skipped)
-      if (++shown <= 20)
-        names += fmt::format("{}*{}{}", shown > 1 ? ", " : "", name,
-                             count > 1 ? fmt::format(" ({} times)", count) : "");
-    if (shown > 20) names += fmt::format(" and {} others", shown - 20);
-    notes_.push_back("skipped in the mesh file: " + names);
+      (constraints.contains(name) ? joining : others)[name] = count;
+    if (!others.empty()) notes_.push_back("skipped in the mesh file: " + listed(others));
+    if (!joining.empty())
+      warnings_.push_back("the mesh file has " + listed(joining) +
+                          ": constraints are not read, and what they join is not joined here. Give the parts "
+                          "common nodes, a rigid part `rigid: true`, or sides that touch a contact");
   }
 
   const AbaqusModel& model_;
   AbaqusResolver resolver_;
   Mesh mesh_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, warnings_;
   std::vector<int> number_;   ///< in the mesh, of the points of all instances
   std::vector<bool> turned_;  ///< per hexahedron
   std::optional<FaceTable> faces_;

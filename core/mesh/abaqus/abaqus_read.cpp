@@ -70,7 +70,7 @@ class AbaqusReader {
     if (name == "END INSTANCE") in_instance_ = false;
     static const std::set<std::string> known{"ASSEMBLY",     "END ASSEMBLY", "END PART",
                                              "END INSTANCE", "HEADING",      "PREPRINT"};
-    if (!known.contains(name)) ++model_.skipped[printable(name)];
+    if (!known.contains(name)) ++model_.skipped[printable(name) + (keyword.has("TIED") ? ", TIED" : "")];
   }
 
   AbaqusPart& part() { return model_.parts[part_]; }

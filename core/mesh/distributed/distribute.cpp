@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/base/sort_unique.hpp"
+#include "core/mesh/faces.hpp"
 
 namespace bulbus::inline mesh {
 namespace {
@@ -185,9 +186,12 @@ std::vector<int> held_of_region(const Mesh& mesh, int region, const std::vector<
 }
 
 void take_sets(const Mesh& mesh, const std::vector<int>& local, LocalMesh& m) {
-  for (const auto& [name, set] : mesh.node_sets) m.sets[name] = held(nodes_of(mesh, name), local);
+  for (auto [name, set] : mesh.node_sets) {
+    sort_unique(set);
+    m.sets[name] = held(set, local);
+  }
   for (const auto& [name, faces] : mesh.surfaces)
-    if (!m.sets.contains(name)) m.sets[name] = held(nodes_of(mesh, name), local);
+    if (!m.sets.contains(name)) m.sets[name] = held(nodes_of_faces(faces), local);
   for (int r = 0; r < static_cast<int>(mesh.region_names.size()); ++r)
     m.region_nodes.push_back(held_of_region(mesh, r, local));
 }

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <stdexcept>
 
 #include "core/base/error.hpp"
+#include "core/base/parse_number.hpp"
+#include "core/base/printable.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/mesh/generate/embed.hpp"
 #include "core/mesh/geometry.hpp"
@@ -104,15 +105,18 @@ void add_node_sets(const GmshFile& file, const std::vector<int>& id, Mesh& mesh)
 }
 
 /// Takes " share=NUMBER" off a group's name.
-double take_share(std::string& name) {
+double take_share(const GmshFile& file, const GmshFile::Element& e, std::string& name) {
   const std::string key = " share=";
   const std::size_t at = name.rfind(key);
   if (at == std::string::npos) return 1;
-  double share = 1;
-  const char* const end = name.data() + name.size();
-  if (std::from_chars(name.data() + at + key.size(), end, share).ptr != end) return 1;
+  const auto share = parse_number<double>(std::string_view(name).substr(at + key.size()));
+  if (!share || !(*share > 0 && *share <= 1))
+    file.refuse(
+        e,
+        "is a bar of the group '" + printable(name, true) + "', whose share is no number above 0 and up to 1",
+        "end the group's name in ' share=0.5': the part of the bar that the drawn model owns");
   name.resize(at);
-  return share;
+  return *share;
 }
 
 EmbeddedPoint bar_end(const GmshFile& file, const GmshFile::Element& e, int node, const std::vector<int>& id,
@@ -132,7 +136,7 @@ void add_bars(const GmshFile& file, const std::vector<int>& id, Mesh& mesh) {
     if (e.dimension != 1) continue;
     if (boundary.empty()) boundary = boundary_faces(mesh);
     std::string name = file.group_name(1, e.group);
-    const double share = take_share(name);
+    const double share = take_share(file, e, name);
     const auto [first, fresh] =
         seen.emplace(std::pair{name, std::pair<int, int>(std::minmax(e.nodes[0], e.nodes[1]))}, e.number);
     if (!fresh)

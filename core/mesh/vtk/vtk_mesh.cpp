@@ -59,7 +59,7 @@ class Builder {
     add_node_sets();
     add_surfaces();
     note_skipped();
-    return {std::move(mesh_), std::move(notes_)};
+    return {std::move(mesh_), std::move(notes_), {}};
   }
 
  private:

@@ -89,14 +89,24 @@ ProbeSet::Figure moment(const Problem& problem, const ProbeSpec& spec) {
   };
 }
 
+// In the whole a drawn bar counts as often as its share of a bar times the number of images.
 ProbeSet::Figure bar_force(const Problem& problem, const ProbeSpec& spec) {
   if (problem.bars().empty()) throw scene_error("kind", "the model has no bars", "Take the probe out.");
   return [spec](Snapshot& s) {
     std::vector<double> forces;
-    for (const auto& [name, term] : s.problem.bars())
-      if (spec.region.empty() || spec.region == name)
-        for (double f : term->bars().forces(s.state.x)) forces.push_back(f);
-    return statistic(s.problem.comm(), spec.statistic, forces);
+    std::array<double, 2> sum{};  // share times force, share
+    for (const auto& [name, term] : s.problem.bars()) {
+      if (!spec.region.empty() && spec.region != name) continue;
+      const std::vector<double> of_group = term->bars().forces(s.state.x);
+      for (std::size_t i = 0; i < of_group.size(); ++i) {
+        const double share = term->bars().bars()[i].share;
+        forces.push_back(of_group[i]);
+        sum[0] += share * of_group[i], sum[1] += share;
+      }
+    }
+    if (spec.statistic != "mean") return statistic(s.problem.comm(), spec.statistic, forces);
+    s.problem.comm().sum(sum);
+    return sum[0] / sum[1];
   };
 }
 

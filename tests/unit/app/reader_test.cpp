@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "scenes.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace {
 
@@ -41,6 +42,14 @@ TEST(Reader, AugmentsMoreOnRefinedMeshesUnlessTold) {
   EXPECT_EQ(gamma({"mesh.refine=2"}), 12);
   EXPECT_EQ(gamma({"mesh.refine=2", "solver.accuracy=fast"}), 12);
   EXPECT_EQ(gamma({"mesh.refine=2", "solver.linear.gamma=3"}), 3);
+}
+
+TEST(Reader, RefusesNamesThatWouldBreakLinesOfRecords) {
+  const std::string scene = least_scene("");
+  for (const char* named : {"steps=[{name: \"a\\nb\"}]", "probes=[{name: \"a\\tb\", kind: volume_ratio}]",
+                            "liquids={\"a\\rb\": {surface: xmin}}", "mesh.sets={\"a\\u007fb\": X > 0}"})
+    expect_refusal([&] { parse_scene(scene, "scene.yaml", {named}); }, {"the name 'a?b' has a line break"});
+  EXPECT_EQ(parse_scene(scene, "scene.yaml", {"title=\"a\\nb\""}).title, "a\nb");
 }
 
 TEST(Reader, KeepsQuantitiesInTheKeptUnit) {

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "app/records/problem_mark.hpp"
 #include "core/io/hdf5_read.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "tests/support/left.hpp"
 #include "tests/support/not_empty.hpp"
 #include "tests/support/numbers.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/run_scene.hpp"
 
 namespace {
@@ -263,6 +266,63 @@ TEST(Restart, RefusesAnotherProblemAndSaysWhatDiffers) {
   write_scene(folder, replaced(replaced(full_of_memory, "title: everything", "title: all"), "angle: 2 deg",
                                "angle: 3 deg"));
   EXPECT_EQ(go_on(folder).status, 0);  // what came later may change
+}
+
+/// Nodes and hexahedra are the same.
+TEST(Restart, RefusesOtherBarsOfTheEye) {
+  const auto folder = fresh_folder("bulbus_bars");
+  const std::string eye = R"yaml(mesh: {eye: {n: 4}}
+materials: paper
+bars: {zonules: {E: 100, area: 1e-3}}
+symmetry: [x]
+fix: [{set: nerve_end}]
+steps: [{name: pull, displace: [{set: apex, z: 0.01}]}]
+output: {checkpoint: 1, vtk: false}
+)yaml";
+  ASSERT_EQ(call("run", folder, "scene.yaml", eye, {}).status, 0);
+  EXPECT_EQ(go_on(folder).status, 0);
+  for (const char* set : {"mesh.eye.zonules.equatorial=10", "mesh.eye.zonules.posterior_from=138"})
+    expect_refused(folder, "is of another mesh with the same nodes: its bars differ", {"--set", set});
+}
+
+TEST(Restart, RefusesOtherNamesInTheSameMesh) {
+  const auto scene = parse_scene(R"yaml(mesh: {block: {nx: 2}}
+regions: {block: {c10: 1}, soft: {c10: 1}}
+bars: {b: {E: 1, area: 1}}
+fix: [{set: xmin}]
+steps: [{displace: [{set: xmax, z: 0.1}]}]
+)yaml",
+                                 "scene.yaml");
+  Mesh mesh = generate(*scene.mesh.block);
+  mesh.region_names = {"block", "soft"}, mesh.region = {0, 1};
+  mesh.bars["b"] = {{at_node(0), at_node(4)}, {at_node(1), at_node(5), .5}};
+  mesh.node_sets["s"] = {0, 1};
+  const auto mark = [&](const Mesh& of) { return mark_of(scene, {}, Problem(of, scene.model, alone()), 0); };
+  ProblemMark kept = mark(mesh);
+  EXPECT_NO_THROW(refuse_another(kept, mark(mesh), {}, "checkpoint.h5"));
+  using Change = std::function<void(Mesh&)>;
+  const std::vector<std::pair<std::string, Change>> changes{
+      {"regions",
+       [](Mesh& m) {
+         m.region = {1, 0};
+       }},
+      {"bars", [](Mesh& m) { m.bars["b"].pop_back(); }},
+      {"bars", [](Mesh& m) { m.bars["b"][1].share = 1; }},
+      {"bars", [](Mesh& m) { m.bars["b"][1].b = at_node(6); }},
+      {"surfaces", [](Mesh& m) { m.surfaces["xmin"] = m.surfaces["ymin"]; }},
+      {"node sets",
+       [](Mesh& m) {
+         m.node_sets["s"] = {0, 2};
+       }},
+      {"node sets", [](Mesh& m) { m.node_sets["t"] = {0}; }}};
+  for (const auto& [kind, change] : changes) {
+    Mesh other = mesh;
+    change(other);
+    const ProblemMark here = mark(other);
+    expect_refusal([&] { refuse_another(kept, here, {}, "checkpoint.h5"); }, {"its " + kind + " differ"});
+  }
+  kept.named.clear();  // as versions before wrote it
+  EXPECT_NO_THROW(refuse_another(kept, mark(mesh), {}, "checkpoint.h5"));
 }
 
 TEST(Restart, RefusesWhatIsNoCheckpoint) {

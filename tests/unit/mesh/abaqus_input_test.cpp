@@ -126,6 +126,15 @@ TEST(AbaqusInput, OneInstanceKeepsTheNamesOfItsPart) {
   EXPECT_FALSE(m.node_sets.contains("rp"));
 }
 
+TEST(AbaqusInput, SetsOfNoInstanceAreTold) {
+  const std::string whole = part + "*Instance, name=P-1, part=P\n*End Instance\n*End Assembly\n";
+  EXPECT_TRUE(read_inp(whole).notes.empty());
+  const ReadMesh r = read_inp(whole + "*Nset, nset=late\n1, 2\n*Surface, name=side, type=NODE\nlate\n");
+  ASSERT_EQ(r.notes.size(), 1u);
+  EXPECT_NE(r.notes[0].find("'late', 'side'"), std::string::npos) << r.notes[0];
+  EXPECT_FALSE(r.mesh.node_sets.contains("late"));
+}
+
 TEST(AbaqusInput, SeveralInstancesAreMovedAndNamed) {
   const Mesh m = read_inp(part +
                           "*Instance, name=a, part=P\n*End Instance\n*Instance, name=b, part=p\n5, 0, 0\n"

@@ -64,6 +64,19 @@ TEST(GmshInput, BarsMayEndOnAFace) {
   EXPECT_EQ(mesh.points.size(), 8u);
 }
 
+TEST(GmshInput, SharesOfBarsAreAboveZeroAndUpToOne) {
+  const auto with = [](const std::string& group) {
+    return msh_nodes + "$PhysicalNames\n1\n1 1 \"" + group + "\"\n$EndPhysicalNames\n" +
+           elements(cube + "2 1 2 1 1 1 8\n");
+  };
+  for (const auto& [text, share] : {std::pair{"1", 1.}, {"0.5", .5}, {".25", .25}, {"1e-3", 1e-3}})
+    EXPECT_EQ(read_msh(with(std::string("S share=") + text)).bars.at("S").at(0).share, share) << text;
+  EXPECT_EQ(read_msh(with("share=3")).bars.at("share=3").at(0).share, 1) << "a name of its own";
+  for (const char* wrong : {"-0.5", "3", "0", "1e400", "1e-400", "nan", "inf", "0,5", "0.5 ", "", "half"})
+    expect_msh_refused(with(std::string("S share=") + wrong),
+                       {"element 2 is a bar of the group 'S share=" + std::string(wrong) + "'", "share=0.5"});
+}
+
 TEST(GmshInput, RefusesOtherElementsWithTheirLine) {
   expect_msh_refused(msh_nodes + elements(cube + "2 4 2 7 1 1 2 3 4\n"),
                      {".msh:19: element 2 is a tetrahedron", "Recombine 3D"});

@@ -7,6 +7,7 @@
 #include "core/mesh/generate/generate.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/quality.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace bulbus {
 namespace {
@@ -56,6 +57,19 @@ TEST(Names, FindSetsSurfacesAndRegions) {
   EXPECT_EQ(nodes_of(mesh, "block").size(), mesh.points.size());
   EXPECT_EQ(region_index(mesh, "block"), 0);
   EXPECT_EQ(region_index(mesh, "none"), -1);
+}
+
+TEST(Names, OfSeveralKindsHaveToHaveEqualNodes) {
+  Mesh mesh = block(2, 1, 1);
+  mesh.node_sets["xmin"] = nodes_of(mesh, "xmin");
+  EXPECT_EQ(nodes_of(mesh, "xmin").size(), 4u);
+  mesh.node_sets["xmin"].pop_back();
+  test::expect_refusal([&] { nodes_of(mesh, "xmin"); },
+                       {"'xmin' is a node set of 3 nodes and a surface of 4 nodes", "Rename"});
+  mesh.surfaces["block"] = mesh.surfaces["xmax"];
+  test::expect_refusal([&] { nodes_of(mesh, "block"); }, {"a surface of 4 nodes and a region of 12 nodes"});
+  mesh.surfaces["block"].clear();  // as on a rank without faces of it
+  EXPECT_EQ(nodes_of(mesh, "block").size(), 12u);
 }
 
 TEST(Names, UnknownOnesGiveTheNearest) {

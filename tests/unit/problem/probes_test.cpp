@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/error.hpp"
+#include "core/mesh/generate/embed.hpp"
 #include "core/problem/probes/cancelled_figures.hpp"
 #include "tests/support/models.hpp"
 
@@ -224,6 +225,27 @@ TEST(Probes, LiquidsAndBarsAreWhole) {
   const double force = 20 * .05 * (1.21 - 1) / 2 * 1.1;           // A E e |d|/L, whatever the share
   EXPECT_NEAR(v[2], 1e3 * force, 1e-10);
   EXPECT_NEAR(v[3], force, 1e-13);
+}
+
+// A bar on a plane of symmetry is half as often in the whole as one beside it.
+TEST(Probes, MeanOfBarsCountsTheirShares) {
+  Scene scene = block({0, 0, 0}, {1, 1, 1}, 1, 1, 1);
+  const auto corner = [&](const Point& p) {
+    return at_node(static_cast<int>(std::ranges::find(scene.mesh.points, p) - scene.mesh.points.begin()));
+  };
+  scene.mesh.bars["struts"] = {{corner({0, 0, 0}), corner({1, 0, 0}), .5},
+                               {corner({0, 0, 0}), corner({0, 1, 0}), 1}};
+  scene.model.bars["struts"] = {.E = 20, .area = .05};
+  const auto v = figures(
+      scene, {of_region("bar_force", "mean"), of_region("bar_force", "min"), of_region("bar_force", "max")},
+      [](Problem& p, State& s) {
+        s = mapped(p, [](Vec3<double> X) { return Vec3<double>{1.1 * X[0], 1.2 * X[1], X[2]}; });
+      });
+  const double first = 20 * .05 * (1.21 - 1) / 2 * 1.1,
+               second = 20 * .05 * (1.44 - 1) / 2 * 1.2;  // A E e |d|/L
+  EXPECT_NEAR(v[0], (.5 * first + second) / 1.5, 1e-13);
+  EXPECT_NEAR(v[1], first, 1e-13);
+  EXPECT_NEAR(v[2], second, 1e-13);
 }
 
 TEST(Probes, RefuseUnitsThatDoNotFit) {
