@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -24,15 +25,17 @@ class CycleDetector {
  private:
   static constexpr std::size_t seen = 4;  // returns in a row
   // Relative differences of the equilibrium error: a converging iteration does not come back to a hundredth
-  // four times, and one that creeps does not go to and fro by half.
-  static constexpr double alike = 1e-2, apart = 0.5;
+  // four times, and one that creeps is nearer to the last state than to the one before it.
+  static constexpr double alike = 1e-2, apart = 0.2;
+  static constexpr double nearer = 10;
 
   bool cycles() const {
     const std::size_t n = forces_.size();
     if (n < seen + 2) return false;
     for (std::size_t k = n - seen; k < n; ++k) {
       const double now = forces_[k], between = forces_[k - 1], before = forces_[k - 2];
-      if (!(std::abs(now - before) < alike * now) || std::abs(now - between) < apart * now) return false;
+      const double back = std::abs(now - before), over = std::abs(now - between);
+      if (!(back < alike * now) || over < std::max(apart * now, nearer * back)) return false;
     }
     return true;
   }
