@@ -10,6 +10,7 @@
 #include "app/memory/sizes.hpp"
 #include "app/prepare.hpp"
 #include "app/records/alternating_pressures.hpp"
+#include "app/records/closed_part.hpp"
 #include "app/records/contact_summary.hpp"
 #include "app/records/dumping_solver.hpp"
 #include "app/records/folder.hpp"
@@ -117,9 +118,10 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
                const std::string& diagnosis, const std::string& folder, double seconds, bool has_begun) {
   log.info("");
   for (std::size_t i = 0; i < model.probes.size(); ++i)
-    if (const auto& value = recorder.values()[i]; value && model.probes[i].kind == "closed_fraction")
-      log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *value,
-                           model.probes[i].tolerance));
+    if (const auto& value = recorder.values()[i])
+      if (const auto part = closed_part(model.probes[i], *value))
+        log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *part,
+                             model.probes[i].tolerance));
   if (march.signal && !has_begun)
     log.warn(
         fmt::format("interrupted by {} before the unloaded reference was found: 'bulbus run' starts anew",

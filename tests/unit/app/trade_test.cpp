@@ -56,6 +56,7 @@ TEST(RelativeError, KnowsWhatIsSmallInEveryUnit) {
   EXPECT_DOUBLE_EQ(least_of(probe("distance", "", -2.7)), 1.35);
   EXPECT_NEAR(least_of(probe("pressure", "mmHg")), 5, 1e-4);
   EXPECT_DOUBLE_EQ(least_of(probe("closed_fraction", "")), 1);
+  EXPECT_DOUBLE_EQ(least_of(probe("closed_fraction", "", 100)), 100);
   EXPECT_DOUBLE_EQ(least_of(probe("mises", "kPa")), 0);
 }
 
