@@ -20,7 +20,7 @@ YamlNode source_of(const Study& study, const Levels& levels) {
   for (std::size_t f = 0; f < study.vary.size(); ++f)
     for (std::size_t k = 0; k < study.vary[f].keys.size(); ++k)
       set_at(root, study.vary[f].keys[k], place_of(study.source, fmt::format("vary.{}.keys.{}", f, k)),
-             study.vary[f].values[levels[f]]);
+             study.vary[f].value(levels[f]));
   return root;
 }
 

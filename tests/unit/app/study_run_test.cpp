@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // The bar stands 0.1 mm of its 2 mm, not less than nothing.
-const std::string failing = replaced(bar_study, "[.2, .4, .8]", "[\"-2.2*s\", .4]");
+const std::string failing = replaced(bar_study, "[.2, .4, .8], unit: mm", "[\"-2.2*s\", .4]");
 
 /// W = c10 (I1 − 3) under tension: the pull on the whole section 2 × 2 is 8 c10 (l − 1/l²).
 TEST(StudyRun, WritesTableFigureAndTrends) {
