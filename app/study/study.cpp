@@ -118,17 +118,10 @@ long long Study::combinations() const {
 
 void Study::validate() const {
   if (vary.empty()) throw input_error("vary: no factors", "give at least one");
-  std::set<std::string> names, keys;
-  for (const Factor& f : vary) {
+  std::set<std::string> names;
+  for (const Factor& f : vary)
     if (!names.insert(f.name).second)
       throw input_error("two factors are named '" + f.name + "'", "give each its own name");
-    for (const std::string& key : f.keys)
-      if (!keys.insert(key).second)
-        throw input_error("the key '" + key + "' is varied twice", "name it in one factor only");
-  }
-  for (const std::string& o : overrides)
-    if (const auto key = o.substr(0, o.find('=')); keys.contains(key))
-      throw input_error("--set " + o, 0, "the study varies this key", "leave --set out, or change `vary`");
   if (combinations() > most_runs)
     throw input_error(fmt::format("more than {} runs", most_runs),
                       "take fewer values, or design: one_at_a_time");

@@ -54,8 +54,7 @@ struct Study {
     v("tolerance", tolerance,
       About{"a change below this part of a figure's largest value is none"}.between(0, 1));
   }
-  /// Throws InputError if nothing varies, two factors share a name or a key, or there are more runs than
-  /// 10,000.
+  /// Throws InputError if nothing varies, two factors share a name, or there are more runs than 10,000.
   void validate() const;
   long long combinations() const;
 

@@ -116,6 +116,16 @@ TEST(StudyErrors, NameLineRunAndRemedyBeforeAnythingIsWritten) {
            {"baseline: .4", "labels: [a, b]", "2 labels for 3 values"},
            {"name: c10", "name: way", "study.yaml:1: two factors are named 'way'"},
            {"regions.block.c10]", "steps.stretch.displace.xmax.x]", "is varied twice"},
+           {"regions.block.c10]", "steps.0.displace.0.x]",
+            "study.yaml:6: the key 'steps.0.displace.0.x' is varied twice: 'steps.stretch.displace.xmax.x' "
+            "is "
+            "the same, or a part of it"},
+           {"regions.block.c10]", "steps.0.displace.0]",
+            "study.yaml:6: the key 'steps.0.displace.0' is varied"},
+           {"set: {", "set: {steps.0.displace.0.x: 3, ",
+            "study.yaml:3: set: 'steps.0.displace.0.x' has no effect: the study varies 'steps.stretch."},
+           {"set: {", "set: {steps.0.increments: 3, ",
+            "study.yaml:3: set: 'steps.stretch.increments' overwrites 'steps.0.increments'"},
            {"unit: mm", "unit: mmHg", "study.yaml:5: steps.0.displace.0.x: 'mmHg' is not a unit that fits"},
            {"1 MPa]", "1 MPa], unit: kPa",
             "study.yaml:6: vary.1: factor 'c10': the value 0.5 MPa is no number in kPa"},
@@ -158,6 +168,11 @@ TEST(StudyErrors, RefuseWhatAnOverrideCannotMean) {
   const Ran r = run_a_study(bar_study, {"regions.block.c10=2"});
   EXPECT_EQ(r.status, 2);
   EXPECT_NE(r.err.find("--set regions.block.c10=2: the study varies this key"), std::string::npos) << r.err;
+  const Ran other = run_a_study(bar_study, {"steps.0.displace.0.x=.3"}, "check");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("--set steps.0.displace.0.x=.3: the study varies this key"), std::string::npos)
+      << other.err;
+  EXPECT_EQ(run_a_study(bar_study, {"steps.0.displace.0.y=0"}, "check").status, 0);
 }
 
 }  // namespace
