@@ -90,6 +90,8 @@ TEST(ProbeWords, SayWhatIsMeasured) {
             "largest gap of the contact retina at detached");
   EXPECT_EQ(meaning_of({.kind = "mises", .region = "lens", .percentile = 99}),
             "Mises stress that 1 % of the volume exceed in lens");
+  EXPECT_EQ(meaning_of({.kind = "reaction", .set = "xmax", .component = "x", .of = "part", .scale = 2}),
+            "force of the supports on the body at xmax along x, of the drawn part alone, times 2");
   EXPECT_EQ(title_of("axial_change"), "Axial change");
 }
 
