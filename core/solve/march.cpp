@@ -29,7 +29,7 @@ class Increments {
   }
   bool cut() {
     size_ /= 2;
-    return size_ >= settings_.minimum;
+    return size_ >= std::min(settings_.minimum, largest_ / most_divided);
   }
   /// Longer ones from where short ones cycle: whole, two whole ones, all the rest. False after the last.
   bool leap(double from) {
@@ -47,6 +47,7 @@ class Increments {
 
  private:
   static constexpr double shortest_cycle = 0.125;  // of a whole increment (docs/decisions/049)
+  static constexpr double most_divided = 16;  // four halvings at least, however short whole increments are
   SteppingSettings settings_;
   double largest_, longest_, size_;
   int leaps_ = 0;
