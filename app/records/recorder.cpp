@@ -165,6 +165,8 @@ void Recorder::serialize(Archive& archive, const MarchProgress& place) {
   if (!archive.reading() || archive.knows("linear solver"))
     archive.scalars("linear solver", direct_solves_, unstable_increments_);
   if (!archive.reading() || archive.knows("snaps")) archive.text("snaps", snaps_);
+  if (archive.reading() ? archive.knows("from drawn") : from_drawn_.has_value())
+    archive.scalars("from drawn", from_drawn_ ? *from_drawn_ : from_drawn_.emplace());
   steps_.resize(place.step + 1);
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     StepRecord& s = steps_[k];

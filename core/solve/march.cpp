@@ -101,9 +101,9 @@ NewtonReport within_memory(const Comm& comm, const std::function<NewtonReport()>
     if (comm.size() > 1) throw;
     NewtonReport report;
     report.outcome = Outcome::too_large;
-    report.reason =
-        "out of memory: refine the mesh less, raise the limit of memory (ulimit, control group), or take a "
-        "larger machine";
+    report.reason = std::string(out_of_memory) +
+                    ": refine the mesh less, raise the limit of memory (ulimit, control group), or take a "
+                    "larger machine";
     return report;
   }
 }

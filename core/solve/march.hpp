@@ -3,6 +3,9 @@
 
 namespace bulbus::inline solve {
 
+/// In the reason of a march that the memory of the machine did not suffice for.
+inline constexpr const char* out_of_memory = "out of memory";
+
 /// One converged increment.
 struct Increment {
   int step = 0, number = 0;  ///< number counts over the whole run, from 1
