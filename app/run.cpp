@@ -132,7 +132,7 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
                     name_of_interrupt(march.signal), march.increments));
   else if (!march.converged)
     log.error("not converged: " + march.reason);
-  if (!diagnosis.empty() && !march.signal) log.error("diagnosis: " + diagnosis);
+  if (!diagnosis.empty()) log.error("diagnosis: " + diagnosis);
   log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
                        march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
   if (recorder.direct_solves() > 0)
@@ -255,7 +255,8 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   }
   std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
   profiler.memory.set("mesh", problem.mesh().bytes());
-  return conclude(report, report.converged ? "" : recorder.diagnosis(state));
+  const bool stuck = !report.converged && !report.signal;
+  return conclude(report, stuck ? recorder.diagnosis(state) : "");
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "app/records/checkpoints.hpp"
 #include "app/records/closed_part.hpp"
+#include "app/records/finished.hpp"
 #include "app/report/html.hpp"
 #include "app/report/probe_words.hpp"
 #include "app/report/sections.hpp"
@@ -82,11 +85,18 @@ std::string html_of(const Card& card) {
       card.tone.empty() ? "card" : "card " + card.tone);
 }
 
-std::string verdict_of(const json& summary) {
+std::string verdict_of(const RunRecord& run) {
+  const json& summary = run.summary;
   if (!summary.contains("converged"))
     return html::text("p", "The run has not come to its end yet.", "verdict bad");
   if (summary.value("converged", false))
     return html::text("p", "The run converged: all steps are done.", "verdict good");
+  if (was_interrupted(summary))
+    return html::text("p",
+                      std::filesystem::exists(checkpoint_in(run.folder))
+                          ? "The run was interrupted; 'bulbus run' with --restart goes on."
+                          : "The run was interrupted; it has no checkpoint, and 'bulbus run' starts anew.",
+                      "verdict bad");
   std::string words =
       "The run did not converge: " + summary.value("reason", std::string("reason unknown")) + ".";
   if (summary.contains("diagnosis")) words += " Diagnosis: " + summary.value("diagnosis", "");
@@ -106,7 +116,7 @@ std::string warnings_of(const json& summary) {
 std::string conclusions_of(const RunRecord& run) {
   std::string cards;
   for (const Card& card : cards_of(run)) cards += html_of(card);
-  return verdict_of(run.summary) + html::element("div", cards, "cards") + warnings_of(run.summary);
+  return verdict_of(run) + html::element("div", cards, "cards") + warnings_of(run.summary);
 }
 
 }  // namespace bulbus::inline app

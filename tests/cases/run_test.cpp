@@ -13,6 +13,18 @@ Ran interrupted_by(int signal) {
   return run_case("interrupted");
 }
 
+int called(const std::vector<std::string>& arguments) {
+  std::ostringstream out, err;
+  const int status = command_line(arguments, Comm(MPI_COMM_SELF), out, err);
+  if (status == 2) ADD_FAILURE() << err.str();
+  return status;
+}
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST(Interrupt, EndsWithTheSignalsStatusAndWholeRecords) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Ran run = interrupted_by(signal);
@@ -22,6 +34,12 @@ TEST(Interrupt, EndsWithTheSignalsStatusAndWholeRecords) {
     EXPECT_NE(run.text("run.log").find(std::string("interrupted by ") + name_of_interrupt(signal)),
               std::string::npos);
     EXPECT_TRUE(run.wrote("checkpoint.h5"));  // though the scene asks for none
+    EXPECT_FALSE(run.summary().contains("diagnosis"));
+    ASSERT_EQ(called({"report", run.folder / "out"}), 0);
+    const std::string page = content(run.folder / "out/report.html");
+    EXPECT_NE(page.find("The run was interrupted; "), std::string::npos);
+    EXPECT_NE(page.find("with --restart goes on."), std::string::npos);
+    EXPECT_EQ(page.find("did not converge"), std::string::npos);
   }
 }
 
@@ -45,17 +63,13 @@ TEST(UnnamedSteps, AreComparedOneByOne) {
   const Ran run = run_case("unnamed_steps");
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string folder = run.folder, other = folder + "/other";
-  std::ostringstream out, err;
-  const auto called = [&](const std::vector<std::string>& arguments) {
-    return command_line(arguments, Comm(MPI_COMM_SELF), out, err);
-  };
   const std::vector<std::string> again{"run", folder + "/s.yaml", "-o", other};
-  ASSERT_EQ(called(again), 0) << err.str();
-  EXPECT_EQ(called({"compare", folder + "/out", other}), 0) << out.str();
+  ASSERT_EQ(called(again), 0);
+  EXPECT_EQ(called({"compare", folder + "/out", other}), 0);
   auto changed = again;
   changed.insert(changed.end(), {"--set", "steps.0.displace.0.x=0.2"});  // of the first step alone
-  ASSERT_EQ(called(changed), 0) << err.str();
-  EXPECT_EQ(called({"compare", folder + "/out", other}), 1) << out.str();
+  ASSERT_EQ(called(changed), 0);
+  EXPECT_EQ(called({"compare", folder + "/out", other}), 1);
 }
 
 }  // namespace
