@@ -48,7 +48,7 @@ void refuse_missing(const std::string& path, const Comm& comm) {
 
 std::string checkpoint_in(const std::string& folder) { return folder + "/" + checkpoint_file; }
 
-Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared) {
+Checkpoint::Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared) : path_(path) {
   const Problem& problem = *prepared.problem;
   refuse_missing(path, problem.comm());
   kept_ = open_checkpoint(path, problem.mesh());
@@ -84,8 +84,11 @@ void Checkpoints::interrupted(const MarchProgress& place, State& state) {
   written_ = place.report.increments;
 }
 
-void Checkpoints::resumed(const Resumed& from) {
-  written_ = from.place.report.increments;
+void Checkpoints::resumed(const Resumed& from, const std::string& path) {
+  std::error_code none;  // of a file that is not there
+  const Comm& comm = problem_.comm();
+  if (comm.any(comm.rank() == 0 && std::filesystem::equivalent(path, checkpoint_in(folder_.path()), none)))
+    written_ = from.place.report.increments;
   step_begins(from.start);
 }
 

@@ -32,6 +32,7 @@ class Checkpoint {
   /// Throws InputError if it is damaged, or of another problem. Collective.
   Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
   const MarchProgress& place() const { return place_; }
+  const std::string& path() const { return path_; }
   /// Reference positions of the finest mesh, 3 per local node, of a scene with a reference, and how they were
   /// found.
   const std::vector<double>& unloaded() const { return unloaded_; }
@@ -40,6 +41,7 @@ class Checkpoint {
   Resumed resume(Problem& problem, Archived& records);
 
  private:
+  std::string path_;
   std::unique_ptr<Archive> kept_;
   MarchProgress place_;
   std::vector<double> unloaded_;
@@ -64,7 +66,8 @@ class Checkpoints {
   void rests(const MarchProgress& place, State& state, bool last);
   /// Writes unless this state is written. Collective. Throws std::runtime_error.
   void interrupted(const MarchProgress& place, State& state);
-  void resumed(const Resumed& from);
+  /// The run goes on from a checkpoint, of this folder or another. Collective.
+  void resumed(const Resumed& from, const std::string& path);
   std::size_t bytes() const;
 
  private:

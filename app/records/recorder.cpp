@@ -180,7 +180,7 @@ void Recorder::serialize(Archive& archive, const MarchProgress& place) {
 
 Resumed Recorder::resume(Checkpoint& checkpoint) {
   Resumed from = checkpoint.resume(problem_, *this);
-  checkpoints_.resumed(from);
+  checkpoints_.resumed(from, checkpoint.path());
   progress_.resumes(from.place);
   if (from.place.begun) witness_.step_begins(from.place.step, from.start);
   return from;

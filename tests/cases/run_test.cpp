@@ -43,6 +43,19 @@ TEST(Interrupt, EndsWithTheSignalsStatusAndWholeRecords) {
   }
 }
 
+// Before it has solved anything itself.
+TEST(Interrupt, OfARestartIntoAnotherFolderLeavesACheckpointThere) {
+  const auto folder = interrupted_by(SIGTERM).folder;
+  {
+    const InterruptsHeeded heeded;
+    std::raise(SIGTERM);
+    EXPECT_EQ(called({"run", folder / "s.yaml", "-o", folder / "other", "--restart", folder / "out"}),
+              128 + SIGTERM);
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "other/checkpoint.h5"));
+  EXPECT_EQ(called({"run", folder / "s.yaml", "-o", folder / "other", "--restart"}), 0);
+}
+
 TEST(Interrupt, LeavesWhatARestartGoesOnFrom) {
   const Ran left = interrupted_by(SIGTERM);
   std::ostringstream out, err;
