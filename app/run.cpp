@@ -256,7 +256,7 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
   profiler.memory.set("mesh", problem.mesh().bytes());
   const bool stuck = !report.converged && !report.signal;
-  return conclude(report, stuck ? recorder.diagnosis(state) : "");
+  return conclude(report, !stuck ? "" : report.remedy.empty() ? recorder.diagnosis(state) : report.remedy);
 }
 
 }  // namespace
