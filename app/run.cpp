@@ -178,6 +178,7 @@ std::vector<std::string> warnings_of(const Prepared& prepared, const Recorder& r
     all.push_back(sentence(*pressures));
   for (const auto& told :
        {deep_contacts(*prepared.interactions, contacts), missed_tolerances(*prepared.interactions, contacts),
+        lost_tangents(*prepared.interactions, prepared.problem->model()),
         soft_contacts(*prepared.problem, *prepared.interactions, contacts, state),
         entered_vertices(*prepared.problem, *prepared.interactions, state),
         crossed_surfaces(*prepared.problem, *prepared.interactions, state)})
