@@ -10,6 +10,7 @@
 #include "app/memory/sizes.hpp"
 #include "app/prepare.hpp"
 #include "app/records/alternating_pressures.hpp"
+#include "app/records/closed_part.hpp"
 #include "app/records/contact_summary.hpp"
 #include "app/records/dumping_solver.hpp"
 #include "app/records/folder.hpp"
@@ -118,9 +119,10 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
                const std::string& diagnosis, const std::string& folder, double seconds, bool has_begun) {
   log.info("");
   for (std::size_t i = 0; i < model.probes.size(); ++i)
-    if (const auto& value = recorder.values()[i]; value && model.probes[i].kind == "closed_fraction")
-      log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *value,
-                           model.probes[i].tolerance));
+    if (const auto& value = recorder.values()[i])
+      if (const auto part = closed_part(model.probes[i], *value))
+        log.info(fmt::format("{}: {:.2f} of its nodes are closer than {:g} mm", model.probes[i].name, *part,
+                             model.probes[i].tolerance));
   if (march.signal && !has_begun)
     log.warn(
         fmt::format("interrupted by {} before the unloaded reference was found: 'bulbus run' starts anew",
@@ -131,7 +133,7 @@ void write_end(const Log& log, const Model& model, const Recorder& recorder, con
                     name_of_interrupt(march.signal), march.increments));
   else if (!march.converged)
     log.error("not converged: " + march.reason);
-  if (!diagnosis.empty() && !march.signal) log.error("diagnosis: " + diagnosis);
+  if (!diagnosis.empty()) log.error("diagnosis: " + diagnosis);
   log.info(fmt::format("{} increments, {} Newton and {} Krylov iterations, {} cuts in {}", march.increments,
                        march.newton_iterations, march.krylov_iterations, march.cuts, duration(seconds)));
   if (recorder.direct_solves() > 0)
@@ -177,6 +179,7 @@ std::vector<std::string> warnings_of(const Prepared& prepared, const Recorder& r
     all.push_back(sentence(*pressures));
   for (const auto& told :
        {deep_contacts(*prepared.interactions, contacts), missed_tolerances(*prepared.interactions, contacts),
+        lost_tangents(*prepared.interactions, prepared.problem->model()),
         soft_contacts(*prepared.problem, *prepared.interactions, contacts, state),
         entered_vertices(*prepared.problem, *prepared.interactions, state),
         crossed_surfaces(*prepared.problem, *prepared.interactions, state)})
@@ -254,7 +257,8 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
   }
   std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
   profiler.memory.set("mesh", problem.mesh().bytes());
-  return conclude(report, report.converged ? "" : recorder.diagnosis(state));
+  const bool stuck = !report.converged && !report.signal;
+  return conclude(report, !stuck ? "" : report.remedy.empty() ? recorder.diagnosis(state) : report.remedy);
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #pragma once
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/prepare.hpp"
 #include "app/records/folder.hpp"
 #include "app/scene/scene.hpp"
+#include "core/io/archive_copy.hpp"
 #include "core/problem/problem.hpp"
 #include "core/solve/march.hpp"
 
@@ -32,6 +35,7 @@ class Checkpoint {
   /// Throws InputError if it is damaged, or of another problem. Collective.
   Checkpoint(const std::string& path, const Scene& scene, const Prepared& prepared);
   const MarchProgress& place() const { return place_; }
+  const std::string& path() const { return path_; }
   /// Reference positions of the finest mesh, 3 per local node, of a scene with a reference, and how they were
   /// found.
   const std::vector<double>& unloaded() const { return unloaded_; }
@@ -40,13 +44,15 @@ class Checkpoint {
   Resumed resume(Problem& problem, Archived& records);
 
  private:
+  std::string path_;
   std::unique_ptr<Archive> kept_;
   MarchProgress place_;
   std::vector<double> unloaded_;
   UnloadedReport reference_;
 };
 
-/// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted.
+/// Writes checkpoint.h5: each n-th converged increment and the last, and wherever the run is interrupted or
+/// the scene turns out to be wrong.
 class Checkpoints {
  public:
   Checkpoints(const Scene& scene, const Prepared& prepared, Archived& records, ResultsFolder& folder)
@@ -64,11 +70,17 @@ class Checkpoints {
   void rests(const MarchProgress& place, State& state, bool last);
   /// Writes unless this state is written. Collective. Throws std::runtime_error.
   void interrupted(const MarchProgress& place, State& state);
-  void resumed(const Resumed& from);
+  /// After the end of a step: the next one has begun, or the scene is wrong and it cannot; then the end of
+  /// the one before is written unless it is. Collective. Throws std::runtime_error.
+  void step_begun() { step_end_.reset(); }
+  void step_refused();
+  /// The run goes on from a checkpoint, of this folder or another. Collective.
+  void resumed(Resumed& from, const std::string& path);
   std::size_t bytes() const;
 
  private:
-  void write(MarchProgress place, State& state);
+  void write(const std::function<void(Archive&)>& serialize);
+  void serialize(Archive& archive, MarchProgress place, State& state);
 
   const Scene& scene_;
   std::vector<InputFile> inputs_;
@@ -78,6 +90,7 @@ class Checkpoints {
   ResultsFolder& folder_;
   int every_, written_ = -1;
   State start_;
+  std::optional<ArchiveCopy> step_end_;  // a step that cannot begin may have changed the problem
 };
 
 }  // namespace bulbus::inline app

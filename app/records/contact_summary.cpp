@@ -68,6 +68,19 @@ std::vector<std::string> missed_tolerances(const Interactions& interactions,
   return sentences;
 }
 
+std::vector<std::string> lost_tangents(const Interactions& interactions, const Model& model) {
+  std::vector<std::string> sentences;
+  for (const auto& [name, term] : interactions.sutures())
+    for (std::size_t point = 0; point < term->strings().size(); ++point)
+      if (const SutureTerm::String& string = term->strings()[point]; string.lost && string.force != 0)
+        sentences.push_back(fmt::format(
+            "the string at point {} of suture '{}', ({:.4g}, {:.4g}, {:.4g}), has no tangent to the "
+            "outline of '{}' any more: the point lies inside, or its plane misses the body, and the "
+            "string pulls in its last direction. Sew it farther out, or move the body less",
+            point, name, string.S[0], string.S[1], string.S[2], model.sutures.at(name).body));
+  return sentences;
+}
+
 std::vector<std::string> soft_contacts(const Problem& problem, const Interactions& interactions,
                                        const std::vector<ContactStanding>& standings, const State& state) {
   constexpr double soft = 0.05, just_touching = 1e-9;  // of the energy, of the thinner layer

@@ -23,6 +23,10 @@ std::vector<std::string> deep_contacts(const Interactions& interactions,
 std::vector<std::string> missed_tolerances(const Interactions& interactions,
                                            const std::vector<ContactStanding>& standings);
 
+/// A sentence for every point of a suture that pulls without a tangent to the outline of its body, in an
+/// older direction.
+std::vector<std::string> lost_tangents(const Interactions& interactions, const Model& model);
+
 /// A sentence for every contact without multipliers whose penetration holds more than a twentieth of the
 /// energy, its own and that of the tissue: of bodies in series its force is too small by that part. Contacts
 /// that just touch are left out. Collective.

@@ -6,6 +6,7 @@
 #include "app/scene/input_files.hpp"
 #include "app/version.hpp"
 #include "core/io/text_file.hpp"
+#include "core/solve/march.hpp"
 
 namespace bulbus::inline app {
 namespace {
@@ -35,9 +36,14 @@ json summary_in(const std::string& folder) {
   return json::parse(content_of(folder + "/summary.json"), nullptr, false);
 }
 
+bool was_interrupted(const json& summary) {
+  return summary.is_object() && summary.value("reason", "") == describe(Outcome::interrupted);
+}
+
 bool is_finished(const Scene& scene, const std::string& folder) {
   const json summary = summary_in(folder);
-  return summary.is_object() && summary.value("reason", "") != "interrupted" &&
+  return summary.is_object() && !was_interrupted(summary) &&
+         summary.value("reason", "").find(out_of_memory) == std::string::npos &&
          summary.value("/versions/bulbus"_json_pointer, "") == version &&
          is_of(content_of(folder + "/resolved.yaml"), scene) &&
          summary.value("input_files", json::object()) == hashes_of(input_files(scene));

@@ -69,6 +69,7 @@ void Recorder::step_begins(int step, const StepSpec& spec, const State& start) {
 }
 
 void Recorder::step_begun(int step, const State& start) {
+  checkpoints_.step_begun();
   if (step > 0) return;
   const auto scope = profiler_.clock.measure("records");
   Snapshot snapshot(problem_, start);
@@ -160,11 +161,18 @@ void Recorder::interrupted(const MarchProgress& place, State& state) {
   checkpoints_.interrupted(place, state);
 }
 
+void Recorder::step_refused() {
+  const auto scope = profiler_.clock.measure("checkpoints");
+  checkpoints_.step_refused();
+}
+
 void Recorder::serialize(Archive& archive, const MarchProgress& place) {
   archive.scalars("counts", increments_, cuts_, negative_pivots_);
   if (!archive.reading() || archive.knows("linear solver"))
     archive.scalars("linear solver", direct_solves_, unstable_increments_);
   if (!archive.reading() || archive.knows("snaps")) archive.text("snaps", snaps_);
+  if (archive.reading() ? archive.knows("from drawn") : from_drawn_.has_value())
+    archive.scalars("from drawn", from_drawn_ ? *from_drawn_ : from_drawn_.emplace());
   steps_.resize(place.step + 1);
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     StepRecord& s = steps_[k];
@@ -178,9 +186,13 @@ void Recorder::serialize(Archive& archive, const MarchProgress& place) {
 
 Resumed Recorder::resume(Checkpoint& checkpoint) {
   Resumed from = checkpoint.resume(problem_, *this);
-  checkpoints_.resumed(from);
+  checkpoints_.resumed(from, checkpoint.path());
   progress_.resumes(from.place);
   if (from.place.begun) witness_.step_begins(from.place.step, from.start);
+  if (from.place.report.increments > 0) {  // while the problem is in that state
+    Snapshot snapshot(problem_, from.state);
+    take(snapshot);
+  }
   return from;
 }
 

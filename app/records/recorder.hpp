@@ -33,6 +33,7 @@ class Recorder final : public MarchObserver, public Archived {
   void solve_lasts(const SolveProgress& progress) { progress_.solve_lasts(progress); }
   void rests(const MarchProgress& place, State& state, bool last) override;
   void interrupted(const MarchProgress& place, State& state) override;
+  void step_refused() override;
   /// After the march, with the state it ended in.
   void finish(const State& state);
   void serialize(Archive& archive, const MarchProgress& place) override;

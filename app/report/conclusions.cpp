@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "app/records/checkpoints.hpp"
+#include "app/records/closed_part.hpp"
+#include "app/records/finished.hpp"
 #include "app/report/html.hpp"
 #include "app/report/probe_words.hpp"
 #include "app/report/sections.hpp"
@@ -42,19 +46,24 @@ std::string three_digits(double value) {
   return value == 0 ? "0" : text;
 }
 
-Card closing_card(const ProbeSpec& p, double value) {
+Card closing_card(const ProbeSpec& p, double part) {
   const std::string nodes = p.set.empty() ? "the nodes of the contact" : p.set;
-  return {title_of(p.name), value >= 1 ? "yes" : "no",
-          fmt::format("{:.0f} % of {} closer than {:g} mm", 100 * value, nodes, p.tolerance),
-          value >= 1 ? "good" : "bad"};
+  return {title_of(p.name), part >= 1 ? "yes" : "no",
+          fmt::format("{:.0f} % of {} closer than {:g} mm", 100 * part, nodes, p.tolerance),
+          part >= 1 ? "good" : "bad"};
+}
+
+std::string note_of(const RunRecord& run, const ProbeSpec& p, std::size_t probe) {
+  if (p.peak) return p.since.empty() ? "largest so far" : "largest since the end of " + p.since;
+  return p.since.empty() ? course_of(run, probe) : "since the end of " + p.since;
 }
 
 Card card_of(const RunRecord& run, const ProbeSpec& p, std::size_t probe, double value) {
-  if (p.kind == "closed_fraction") return closing_card(p, value);
+  if (const auto part = closed_part(p, value)) return closing_card(p, *part);
   const bool change = !p.since.empty() && p.scale > 0;
   const std::string unit = html::unit(run.unit(p.name)), number = three_digits(value);
   return {title_of(p.name), (change && value > 0 ? "+" : "") + number + (unit.empty() ? "" : " " + unit),
-          p.since.empty() ? course_of(run, probe) : "since the end of " + p.since, ""};
+          note_of(run, p, probe), ""};
 }
 
 std::vector<Card> cards_of(const RunRecord& run) {
@@ -76,11 +85,18 @@ std::string html_of(const Card& card) {
       card.tone.empty() ? "card" : "card " + card.tone);
 }
 
-std::string verdict_of(const json& summary) {
+std::string verdict_of(const RunRecord& run) {
+  const json& summary = run.summary;
   if (!summary.contains("converged"))
     return html::text("p", "The run has not come to its end yet.", "verdict bad");
   if (summary.value("converged", false))
     return html::text("p", "The run converged: all steps are done.", "verdict good");
+  if (was_interrupted(summary))
+    return html::text("p",
+                      std::filesystem::exists(checkpoint_in(run.folder))
+                          ? "The run was interrupted; 'bulbus run' with --restart goes on."
+                          : "The run was interrupted; it has no checkpoint, and 'bulbus run' starts anew.",
+                      "verdict bad");
   std::string words =
       "The run did not converge: " + summary.value("reason", std::string("reason unknown")) + ".";
   if (summary.contains("diagnosis")) words += " Diagnosis: " + summary.value("diagnosis", "");
@@ -100,7 +116,7 @@ std::string warnings_of(const json& summary) {
 std::string conclusions_of(const RunRecord& run) {
   std::string cards;
   for (const Card& card : cards_of(run)) cards += html_of(card);
-  return verdict_of(run.summary) + html::element("div", cards, "cards") + warnings_of(run.summary);
+  return verdict_of(run) + html::element("div", cards, "cards") + warnings_of(run.summary);
 }
 
 }  // namespace bulbus::inline app

@@ -25,7 +25,8 @@ std::string figures_of(const RunRecord& run) {
   }
   return html::table(table) +
          html::text("p",
-                    "Forces, moments, areas and volumes are of the whole model, mirrored parts included.",
+                    "Forces, moments, areas and volumes are of the whole model, mirrored parts included, "
+                    "where they are not said to be of the drawn part alone.",
                     "note");
 }
 

@@ -100,6 +100,7 @@ std::string figure(const ProbeSpec& p) {
 
 std::string meaning_of(const ProbeSpec& p) {
   std::string words = figure(p);
+  if (p.of == "part") words += ", of the drawn part alone";
   if (p.peak) words += ", largest so far";
   if (!p.since.empty()) words += ", change since the end of " + p.since;
   if (p.scale != 1) words += fmt::format(", times {:g}", p.scale);

@@ -25,14 +25,21 @@ std::string name_of(const YamlNode& item) {
   return "";
 }
 
-YamlNode& in_list(YamlNode& list, const std::string& part, const Place& place) {
+// The number of the entry that has this number or this name.
+std::size_t in_list(const YamlNode& list, const std::string& part, const Place& place) {
   const auto index = parse_number<std::size_t>(part);
-  if (index && *index < list.items.size()) return list.items[*index];
   std::vector<std::string> names;
-  for (YamlNode& item : list.items) {
-    if (name_of(item) == part) return item;
-    names.push_back(name_of(item));
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    names.push_back(name_of(list.items[i]));
+    if (index == i || names[i] == part) found.push_back(i);
   }
+  if (found.size() == 1) return found[0];
+  if (!found.empty())
+    throw input_error(place.file, place.line,
+                      "'" + part + "' is entry " + std::to_string(found[0]) + " and entry " +
+                          std::to_string(found[1]) + " of a list, by number or by name",
+                      index ? "give the entry another name" : "give its number, counted from 0");
   if (index) names.clear();
   throw input_error(place.file, place.line,
                     "no entry '" + part + "' in a list of " + std::to_string(list.items.size()),
@@ -66,18 +73,28 @@ Place place_of(const YamlNode& root, const std::string& path) {
   return place;
 }
 
-void set_at(YamlNode& root, const std::string& path, const Place& place, YamlNode value) {
+std::string set_at(YamlNode& root, const std::string& path, const Place& place, YamlNode value) {
   YamlNode* at = &root;
+  std::string by_numbers;
   for (const std::string& part : split(path)) {
     if (part.empty())
       throw input_error(place.file, place.line, "an empty name in the path '" + path + "'",
                         "write path.to.key");
-    at = at->is(YamlNode::Kind::list) ? &in_list(*at, part, place) : &in_map(*at, part, place);
+    by_numbers += by_numbers.empty() ? "" : ".";
+    if (at->is(YamlNode::Kind::list)) {
+      const std::size_t index = in_list(*at, part, place);
+      by_numbers += std::to_string(index);
+      at = &at->items[index];
+    } else {
+      by_numbers += part;
+      at = &in_map(*at, part, place);
+    }
   }
   *at = std::move(value);
+  return by_numbers;
 }
 
-void apply_override(YamlNode& root, const std::string& assignment) {
+std::string apply_override(YamlNode& root, const std::string& assignment) {
   // every value that it gives keeps the place
   constexpr std::size_t shown = 200;
   const Place place{
@@ -87,8 +104,8 @@ void apply_override(YamlNode& root, const std::string& assignment) {
     throw input_error(place.file, 0, "not of the form path.to.key=value",
                       "such as --set steps.0.increments=4");
   const std::string value = assignment.substr(equals + 1);
-  set_at(root, assignment.substr(0, equals), place,
-         value.empty() ? YamlNode::word("", place) : parse_word(value, place.file));
+  return set_at(root, assignment.substr(0, equals), place,
+                value.empty() ? YamlNode::word("", place) : parse_word(value, place.file));
 }
 
 }  // namespace bulbus::inline app

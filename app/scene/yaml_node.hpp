@@ -44,12 +44,13 @@ std::string to_yaml(const YamlNode& map);
 
 /// Puts `value` at `path.to.key`: a map is entered by key, a list by index (from 0) or by the `name` (else
 /// the `set` or the `body`) of its entries. Missing keys of maps are added, so that the reader can judge
-/// them. `place` is where the path is written. Throws InputError if a list has no such entry.
-void set_at(YamlNode& root, const std::string& path, const Place& place, YamlNode value);
+/// them. `place` is where the path is written. Returns the path with numbers in place of names. Throws
+/// InputError if a list has no such entry, or several.
+std::string set_at(YamlNode& root, const std::string& path, const Place& place, YamlNode value);
 
-/// Applies `path.to.key=value`; the value is YAML. Throws InputError if the text has no `=`, or as set_at
-/// does.
-void apply_override(YamlNode& root, const std::string& assignment);
+/// Applies `path.to.key=value`; the value is YAML. Returns what set_at returns. Throws InputError if the text
+/// has no `=`, or as set_at does.
+std::string apply_override(YamlNode& root, const std::string& assignment);
 
 /// Where `path.to.key` is written, a list entered by index; where a part of the path is not written, what is
 /// around it.

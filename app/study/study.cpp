@@ -66,6 +66,10 @@ void Factor::validate() const {
   if (!labels.empty() && labels.size() != values.size())
     refuse_factor(name, fmt::format("{} labels for {} values", labels.size(), values.size()),
                   "give one label for each value");
+  for (const YamlNode& value : unit.empty() ? std::vector<YamlNode>{} : values)
+    if (const auto n = number_of(value); !n || (!n->unit.empty() && n->unit != unit))
+      refuse_factor(name, "the value " + flow_text(value) + " is no number in " + unit,
+                    "leave `unit` out, or write the values as numbers in that unit");
   std::set<std::string> seen;
   for (int l = 0; l < levels(); ++l)
     if (!seen.insert(text(l)).second)
@@ -82,6 +86,12 @@ int Factor::baseline_level() const {
   return level;
 }
 
+YamlNode Factor::value(int level) const {
+  YamlNode value = values[level];
+  if (!unit.empty() && number_of(value)->unit.empty()) value.text += " " + unit;
+  return value;
+}
+
 std::string Factor::text(int level) const {
   if (!labels.empty()) return labels[level];
   const auto all = numbers();
@@ -90,17 +100,15 @@ std::string Factor::text(int level) const {
 
 std::vector<double> Factor::numbers() const {
   std::vector<double> all;
-  for (const YamlNode& value : values) {
-    const auto n = number_of(value);
-    if (!n || n->unit != number_of(values[0])->unit) return {};
+  for (int l = 0; l < levels(); ++l) {
+    const auto n = number_of(value(l));
+    if (!n || n->unit != number_of(value(0))->unit) return {};
     all.push_back(n->value);
   }
   return all;
 }
 
-std::string Factor::unit_text() const {
-  return !unit.empty() || numbers().empty() ? unit : number_of(values[0])->unit;
-}
+std::string Factor::unit_text() const { return numbers().empty() ? "" : number_of(value(0))->unit; }
 
 long long Study::combinations() const {
   long long n = design == "product" ? 1 : 1 - static_cast<long long>(vary.size());
@@ -110,17 +118,10 @@ long long Study::combinations() const {
 
 void Study::validate() const {
   if (vary.empty()) throw input_error("vary: no factors", "give at least one");
-  std::set<std::string> names, keys;
-  for (const Factor& f : vary) {
+  std::set<std::string> names;
+  for (const Factor& f : vary)
     if (!names.insert(f.name).second)
       throw input_error("two factors are named '" + f.name + "'", "give each its own name");
-    for (const std::string& key : f.keys)
-      if (!keys.insert(key).second)
-        throw input_error("the key '" + key + "' is varied twice", "name it in one factor only");
-  }
-  for (const std::string& o : overrides)
-    if (const auto key = o.substr(0, o.find('=')); keys.contains(key))
-      throw input_error("--set " + o, 0, "the study varies this key", "leave --set out, or change `vary`");
   if (combinations() > most_runs)
     throw input_error(fmt::format("more than {} runs", most_runs),
                       "take fewer values, or design: one_at_a_time");

@@ -16,18 +16,21 @@ struct Factor {
     v("labels", labels, About{"what the records call the values, where numbers and words would not do"});
     v("baseline", baseline,
       About{"the value kept while other factors vary (one_at_a_time); empty: the first"});
-    v("unit", unit, About{"unit in the records; empty: that of the values"});
+    v("unit", unit,
+      About{"unit of values that are numbers without one: [.5, 1] with unit mm are 0.5 mm and 1 mm"});
   }
-  /// Throws InputError unless there are keys and different values, and labels and baseline fit them.
+  /// Throws InputError unless there are keys and different values, and unit, labels and baseline fit them.
   void validate() const;
 
   int levels() const { return static_cast<int>(values.size()); }
   int baseline_level() const;
+  /// What the keys take: the value, with `unit` where it has none of its own.
+  YamlNode value(int level) const;
   /// What the records call a level: its label, its number without unit, its text.
   std::string text(int level) const;
   /// The values, if all are numbers of one unit; else none.
   std::vector<double> numbers() const;
-  /// The unit in the records; may be empty.
+  /// The unit of these numbers; may be empty.
   std::string unit_text() const;
 };
 
@@ -51,8 +54,7 @@ struct Study {
     v("tolerance", tolerance,
       About{"a change below this part of a figure's largest value is none"}.between(0, 1));
   }
-  /// Throws InputError if nothing varies, two factors share a name or a key, or there are more runs than
-  /// 10,000.
+  /// Throws InputError if nothing varies, two factors share a name, or there are more runs than 10,000.
   void validate() const;
   long long combinations() const;
 

@@ -5,24 +5,11 @@
 #include <optional>
 
 #include "app/scene/unused.hpp"
-#include "app/study/study_design.hpp"
+#include "app/study/study_source.hpp"
 #include "core/base/did_you_mean.hpp"
 
 namespace bulbus::inline app {
 namespace {
-
-// Result fields are off unless `set` wants them: a study is after its figures.
-YamlNode source_of(const Study& study, const Levels& levels) {
-  YamlNode root = study.scene_source;
-  set_at(root, "output.vtk", {}, YamlNode::word("false"));
-  for (const auto& [path, value] : study.set) set_at(root, path, value.place, value);
-  for (const std::string& assignment : study.overrides) apply_override(root, assignment);
-  for (std::size_t f = 0; f < study.vary.size(); ++f)
-    for (std::size_t k = 0; k < study.vary[f].keys.size(); ++k)
-      set_at(root, study.vary[f].keys[k], place_of(study.source, fmt::format("vary.{}.keys.{}", f, k)),
-             study.vary[f].values[levels[f]]);
-  return root;
-}
 
 /// What some runs of a study give without effect: the other factors may choose a method that has no use for
 /// it. What no run uses is a slip.
@@ -90,6 +77,7 @@ std::vector<StudyRun> plan(const Study& study) {
   for (const Levels& levels : levels_of(study)) {
     runs.push_back({fmt::format("run_{:03d}", runs.size() + 1), levels, {}});
     StudyRun& run = runs.back();
+    if (runs.size() == 1) refuse_overwritten(study, run);
     of_run(study, run, [&] { run.scene = scene_of_run(study, levels, unused); });
   }
   for (const auto& [key, setting] : unused.settings)

@@ -16,11 +16,12 @@ struct TradeRun {
 
 /// A mesh of a trade.
 struct TradeMesh {
-  std::string words;  ///< "n 14"
+  std::string words;  ///< "n 14, layers 2": the counts of cells that are others than the scene's
   std::optional<double>
       h;  ///< size of its cells, relative to those of the scene's mesh; none: of another shape
   std::vector<std::string> set;
   int reference = -1;  ///< the run that errors on this mesh count from
+  std::string kept;    ///< "layers 1": counts that rounding has left as they are, so that there is no h
 };
 
 /// What a trade runs: the scene under a tight reference, as it is, with each `accuracy`, along each

@@ -46,7 +46,7 @@ double least_of(const ProbeSpec& probe) {
     return std::abs(probe.scale) * v / (probe.unit.empty() ? 1 : parse_quantity("1 " + probe.unit, quantity));
   };
   for (const char* share : {"closed_fraction", "sealed_fraction", "contact_fraction"})
-    if (probe.kind == share) return 1;
+    if (probe.kind == share) return std::abs(probe.scale);
   for (const char* power : {"refraction", "corneal_power", "corneal_astigmatism"})
     if (probe.kind == power) return std::abs(probe.scale) * least_power;
   if (pressure) return in_its_unit(least_pressure);

@@ -87,18 +87,27 @@ std::optional<TradeMesh> layered(const MeshSource& mesh) {
   return {};
 }
 
-// Counts of cells stay even where they are, as an eye's must be. h is that of the first count.
+// Counts of cells stay even where they are, as an eye's must be.
+int scaled(int count, double factor) {
+  const int step = count % 2 ? 1 : 2;
+  return std::max(step, static_cast<int>(std::lround(factor * count / step)) * step);
+}
+
+void add_count(std::string& words, const std::string& key, int count) {
+  words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key.substr(key.rfind('.') + 1), count);
+}
+
+// h is the geometric mean of what rounding makes of the factor, where it leaves no count as it is.
 TradeMesh mesh_with(const std::vector<std::pair<std::string, int>>& cells, double factor) {
   TradeMesh mesh;
+  double log_h = 0;
   for (const auto& [key, count] : cells) {
-    const int step = count % 2 ? 1 : 2,
-              scaled = std::max(step, static_cast<int>(std::lround(factor * count / step)) * step);
-    if (mesh.words.empty()) {
-      mesh.h = static_cast<double>(count) / scaled;
-      mesh.words = key.substr(key.rfind('.') + 1) + " " + std::to_string(scaled);
-    }
-    mesh.set.push_back(key + "=" + std::to_string(scaled));
+    const int now = scaled(count, factor);
+    add_count(now == count ? mesh.kept : mesh.words, key, now);
+    log_h += std::log(static_cast<double>(count) / now) / static_cast<double>(cells.size());
+    mesh.set.push_back(key + "=" + std::to_string(now));
   }
+  if (mesh.kept.empty()) mesh.h = std::exp(log_h);
   return mesh;
 }
 
@@ -170,7 +179,7 @@ std::optional<TradeMesh> fitting_mesh(const Planner& planner,
   if (cells.empty()) return {};  // of a file, which has the cells that it has
   for (double factor : factors) {
     const TradeMesh mesh = mesh_with(cells, factor);
-    if (std::abs(*mesh.h - 1) < .1) continue;
+    if (mesh.words.empty() || (mesh.h && std::abs(*mesh.h - 1) < .1)) continue;
     try {
       prepare(planner.scene_on(mesh), comm);
       return mesh;
@@ -187,7 +196,7 @@ Trade plan_trade(const std::string& scene, const std::vector<std::string>& overr
   const Scene given = read_scene(scene, overrides);
   const auto cells = cells_of(given.mesh);
   Planner planner(scene, overrides);
-  planner.mesh({mesh_with(cells, 1).words, 1, {}});
+  planner.mesh({mesh_with(cells, 1).kept, 1, {}});
   planner.trade().meshes[0].reference = planner.add("reference", "", reference);
   planner.add("scene", "accuracy " + word_of(given.solver.accuracy), {});
   for (const char* accuracy : {"fast", "balanced", "tight"})

@@ -22,7 +22,7 @@ struct TradeResults : StudyResults {
 double relative_error(double value, double right, double least);
 
 /// What a figure's magnitude is taken for at least, in its unit: .5 mm for lengths, so that 2 % of it are .01
-/// mm, 5 mmHg for a liquid's pressure, 1 for a fraction of nodes.
+/// mm, 5 mmHg for a liquid's pressure, 1 for a fraction of nodes; times its `scale`.
 double least_of(const ProbeSpec& probe);
 
 /// Fills `extrapolated` from the meshes' reference runs, as far as they are known.

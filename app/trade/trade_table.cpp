@@ -91,6 +91,9 @@ std::vector<std::string> lines_of(const Trade& trade, const TradeResults& result
   Lines lines = runs(trade, results);
   lines.emplace_back();
   for (std::string& line : accuracies(trade, results)) lines.push_back(std::move(line));
+  for (const TradeMesh& mesh : trade.meshes)
+    if (!mesh.kept.empty())
+      lines.push_back(fmt::format("  not extrapolated from {}: {} did not change", mesh.words, mesh.kept));
   const auto on_mesh = candidates_on_mesh(trade, results);
   add_front(trade, on_mesh, "Pareto front, errors against the tight solution on the same mesh:", lines);
   add_front(trade, candidates_on_all(results),

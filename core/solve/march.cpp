@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/error.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/solve/state_increment.hpp"
 
@@ -29,7 +30,7 @@ class Increments {
   }
   bool cut() {
     size_ /= 2;
-    return size_ >= settings_.minimum;
+    return size_ >= std::min(settings_.minimum, largest_ / most_divided);
   }
   /// Longer ones from where short ones cycle: whole, two whole ones, all the rest. False after the last.
   bool leap(double from) {
@@ -46,6 +47,7 @@ class Increments {
   }
 
  private:
+  static constexpr double most_divided = 16;  // four halvings at least, however short whole increments are
   static constexpr double shortest_cycle = 0.125;  // of a whole increment (docs/decisions/049)
   SteppingSettings settings_;
   double largest_, longest_, size_;
@@ -100,11 +102,19 @@ NewtonReport within_memory(const Comm& comm, const std::function<NewtonReport()>
     if (comm.size() > 1) throw;
     NewtonReport report;
     report.outcome = Outcome::too_large;
-    report.reason =
-        "out of memory: refine the mesh less, raise the limit of memory (ulimit, control group), or take a "
-        "larger machine";
+    report.reason = std::string(out_of_memory) +
+                    ": refine the mesh less, raise the limit of memory (ulimit, control group), or take a "
+                    "larger machine";
     return report;
   }
+}
+
+// A fault of the scene that shows where there are results already.
+void blame(const InputError& fault, const std::string& where, MarchReport& report) {
+  const std::string text = fault.what();
+  const auto first = text.find("\n  ");  // the remedy has a line of its own
+  report.reason = where + ": " + (fault.key.empty() ? "" : fault.key + ": ") + text.substr(0, first);
+  report.remedy = first == std::string::npos ? "Change what the scene says there." : text.substr(first + 3);
 }
 
 }  // namespace
@@ -139,18 +149,28 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
   for (int& k = place.step; k < static_cast<int>(steps.size()); ++k, place.next_step()) {
     if (!place.begun) {
       observer.step_begins(k, steps[k], state);
-      problem.begin_step(k, state);
+      try {
+        problem.begin_step(k, state);
+      } catch (const InputError& fault) {
+        if (report.increments == 0) throw;
+        blame(fault, fmt::format("step '{}' cannot begin", steps[k].name), report);
+        observer.step_refused();
+        return report;
+      }
       solver.forget();
       place.begun = true;
       observer.step_begun(k, state);
     }
     const double longest = longest_part(steps[k]);
     Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size, longest);
+    const auto settle = [&] {
+      problem.set_progress(done, state);
+      for (const auto& term : problem.terms()) term->roll_back();
+    };
     const auto leave = [&] {
       report.signal = interrupt(problem.comm());
       report.reason = describe(Outcome::interrupted);
-      problem.set_progress(done, state);
-      for (const auto& term : problem.terms()) term->roll_back();
+      settle();
       observer.interrupted(place, state);
       return report;
     };
@@ -161,12 +181,21 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
       const double to = expected ? 1 : increments.next(done), start = Clock::now();
       observer.increment_begins(k, done, to);
       State trial = expected ? *expected : state;
-      if (place.last > 0) extrapolate(problem, place.previous, (to - done) / place.last, trial);
-      NewtonReport newton = within_memory(problem.comm(), [&] {
-        return bulbus::newton(problem, settings.linear, solver, trial, to,
-                              tolerances_at(to, place.careful, settings.newton), profiler,
-                              [&](const NewtonIteration& i) { observer.newton_iteration(i); });
-      });
+      NewtonReport newton;
+      try {
+        if (place.last > 0) extrapolate(problem, place.previous, (to - done) / place.last, trial);
+        newton = within_memory(problem.comm(), [&] {
+          return bulbus::newton(problem, settings.linear, solver, trial, to,
+                                tolerances_at(to, place.careful, settings.newton), profiler,
+                                [&](const NewtonIteration& i) { observer.newton_iteration(i); });
+        });
+      } catch (const InputError& fault) {
+        if (report.increments == 0) throw;
+        blame(fault, fmt::format("step '{}' stopped at {:.4g} of its way", steps[k].name, done), report);
+        settle();
+        observer.interrupted(place, state);
+        return report;
+      }
       report.newton_iterations += static_cast<int>(newton.iterations.size());
       report.krylov_iterations += newton.krylov_iterations;
       if (newton.outcome == Outcome::interrupted) return leave();
@@ -189,8 +218,7 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
                         !curable               ? ""
                         : increments.leaping() ? " (shorter and longer increments tried)"
                                                : " (smallest increment reached)");
-        problem.set_progress(done, state);
-        for (const auto& term : problem.terms()) term->roll_back();
+        settle();
         observer.rests(place, state, true);
         return report;
       }

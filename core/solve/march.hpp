@@ -3,6 +3,9 @@
 
 namespace bulbus::inline solve {
 
+/// In the reason of a march that the memory of the machine did not suffice for.
+inline constexpr const char* out_of_memory = "out of memory";
+
 /// One converged increment.
 struct Increment {
   int step = 0, number = 0;  ///< number counts over the whole run, from 1
@@ -20,6 +23,7 @@ struct Increment {
 struct MarchReport {
   bool converged = false;
   std::string reason;  ///< why not
+  std::string remedy;  ///< where a fault of the scene is why
   int signal = 0;      ///< that interrupted it; 0: none did
   int increments = 0, cuts = 0, newton_iterations = 0, krylov_iterations = 0;
 };
@@ -57,8 +61,11 @@ class MarchObserver {
   /// All of that is over: here the march may be left and taken up again. `last`: it ends here, finished or
   /// not.
   virtual void rests(const MarchProgress&, State&, bool /*last*/) {}
-  /// In place of that, where a signal ends the march: the last good state is to be kept.
+  /// In place of that, where a signal or a fault of the scene ends the march: the last good state is to be
+  /// kept.
   virtual void interrupted(const MarchProgress&, State&) {}
+  /// A fault of the scene keeps a step from beginning that others came before: their end is to be kept.
+  virtual void step_refused() {}
 };
 
 /// Increments of a step that has not begun, if nothing fails.
@@ -69,7 +76,8 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings);
 /// failure in a step on, but for one by first steps that are too long, its linear solves are tight; a small
 /// system is tried once more so before the increment is cut. Where even increments of an eighth cycle, longer
 /// ones are tried before the march ends: surfaces that snap have no equilibrium near by. On return `state` is
-/// the last good one: so it is where an interrupt ends it. A `place` in the middle is one to which problem
+/// the last good one: so it is where an interrupt ends it, or a fault of the scene that shows after the first
+/// increment (before, it is thrown as InputError). A `place` in the middle is one to which problem
 /// and state have been brought. Collective.
 MarchReport march(Problem& problem, LinearSolver& solver, State& state, const SolverSettings& settings,
                   Profiler& profiler, MarchObserver& observer, MarchProgress place = {});

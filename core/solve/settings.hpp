@@ -39,8 +39,11 @@ struct SteppingSettings {
   template <class V>
   void describe(V&& v) {
     v("minimum", minimum,
-      About{"minimum increment, as a part of the step, before the run gives up"}.between(1e-9, 1).formerly(
-          "smallest"));
+      About{
+          "minimum increment, as a part of the step, before the run gives up; a sixteenth of the step's own "
+          "increments if that is less"}
+          .between(1e-9, 1)
+          .formerly("smallest"));
     v("target_iterations", target_iterations,
       About{"Newton iterations up to which the next increment grows"}.between(1, 100).formerly("easy"));
     v("growth", growth, About{"growth factor of an increment"}.between(1, 10));

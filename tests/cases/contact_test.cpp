@@ -335,5 +335,15 @@ TEST(Penalty, ThatHoldsMuchOfTheEnergyIsToldOf) {
   EXPECT_EQ(untold, 0);
 }
 
+TEST(LostString, IsToldWithSutureAndPoint) {
+  const Ran run = run_case("lost_string");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string told = run.summary()["warnings"].dump();
+  EXPECT_NE(told.find("point 0 of suture 'string', ("), std::string::npos) << told;
+  EXPECT_NE(told.find("no tangent to the outline of 'tire'"), std::string::npos) << told;
+  const Ran before = run_case("lost_string", {"steps=[{name: sew, sew: {string: 0.02}}]"});
+  EXPECT_EQ(before.text("summary.json").find("no tangent"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace bulbus::test

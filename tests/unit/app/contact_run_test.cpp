@@ -38,6 +38,8 @@ probes:
   - {name: depth, kind: penetration, contact: top}
   - {name: gap, kind: gap, contact: top, statistic: max}
   - {name: closed, kind: closed_fraction, contact: top, tolerance: .01}
+  - {name: percent, kind: closed_fraction, contact: top, tolerance: .01, scale: 100}
+  - {name: change, kind: closed_fraction, contact: top, tolerance: .01, since: press}
 solver:
   linear: {method: direct}
   newton: {force: 1e-11, volume: 1e-11}
@@ -100,6 +102,9 @@ TEST(ContactRun, SaysHowContactsAndBodiesStand) {
   const std::string log = r.text("run.log");
   EXPECT_NE(log.find("contact top: 9 nodes touch, largest penetration 0.0"), std::string::npos);
   EXPECT_NE(log.find("closed: 1.00 of its nodes are closer than 0.01 mm"), std::string::npos);
+  EXPECT_NE(log.find("percent: 1.00 of its nodes are closer than 0.01 mm"), std::string::npos);
+  EXPECT_EQ(s["probes"]["percent"], 100);
+  EXPECT_EQ(log.find("change: 0.00 of its nodes"), std::string::npos);
 }
 
 TEST(ContactRun, CountsFromTheEndOfAStep) {

@@ -58,4 +58,16 @@ TEST(OverrideErrors, NameTheAssignment) {
   expect_assignment_refused("output.every={a", "not valid YAML", "");
 }
 
+// Counted from 0 the second entry is '1', and so is the first by its name.
+TEST(OverrideErrors, NameWhatMeansTwoEntries) {
+  const std::string steps = "mesh: {block: {}}\nregions: {}\nsteps: [{name: 1}, {name: 2}, {name: a}]\n";
+  expect_error(steps, "--set steps.1.increments=3: '1' is entry 0 and entry 1 of a list", "another name",
+               {"steps.1.increments=3"});
+  EXPECT_EQ(parse_scene(steps, "scene.yaml", {"steps.0.increments=3"}).model.steps[0].increments, 3);
+  const std::string twice =
+      "mesh: {block: {}}\nregions: {}\nsteps: [{displace: [{set: a, x: 1}, {set: a, y: 1}]}]\n";
+  expect_error(twice, "--set steps.0.displace.a.x=3: 'a' is entry 0 and entry 1 of a list", "give its number",
+               {"steps.0.displace.a.x=3"});
+}
+
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/report/pack.hpp"
 #include "app/report/probe_words.hpp"
 #include "app/report/report.hpp"
+#include "app/report/sections.hpp"
 #include "app/report/shown_states.hpp"
 #include "app/report/thinning.hpp"
 #include "core/io/vtp_read.hpp"
@@ -89,6 +90,8 @@ TEST(ProbeWords, SayWhatIsMeasured) {
             "largest gap of the contact retina at detached");
   EXPECT_EQ(meaning_of({.kind = "mises", .region = "lens", .percentile = 99}),
             "Mises stress that 1 % of the volume exceed in lens");
+  EXPECT_EQ(meaning_of({.kind = "reaction", .set = "xmax", .component = "x", .of = "part", .scale = 2}),
+            "force of the supports on the body at xmax along x, of the drawn part alone, times 2");
   EXPECT_EQ(title_of("axial_change"), "Axial change");
 }
 
@@ -100,6 +103,36 @@ TEST(ProbeWords, KnowEveryKind) {
   });
   EXPECT_GT(kinds.size(), 20u);
   for (const std::string& kind : kinds) EXPECT_NE(meaning_of({.kind = kind}), kind);
+}
+
+// The page of a run that ended at the first probe's value.
+std::string concluded(const ProbeSpec& probe, double value) {
+  RunRecord run;
+  run.summary = nlohmann::json::object();
+  run.scene.emplace().model.probes = {probe};
+  run.history.probes = {probe.name};
+  run.history.ends.push_back({.step = "press", .values = {value}});
+  return conclusions_of(run);
+}
+
+TEST(Conclusions, JudgeThePartOfTheNodesAndNotItsScaledRecord) {
+  ProbeSpec p{.name = "hole", .kind = "closed_fraction", .contact = "retina", .tolerance = .3};
+  p.scale = 100;
+  const auto says = [&](double value, const char* words) {
+    return concluded(p, value).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says(11, ">no<") && says(11, "11 % of"));
+  EXPECT_TRUE(says(100, ">yes<") && says(100, "100 % of"));
+  p.scale = .5;
+  EXPECT_TRUE(says(.5, ">yes<"));
+  p.scale = -1;
+  EXPECT_FALSE(says(-1, ">yes<") || says(-1, ">no<"));
+  p.scale = 1, p.since = "inflate";
+  EXPECT_FALSE(says(1, ">yes<") || says(1, ">no<"));
+  EXPECT_TRUE(says(1, "since the end of inflate"));
+  p.since = "", p.peak = true;  // it may be open again
+  EXPECT_FALSE(says(1, ">yes<") || says(1, ">no<"));
+  EXPECT_TRUE(says(1, "largest so far"));
 }
 
 /// A suture over a tire, run once, with its page.

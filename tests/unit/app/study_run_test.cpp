@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/records/finished.hpp"
 #include "tests/support/not_empty.hpp"
 #include "tests/support/run_scene.hpp"
 #include "tests/unit/app/studies.hpp"
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // The bar stands 0.1 mm of its 2 mm, not less than nothing.
-const std::string failing = replaced(bar_study, "[.2, .4, .8]", "[\"-2.2*s\", .4]");
+const std::string failing = replaced(bar_study, "[.2, .4, .8], unit: mm", "[\"-2.2*s\", .4]");
 
 /// W = c10 (I1 − 3) under tension: the pull on the whole section 2 × 2 is 8 c10 (l − 1/l²).
 TEST(StudyRun, WritesTableFigureAndTrends) {
@@ -61,6 +62,22 @@ TEST(StudyRun, TakesUpWhereItWasLeft) {
   EXPECT_GT(written("run_004"), changed);
   EXPECT_NE(again.text("study.log").find("run_001 is there already"), std::string::npos);
   EXPECT_EQ(again.text("study.log").find("run_002 is there already"), std::string::npos);
+}
+
+// It may end otherwise on the machine, or with the limit, that it is started on next.
+TEST(StudyRun, RepeatsARunThatRanOutOfMemory) {
+  const Ran first = run_a_study(failing);
+  ASSERT_EQ(first.status, 1) << first.err;
+  const fs::path file = first.folder / "out/run_001/summary.json";
+  json summary = summary_in(first.folder / "out/run_001");
+  ASSERT_EQ(summary["converged"], false);
+  summary["reason"] = "step 'stretch' stopped at 0.5 of its way: out of memory: refine the mesh less";
+  std::ofstream(file) << summary;
+  const Ran again = run_study_again(failing);
+  EXPECT_EQ(again.text("study.log").find("run_001 is there already"), std::string::npos);
+  EXPECT_NE(again.text("study.log").find("run_002 is there already"), std::string::npos);
+  EXPECT_EQ(summary_in(first.folder / "out/run_001")["reason"].get<std::string>().find("memory"),
+            std::string::npos);
 }
 
 /// Their resolved.yaml says what the regions got, not only which materials they are of.

@@ -15,7 +15,7 @@ TEST(Study, RunsEveryCombination) {
   const auto runs = plan(study);
   EXPECT_EQ(runs[5].name, "run_006");
   EXPECT_EQ(runs[5].scene.model.regions.at("block").c10, 1);
-  EXPECT_EQ(*runs[5].scene.model.steps[0].displace[0].x, "0.8");
+  EXPECT_EQ(*runs[5].scene.model.steps[0].displace[0].x, "0.8 mm");
   EXPECT_EQ(runs[5].scene.model.steps[0].increments, 1);
   EXPECT_EQ(words_of(study, runs[5].levels), "way 0.8 mm, c10 1 MPa");
   EXPECT_EQ(words_of(study, runs[5].levels, 0), "c10 1 MPa");
@@ -61,6 +61,15 @@ vary:
   EXPECT_EQ(f[4].text(2), "null");
 }
 
+TEST(Study, GivesBareNumbersTheirUnit) {
+  const Study study = study_from(replaced(bar_study, "[0.5 MPa, 1 MPa]", "[500, 1000 kPa], unit: kPa"));
+  EXPECT_EQ(study.vary[1].numbers(), (std::vector<double>{500, 1000}));
+  const auto runs = plan(study);
+  EXPECT_EQ(words_of(study, runs[5].levels), "way 0.8 mm, c10 1000 kPa");
+  EXPECT_DOUBLE_EQ(runs[4].scene.model.regions.at("block").c10, .5);
+  EXPECT_DOUBLE_EQ(runs[5].scene.model.regions.at("block").c10, 1);
+}
+
 TEST(Study, SavesNoFieldsUnlessAskedTo) {
   EXPECT_FALSE(plan(study_from(bar_study))[0].scene.output.vtk);
   EXPECT_TRUE(plan(study_from(bar_study, {"output.vtk=true"}))[0].scene.output.vtk);
@@ -99,7 +108,7 @@ TEST(StudyErrors, NameLineRunAndRemedyBeforeAnythingIsWritten) {
            {"xmax.x]", "xmax.xx]", "study.yaml:5: unknown key 'xx' in steps.0.displace.0"},
            {"1 MPa]", "1 MPaa]", "study.yaml:6: regions.block.c10: "},
            {"1 MPa]", "1 mm]", "in run_002: way 0.2 mm, c10"},
-           {".8]", "\"0.8*q\"]", "study.yaml:5: steps.0.displace.0.x: "},
+           {".8], unit: mm", "\"0.8*q\"]", "study.yaml:5: steps.0.displace.0.x: "},
            {"increments: 1", "increments: 0", "study.yaml:3: steps.0.increments: '0' is out of bounds"},
            {".4, .8]", ".4, .40]", "study.yaml:5: vary.0: factor 'way': the value 0.4 is there twice"},
            {"[.2, .4, .8]", "[]", "study.yaml:5: vary.0: factor 'way': has no values"},
@@ -107,6 +116,20 @@ TEST(StudyErrors, NameLineRunAndRemedyBeforeAnythingIsWritten) {
            {"baseline: .4", "labels: [a, b]", "2 labels for 3 values"},
            {"name: c10", "name: way", "study.yaml:1: two factors are named 'way'"},
            {"regions.block.c10]", "steps.stretch.displace.xmax.x]", "is varied twice"},
+           {"regions.block.c10]", "steps.0.displace.0.x]",
+            "study.yaml:6: the key 'steps.0.displace.0.x' is varied twice: 'steps.stretch.displace.xmax.x' "
+            "is "
+            "the same, or a part of it"},
+           {"regions.block.c10]", "steps.0.displace.0]",
+            "study.yaml:6: the key 'steps.0.displace.0' is varied"},
+           {"set: {", "set: {steps.0.displace.0.x: 3, ",
+            "study.yaml:3: set: 'steps.0.displace.0.x' has no effect: the study varies 'steps.stretch."},
+           {"set: {", "set: {steps.0.increments: 3, ",
+            "study.yaml:3: set: 'steps.stretch.increments' overwrites 'steps.0.increments'"},
+           {"unit: mm", "unit: mmHg", "study.yaml:5: steps.0.displace.0.x: 'mmHg' is not a unit that fits"},
+           {"1 MPa]", "1 MPa], unit: kPa",
+            "study.yaml:6: vary.1: factor 'c10': the value 0.5 MPa is no number in kPa"},
+           {"1 MPa]", "t], unit: MPa", "study.yaml:6: vary.1: factor 'c10': the value t is no number in MPa"},
            {"title: a bar", "figures: [pull, stres]",
             "study.yaml:1: figures: there is no probe 'stres'\n  did you mean 'stress'?"},
            {"set: {", "set: {solver.linear.gamma: 8, ",
@@ -145,6 +168,11 @@ TEST(StudyErrors, RefuseWhatAnOverrideCannotMean) {
   const Ran r = run_a_study(bar_study, {"regions.block.c10=2"});
   EXPECT_EQ(r.status, 2);
   EXPECT_NE(r.err.find("--set regions.block.c10=2: the study varies this key"), std::string::npos) << r.err;
+  const Ran other = run_a_study(bar_study, {"steps.0.displace.0.x=.3"}, "check");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("--set steps.0.displace.0.x=.3: the study varies this key"), std::string::npos)
+      << other.err;
+  EXPECT_EQ(run_a_study(bar_study, {"steps.0.displace.0.y=0"}, "check").status, 0);
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ TEST(RelativeError, KnowsWhatIsSmallInEveryUnit) {
   EXPECT_DOUBLE_EQ(least_of(probe("distance", "", -2.7)), 1.35);
   EXPECT_NEAR(least_of(probe("pressure", "mmHg")), 5, 1e-4);
   EXPECT_DOUBLE_EQ(least_of(probe("closed_fraction", "")), 1);
+  EXPECT_DOUBLE_EQ(least_of(probe("closed_fraction", "", 100)), 100);
   EXPECT_DOUBLE_EQ(least_of(probe("mises", "kPa")), 0);
 }
 
@@ -98,12 +99,12 @@ TEST(TradePlan, LeavesOutWhatTheMethodDoesNotUse) {
 }
 
 TEST(TradePlan, CountsErrorsOfAMeshFromItsOwnTightSolution) {
-  const Trade trade = bar_trade({"mesh.block.nx=4"});
+  const Trade trade = bar_trade({"mesh.block.nx=4", "mesh.block.ny=4", "mesh.block.nz=4"});
   ASSERT_EQ(trade.meshes.size(), 3u);
   EXPECT_EQ(trade.meshes[0].reference, 0);
-  EXPECT_EQ(trade.meshes[1].words, "nx 2");
-  EXPECT_DOUBLE_EQ(trade.meshes[1].h.value(), 2);
-  EXPECT_EQ(trade.meshes[2].words, "nx 6");
+  EXPECT_EQ(trade.meshes[1].words, "nx 2, ny 2, nz 2");
+  EXPECT_NEAR(trade.meshes[1].h.value(), 2, 1e-14);
+  EXPECT_EQ(trade.meshes[2].words, "nx 6, ny 6, nz 6");
   for (int m : {1, 2}) {
     const TradeRun& tight = trade.runs[trade.meshes[m].reference];
     EXPECT_EQ(tight.mesh, m);
@@ -136,6 +137,28 @@ TEST(TradePlan, LayersAWallWithoutExtrapolatingFromIt) {
   extrapolate(trade, results);
   EXPECT_DOUBLE_EQ(results.extrapolated[0]->value, 20);
   EXPECT_NEAR(whole_error(results, layered.reference)->value, .5, 1e-12);
+}
+
+// One cell across is one cell at any factor: no sequence of meshes that a figure could be extrapolated from.
+TEST(TradePlan, ExtrapolatesFromNoMeshWhoseCountsDoNotAllChange) {
+  const Trade trade = bar_trade({"mesh.block.nx=4", "mesh.block.ny=4"});
+  ASSERT_EQ(trade.meshes.size(), 3u);
+  for (int m : {1, 2}) {
+    EXPECT_FALSE(trade.meshes[m].h) << m;
+    EXPECT_EQ(trade.meshes[m].kept, "nz 1");
+  }
+  EXPECT_EQ(trade.meshes[1].words, "nx 2, ny 2");
+  TradeResults results;
+  results.figures = {{"pull", "mN"}};
+  results.least = {0};
+  for (const TradeRun& run : trade.runs) results.runs.push_back(run.name);
+  results.rows.assign(trade.runs.size(), row(1, 20));
+  results.megabytes.resize(trade.runs.size());
+  extrapolate(trade, results);
+  EXPECT_FALSE(results.extrapolated[0]);
+  std::string text;
+  for (const std::string& line : lines_of(trade, results)) text += line + "\n";
+  EXPECT_NE(text.find("not extrapolated from nx 2, ny 2: nz 1 did not change"), std::string::npos) << text;
 }
 
 TEST(TradePlan, LeavesAMeshFromAFileAsItIs) {

@@ -135,6 +135,7 @@ TEST(UnloadedRun, GoesOnFromACheckpointWithoutAnotherSearch) {
   const auto found = first.summary();
   EXPECT_EQ(found["totals"], wanted["totals"]);
   EXPECT_EQ(found["reference"]["iterations"], wanted["reference"]["iterations"]);
+  EXPECT_EQ(found["reference"]["first_step_distance_mm"], wanted["reference"]["first_step_distance_mm"]);
   for (const auto& [name, value] : not_empty(wanted["probes"]).items())
     EXPECT_NEAR(found["probes"][name], value, 1e-10 * std::abs(value.get<double>())) << name;
   EXPECT_NE(first.text("run.log").find("unloaded reference of the checkpoint"), std::string::npos);

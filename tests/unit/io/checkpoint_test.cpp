@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "core/base/error.hpp"
+#include "core/io/archive_copy.hpp"
 #include "core/mesh/distributed/partition.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "tests/support/numbers.hpp"
@@ -101,6 +102,26 @@ TEST(Checkpoint, GivesBackEveryBit) {
   const Archive::Group group(*reader, "a/b");
   EXPECT_TRUE(reader->knows("x"));
   EXPECT_FALSE(reader->knows("plain"));
+}
+
+// Whatever has become of it since.
+TEST(ArchiveCopy, GivesWhatWasKept) {
+  const LocalMesh mesh = block(3);
+  const std::string path = fresh_file("copy");
+  Everything e(mesh);
+  ArchiveCopy copy(mesh);
+  e.serialize(copy);
+  for (auto* v : {&e.odd, &e.x, &e.lambda, &e.rows}) std::ranges::fill(*v, 9.);
+  e.half = 0, e.words = "";
+  write_checkpoint(path, mesh, [&](Archive& archive) { copy.give(archive); });
+  const Everything kept(mesh);
+  e.serialize(*open_checkpoint(path, mesh));
+  EXPECT_EQ(e.half, kept.half);
+  EXPECT_EQ(e.words, kept.words);
+  EXPECT_TRUE(same_bits(e.odd, kept.odd));
+  EXPECT_TRUE(same_bits(e.x, kept.x));
+  EXPECT_TRUE(same_bits(e.lambda, kept.lambda));
+  EXPECT_TRUE(same_bits({e.rows.begin(), e.rows.begin() + 4}, {kept.rows.begin(), kept.rows.begin() + 4}));
 }
 
 TEST(Checkpoint, LeavesNothingBeside) {

@@ -53,6 +53,20 @@ TEST(March, ImpossibleStepFailsWithAReasonAndKeepsTheLastGoodState) {
   EXPECT_LT(b.volume, 1e-9);
 }
 
+// Increments that are shorter than the minimum from the start are halved all the same.
+TEST(March, HalvesShortIncrementsFourTimes) {
+  Scene scene = stretched_block(2, "0.5");
+  scene.model.steps[0].increments = 2000;
+  Trial run(scene);
+  run.settings.newton.max_iterations = 1;
+  run.settings.newton.force = 1e-15;
+  ASSERT_GT(run.settings.stepping.minimum, 1. / 2000);
+  run.go();
+  EXPECT_FALSE(run.report.converged);
+  EXPECT_EQ(run.tried.front(), 1. / 2000);
+  EXPECT_EQ(run.tried.back(), 1. / 32000);
+}
+
 TEST(March, RefusesConstraintsThatLeaveARegionTheWrongVolume) {
   Scene scene = stretched_block(2, "0.2");  // incompressible and held on all sides: volume cannot change
   for (const char* side : {"xmax", "ymax"}) scene.model.fix.push_back({side, {std::string(1, side[0])}});

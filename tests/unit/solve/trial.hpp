@@ -10,10 +10,14 @@ namespace bulbus::test {
 struct Trial : MarchTrial {
   Mesh mesh;
   std::vector<NewtonReport> cuts;
+  std::vector<double> tried;  // parts of a step, of what was cut
 
   explicit Trial(const Scene& scene, const Comm& c = {})
       : MarchTrial(scene, c, {.force = 1e-10, .volume = 1e-10, .liquid = 1e-10}), mesh(scene.mesh) {}
-  void increment_cut(const NewtonReport& r, double, double) override { cuts.push_back(r); }
+  void increment_cut(const NewtonReport& r, double from, double to) override {
+    cuts.push_back(r);
+    tried.push_back(to - from);
+  }
   Trial& go(double gamma = 0) {
     settings.linear.gamma = gamma;
     settings.linear.op = TangentStorage::recompute;
