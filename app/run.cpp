@@ -15,6 +15,7 @@
 #include "app/records/dumping_solver.hpp"
 #include "app/records/folder.hpp"
 #include "app/records/log_columns.hpp"
+#include "app/records/point_supports.hpp"
 #include "app/records/recorder.hpp"
 #include "app/records/summary.hpp"
 #include "app/report/report.hpp"
@@ -180,6 +181,7 @@ std::vector<std::string> warnings_of(const Prepared& prepared, const Recorder& r
   for (const auto& told :
        {deep_contacts(*prepared.interactions, contacts), missed_tolerances(*prepared.interactions, contacts),
         lost_tangents(*prepared.interactions, prepared.problem->model()),
+        point_supports(*prepared.problem, state),
         soft_contacts(*prepared.problem, *prepared.interactions, contacts, state),
         entered_vertices(*prepared.problem, *prepared.interactions, state),
         crossed_surfaces(*prepared.problem, *prepared.interactions, state)})

@@ -75,6 +75,24 @@ TEST(Reaction, OfARigidRegionAloneIsRefused) {
       {"'mid'", "no support"});
 }
 
+// Held against the rest of the block, and where nothing pulls.
+TEST(PointSupport, IsToldOfWhereItBears) {
+  const std::string block = R"(
+mesh:
+  block: {nx: 4, ny: 4, nz: 4}
+  sets: {corner: "X > .99 && Y > .99 && Z > .99"}
+regions: {block: {c10: 50 kPa}}
+fix: [{set: zmin}]
+steps: [{name: pull, increments: 2, displace: [{set: corner, x: .2}]}]
+)";
+  const Ran pulled = run_scene(block);
+  ASSERT_EQ(pulled.status, 0) << pulled.err;
+  EXPECT_TRUE(warns(pulled, "the only node of 'corner'"));
+  const Ran slack = run_scene(block, {"steps.0.displace.0.x=.001"});
+  ASSERT_EQ(slack.status, 0) << slack.err;
+  EXPECT_FALSE(warns(slack, "the only node of"));
+}
+
 TEST(Sewing, OverABodyThatIsKeptAwayIsRefused) {
   expect_refused(run_scene(R"(
 mesh: {shell: {inner: 10, outer: 12, n: 2, layers: 1, part: half}}

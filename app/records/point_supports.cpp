@@ -1,0 +1,61 @@
+#include "app/records/point_supports.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace bulbus::inline app {
+namespace {
+
+// Of the hexahedra around the node, from its force over their shear modulus and the area of one of their
+// faces: below it they keep their shape.
+constexpr double drawn_out = 0.3;
+
+std::set<std::string> held_sets(const Model& model) {
+  std::set<std::string> sets;
+  for (const FixSpec& fix : model.fix) sets.insert(fix.set);
+  for (const StepSpec& step : model.steps)
+    for (const DisplaceSpec& displace : step.displace) sets.insert(displace.set);
+  return sets;
+}
+
+// Greatest shear modulus around a node times the area of a face, N.
+double strength_around(const Problem& problem, int node) {
+  const LocalMesh& mesh = problem.mesh();
+  const auto volumes = problem.solid().reference_volumes();
+  double strength = 0;
+  for (const SolidRegion& r : problem.solid().regions())
+    for (int h = r.first; h < r.first + r.count; ++h)
+      if (std::ranges::count(mesh.hexes[h], node) > 0)
+        strength = std::max(strength, initial_shear_modulus(r.material) * std::pow(volumes[h], 2. / 3));
+  return strength;
+}
+
+}  // namespace
+
+std::vector<std::string> point_supports(const Problem& problem, const State& state) {
+  const std::vector<double> force = problem.residual(state).force;
+  const LocalMesh& mesh = problem.mesh();
+  std::vector<std::string> all;
+  for (const std::string& set : held_sets(problem.model())) {
+    std::vector<int> owned = problem.nodes_of(set);
+    std::erase_if(owned, [&](int n) { return n >= mesh.owned; });
+    if (mesh.comm.sum(static_cast<int>(owned.size())) != 1) continue;
+    const int node = owned.empty() ? -1 : owned[0];
+    const double reaction = mesh.comm.max(node < 0 ? 0 : norm(at(force, node))),
+                 strength = mesh.comm.max(node < 0 ? 0 : strength_around(problem, node));
+    if (!(strength > 0) || reaction < drawn_out * strength) continue;
+    all.push_back(fmt::format(
+        "the only node of '{}' is held against {:.3g} N, {:.1f} times what strains the hexahedra around it "
+        "by "
+        "their own size: they are drawn out, the more the finer the mesh is, and no figure near them "
+        "converges. Hold nodes with an extent, such as a face or a rim, or leave the support out where "
+        "nothing needs it",
+        set, reaction, reaction / strength));
+  }
+  return all;
+}
+
+}  // namespace bulbus::inline app
