@@ -70,10 +70,11 @@ double slave_area(const Contact& contact, const Snapshot& s) {
   return sum;
 }
 
+// Areas of points and of faces as polygons differ by some thousandths.
 ProbeSet::Figure contact_fraction(const Contact& contact) {
   return [&contact](Snapshot& s) {
-    return standing(contact, s).area /
-           (s.problem.multiplicity() * s.problem.comm().sum(slave_area(contact, s)));
+    return std::min(1., standing(contact, s).area /
+                            (s.problem.multiplicity() * s.problem.comm().sum(slave_area(contact, s))));
   };
 }
 
