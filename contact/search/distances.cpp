@@ -52,7 +52,7 @@ std::vector<double> distances(std::span<const double> points, const MasterSurfac
 double distance(const Vec3<double>& point, const MasterSurface& surface) {
   double nearest = INFINITY;
   for (int t = 0; t < static_cast<int>(surface.facets.triangles.size()); ++t) {
-    const auto [center, radius] = surface.sphere(t);
+    const auto& [center, radius] = surface.sphere(t);
     if (norm(minus(center, point)) - radius < nearest)
       nearest = std::min(nearest, nearest_point(point, surface.corners(t)).distance);
   }

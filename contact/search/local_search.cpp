@@ -16,7 +16,7 @@ constexpr int longest_walk = 20;  // triangles from the last one: guards against
 bool nearer(double a, double b, const SearchLimits& limits) { return a < b - 1e-9 * limits.reach; }
 
 // Does the line x + d N miss the sphere, with room for round-off?
-bool passes_by(const Vec3<double>& x, const Vec3<double>& N, const MasterSurface::Sphere& s) {
+bool passes_by(const Vec3<double>& x, const Vec3<double>& N, const EnclosingSpheres::Sphere& s) {
   const Vec3<double> r = minus(s.center, x);
   const double along = dot(r, N);
   return dot(r, r) - along * along > 1.05 * s.radius * s.radius;
@@ -47,7 +47,7 @@ Hit line_hit(const MasterSurface& master, const Vec3<double>& x, const Vec3<doub
   return best;
 }
 
-bool farther(const Vec3<double>& x, const MasterSurface::Sphere& s, double distance) {
+bool farther(const Vec3<double>& x, const EnclosingSpheres::Sphere& s, double distance) {
   const Vec3<double> r = minus(s.center, x);
   return dot(r, r) > (distance + s.radius) * (distance + s.radius);
 }
@@ -88,24 +88,23 @@ Around around(const MasterSurface& master, int triangle, const std::array<double
 
 }  // namespace
 
-TriangleRadii::TriangleRadii(const Facets& facets, std::span<const double> places) {
+EnclosingSpheres::EnclosingSpheres(const Facets& facets, std::span<const double> places) {
   of_each.reserve(facets.triangles.size());
   for (int t = 0; t < static_cast<int>(facets.triangles.size()); ++t) {
     const Triangle v = corners_of(facets, places, t);
-    const Vec3<double> center = centroid(v);
-    double radius = 0;
-    for (const auto& corner : v) radius = std::max(radius, norm(minus(corner, center)));
-    of_each.push_back(radius);
-    largest = std::max(largest, radius);
+    Sphere s{centroid(v), 0};
+    for (const auto& corner : v) s.radius = std::max(s.radius, norm(minus(corner, s.center)));
+    of_each.push_back(s);
+    largest_radius = std::max(largest_radius, s.radius);
   }
 }
 
 MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::span<const CornerNormals> n,
-                             std::shared_ptr<const TriangleRadii> r)
+                             std::shared_ptr<const EnclosingSpheres> s)
     : facets(f),
       places(p),
       normals(n),
-      radii(r ? std::move(r) : std::make_shared<const TriangleRadii>(f, p)) {}
+      spheres(s ? std::move(s) : std::make_shared<const EnclosingSpheres>(f, p)) {}
 
 Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle) {
   Triangle c;

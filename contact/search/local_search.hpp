@@ -11,35 +11,34 @@ namespace bulbus::inline contact {
 /// Corners of a triangle of a surface whose corners are at `places`, 3 numbers each.
 Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle);
 
-/// How far the corners of triangles are from their centroids. Those of a surface that moves rigidly stay.
-struct TriangleRadii {
-  TriangleRadii(const Facets& facets, std::span<const double> places);
-  std::vector<double> of_each;
-  double largest = 0;
-};
-
-/// A master surface where it is now. Numbers of triangles are the same on every rank: they break ties.
-struct MasterSurface {
+/// Spheres around the triangles of a surface, about their centroids.
+struct EnclosingSpheres {
   struct Sphere {
     Vec3<double> center;
     double radius;
   };
-  /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. `radii`: of a surface
-  /// that moves rigidly, found once; none: found here. The surface must stay, its places and normals too, or
-  /// be those of `shape`.
+  EnclosingSpheres(const Facets& facets, std::span<const double> places);
+  std::vector<Sphere> of_each;
+  double largest_radius = 0;
+};
+
+/// A master surface where it is now. Numbers of triangles are the same on every rank: they break ties.
+struct MasterSurface {
+  /// `normals`: of a curved surface that the triangles stand for; empty: they are flat. `spheres`: of a
+  /// surface that has not moved since they were found; none: found here. The surface must stay, its places
+  /// and normals too, or be those of `shape`.
   MasterSurface(const Facets& facets, std::span<const double> places,
                 std::span<const CornerNormals> normals = {},
-                std::shared_ptr<const TriangleRadii> radii = nullptr);
+                std::shared_ptr<const EnclosingSpheres> spheres = nullptr);
   Triangle corners(int triangle) const { return corners_of(facets, places, triangle); }
-  /// Around a triangle.
-  Sphere sphere(int triangle) const { return {centroid(corners(triangle)), radii->of_each[triangle]}; }
+  const EnclosingSpheres::Sphere& sphere(int triangle) const { return spheres->of_each[triangle]; }
 
   const Facets& facets;
   std::span<const double> places;
   std::span<const CornerNormals> normals;
   bool edges = true;  ///< triangles whose planes differ by more than 30 degrees do not share their normals
   double rim = 0.01;  ///< how far a triangle reaches past an edge without a neighbour, in its heights
-  std::shared_ptr<const TriangleRadii> radii;
+  std::shared_ptr<const EnclosingSpheres> spheres;
   std::shared_ptr<const void> shape;  ///< what places and normals are part of, if nobody else keeps it
 };
 

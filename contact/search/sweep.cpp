@@ -27,7 +27,7 @@ struct Side {
 // Both have moved, and the crossing may lie a little beside a triangle, whose radius may have been larger on
 // the way by twice the motion.
 double farthest_crossing(const MasterSurface& now, double motion, const Way& way) {
-  return norm(minus(way.to, way.from)) + motion + 4 * beside * (now.radii->largest + 2 * motion);
+  return norm(minus(way.to, way.from)) + motion + 4 * beside * (now.spheres->largest_radius + 2 * motion);
 }
 
 int entered_through(const MasterSurface& now, std::span<const double> before, double motion, const Way& way,
@@ -36,7 +36,7 @@ int entered_through(const MasterSurface& now, std::span<const double> before, do
   double earliest = 2;
   const double beyond = norm(minus(way.to, way.from)) + 3 * motion;
   for (int t : candidates) {
-    const auto [center, radius] = now.sphere(t);
+    const auto& [center, radius] = now.sphere(t);
     const Vec3<double> r = minus(center, way.to);
     const double reach = beyond + (1 + 4 * beside) * radius;
     if (dot(r, r) > reach * reach) continue;

@@ -21,7 +21,6 @@ void Master::mirror(std::vector<std::array<bool, 3>> components) {
 
 Master::Master(std::shared_ptr<const RigidSurface> surface)
     : surface_(std::move(surface)),
-      radii_(std::make_shared<const TriangleRadii>(surface_->facets, surface_->places)),
       edges_(surface_->facets, surface_->places, SharpEdges::Kind::convex),
       hollows_(surface_->facets, surface_->places, SharpEdges::Kind::concave),
       pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),
@@ -40,7 +39,12 @@ std::vector<double> Master::places(const State& state) const {
 }
 
 MasterSurface Master::at(const State& state) const {
-  if (surface_) return {facets(), surface_->places, surface_->normals, radii_};
+  if (surface_) {
+    if (!spheres_ || spheres_after_ != moves())
+      spheres_ = std::make_shared<const EnclosingSpheres>(facets(), surface_->places),
+      spheres_after_ = moves();
+    return {facets(), surface_->places, surface_->normals, spheres_};
+  }
   struct Shape {
     std::vector<double> places;
     std::vector<CornerNormals> normals;

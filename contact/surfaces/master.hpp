@@ -50,11 +50,12 @@ class Master {
  private:
   Facets faces_;
   std::shared_ptr<const RigidSurface> surface_;
-  std::shared_ptr<const TriangleRadii> radii_;  // of a rigid body
   SharpEdges edges_, hollows_;
   int pieces_ = 1;
   std::vector<int> piece_, nodes_;
-  std::optional<MasterNormals> node_normals_;  // of a surface of the mesh
+  std::optional<MasterNormals> node_normals_;                // of a surface of the mesh
+  mutable std::shared_ptr<const EnclosingSpheres> spheres_;  // of a rigid body
+  mutable long spheres_after_ = 0;                           // so many moves
 };
 
 }  // namespace bulbus::inline contact
