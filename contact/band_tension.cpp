@@ -32,9 +32,8 @@ BandArcs band_arcs(const Problem& problem, const RigidSurface& band, const std::
                drawn = bounds_of(problem.comm(), band.reference);
   for (const std::string& plane : problem.model().symmetry) {
     const int c = axis_of(plane);
-    const double side = model.high[c] > -model.low[c] ? 1 : -1;
-    const double beyond = side > 0 ? -drawn.low[c] : drawn.high[c],
-                 inside = side > 0 ? drawn.high[c] : -drawn.low[c];
+    double beyond = -drawn.low[c], inside = drawn.high[c];
+    if (model.side(c) < 0) std::swap(beyond, inside);
     if (std::abs(axis[c]) > 1 - 1e-6 && std::min(beyond, inside) > slack) arcs.widths = 2;
     if (std::abs(axis[c]) < 1e-6 && std::abs(about.center[c]) < slack && beyond > slack)
       throw scene_error(

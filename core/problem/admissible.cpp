@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/distributed/bounds.hpp"
 #include "core/problem/closed_surface.hpp"
 
 namespace bulbus::inline problem {
@@ -25,16 +26,16 @@ std::string empty_liquid(const Problem& problem, const State& state) {
 
 // The model is drawn on one side of its planes.
 std::string crossed_plane(const Problem& problem, const State& state) {
+  if (problem.model().symmetry.empty()) return "";
   const LocalMesh& mesh = problem.mesh();
+  const auto of_nodes = [&](std::span<const double> x) {
+    return bounds_of(mesh.comm, x.first(3 * static_cast<std::size_t>(mesh.owned)));
+  };
+  const Bounds drawn = of_nodes(mesh.X), now = of_nodes(state.x);
   for (const std::string& plane : problem.model().symmetry) {
     const int c = axis_of(plane);
-    double low = 0, high = 0, least = 0, most = 0;
-    for (int n = 0; n < mesh.owned; ++n) {
-      low = std::min(low, mesh.X[3 * n + c]), high = std::max(high, mesh.X[3 * n + c]);
-      least = std::min(least, state.x[3 * n + c]), most = std::max(most, state.x[3 * n + c]);
-    }
-    low = mesh.comm.min(low), high = mesh.comm.max(high);
-    const double beyond = high > -low ? -mesh.comm.min(least) : mesh.comm.max(most);
+    const double low = std::min(drawn.low[c], 0.), high = std::max(drawn.high[c], 0.);
+    const double beyond = drawn.side(c) > 0 ? -now.low[c] : now.high[c];
     if (beyond > tolerance * std::max(high, -low) + std::min(high, -low))
       return fmt::format("nodes would lie {:.3g} mm beyond the plane of symmetry {}", beyond, plane);
   }
