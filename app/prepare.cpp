@@ -29,9 +29,7 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, ToldOfMesh& told) 
       meshes = make_meshes(scene.mesh, &told);
       if (scene.mesh.file) refuse_too_large(count(meshes.base), scene, comm.size());
       refuse_too_many_points(meshes.base, scene, comm.size());
-      move_onto_planes(meshes.base, scene.model);
-      refuse_inverted(meshes.base);
-      if (scene.mesh.file) refuse_overlapping(meshes.base);
+      make_sound(meshes.base, scene);
     });
   } catch (const InputError& fault) {
     throw InputError(fault.what(), fault.key.empty() ? "mesh" : fault.key);
@@ -76,6 +74,12 @@ void rehearse(Problem& problem, const Mesh& base) {
 }
 
 }  // namespace
+
+void make_sound(Mesh& base, const Scene& scene) {
+  move_onto_planes(base, scene.model);
+  refuse_inverted(base);
+  if (scene.mesh.file) refuse_overlapping(base);
+}
 
 Prepared prepare(const Scene& scene, const Comm& comm) {
   scene.validate();

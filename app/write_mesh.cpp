@@ -5,14 +5,12 @@
 #include "app/commands.hpp"
 #include "app/export/exported_material.hpp"
 #include "app/eye/tissues.hpp"
+#include "app/prepare.hpp"
 #include "app/scene/size_limits.hpp"
 #include "app/version.hpp"
 #include "core/base/error.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
-#include "core/mesh/overlapping.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/problem/symmetry_planes.hpp"
 #include "core/problem/validate.hpp"
 
 namespace bulbus::inline app {
@@ -32,9 +30,7 @@ Mesh mesh_of_model(const Scene& scene, Model& model) {
     throw scene_error("reference", "the unloaded mesh is found by a run, and this writes the drawn one",
                       "Export a scene without `reference` whose mesh is the unloaded.msh of a run.");
   MeshHierarchy meshes = meshes_to_write(scene);
-  move_onto_planes(meshes.base, model);
-  refuse_inverted(meshes.base);
-  if (scene.mesh.file) refuse_overlapping(meshes.base);
+  make_sound(meshes.base, scene);
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);
