@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 
 namespace bulbus::inline app {
@@ -33,19 +35,26 @@ double strength_around(const Problem& problem, int node) {
   return strength;
 }
 
+// The owned node of a set that has no other, or -1 on other ranks; none of larger sets. Collective.
+std::optional<int> only_node(const Problem& problem, const std::string& set) {
+  std::vector<int> owned = problem.nodes_of(set);
+  std::erase_if(owned, [&](int n) { return n >= problem.mesh().owned; });
+  if (problem.comm().sum(static_cast<int>(owned.size())) != 1) return {};
+  return owned.empty() ? -1 : owned[0];
+}
+
 }  // namespace
 
 std::vector<std::string> point_supports(const Problem& problem, const State& state) {
+  std::map<std::string, int> single;
+  for (const std::string& set : held_sets(problem.model()))
+    if (const auto node = only_node(problem, set)) single[set] = *node;
+  if (single.empty()) return {};
   const std::vector<double> force = problem.residual(state).force;
-  const LocalMesh& mesh = problem.mesh();
   std::vector<std::string> all;
-  for (const std::string& set : held_sets(problem.model())) {
-    std::vector<int> owned = problem.nodes_of(set);
-    std::erase_if(owned, [&](int n) { return n >= mesh.owned; });
-    if (mesh.comm.sum(static_cast<int>(owned.size())) != 1) continue;
-    const int node = owned.empty() ? -1 : owned[0];
-    const double reaction = mesh.comm.max(node < 0 ? 0 : norm(at(force, node))),
-                 strength = mesh.comm.max(node < 0 ? 0 : strength_around(problem, node));
+  for (const auto& [set, node] : single) {
+    const double reaction = problem.comm().max(node < 0 ? 0 : norm(at(force, node))),
+                 strength = problem.comm().max(node < 0 ? 0 : strength_around(problem, node));
     if (!(strength > 0) || reaction < drawn_out * strength) continue;
     all.push_back(fmt::format(
         "the only node of '{}' is held against {:.3g} N, which strains the hexahedra around it by some "
