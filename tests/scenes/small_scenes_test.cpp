@@ -175,19 +175,17 @@ TEST(Scenes, Twist) {
 }
 
 // At rest, between ends that are glued, checkerboard modes of the pressures make the first systems singular.
-// How much of them is in the solution depends on the ordering, but not on rounding.
-TEST(Scenes, TwistTakesTheSameIterationsEachTime) {
+// The factors' regularisation leaves them out of the solution, whatever the ordering and the rounding.
+TEST(Scenes, TwistTakesTheSameIterationsWithEachOrdering) {
+  std::vector<int> iterations;
   for (const char* ordering : {"scotch", "metis", "amd", "pord"}) {
-    std::vector<int> iterations;
-    for (int run = 0; run < 3; ++run) {
-      const Ran r("twist", {std::string("solver.linear.ordering=") + ordering});
-      ASSERT_EQ(r.status, 0) << r.err;
-      EXPECT_EQ(r.summary["negative_pivots"], 432);
-      iterations.push_back(r.summary["totals"]["newton_iterations"]);
-    }
-    EXPECT_EQ(iterations, std::vector<int>(3, iterations[0])) << ordering;
-    EXPECT_LE(iterations[0], 9) << ordering;
+    const Ran r("twist", {std::string("solver.linear.ordering=") + ordering});
+    ASSERT_EQ(r.status, 0) << r.err;
+    EXPECT_EQ(r.summary["negative_pivots"], 432);
+    iterations.push_back(r.summary["totals"]["newton_iterations"]);
   }
+  EXPECT_EQ(iterations, std::vector<int>(4, iterations[0]));
+  EXPECT_LE(iterations[0], 7);
 }
 
 // The same figures by every direct solver, and by GMRES that factors precondition.
