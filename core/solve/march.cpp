@@ -56,13 +56,13 @@ class Increments {
 
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
-// iterations (docs/decisions/017). An increment that is too long for the mesh is so with exact solves, too,
-// and a cycle of active sets is one with them, too.
+// iterations (docs/decisions/017). A cycle of active sets is one with exact solves, too, and so is an
+// increment that is too long for the mesh: where hexahedra would invert, a shorter one comes first.
 constexpr double careful_eta = 1e-8;
 
-bool by_loose_solves(const NewtonReport& failed) {
+bool by_loose_solves(const NewtonReport& failed, bool shortened) {
   return failed.outcome != Outcome::linear_solver_failed && failed.outcome != Outcome::cycling &&
-         !failed.too_long;
+         (failed.outcome != Outcome::inverted_element || (shortened && !failed.too_long));
 }
 
 // Largest angle by which a set or a rigid body turns within a step, rad.
@@ -174,6 +174,7 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
       observer.interrupted(place, state);
       return report;
     };
+    bool shortened = false;  // the increment from here on has failed before
     while (done < 1) {
       if (interrupt(problem.comm())) return leave();
       auto expected = std::exchange(place.expected, nullptr);
@@ -207,7 +208,8 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
         observer.increment_cut(newton, done, to);
         // a small system costs nothing
         const bool again = !place.careful && solver.counts_pivots(problem);
-        place.careful = place.careful || again || by_loose_solves(newton);
+        place.careful = place.careful || again || by_loose_solves(newton, shortened);
+        shortened = true;
         if (again) continue;
         const bool curable = newton.outcome != Outcome::too_large;  // by smaller increments
         const bool snaps = increments.leaping() || newton.outcome == Outcome::cycling;
@@ -229,6 +231,7 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
       state = std::move(trial);
       for (const auto& term : problem.terms()) term->commit(state);
       const double from = std::exchange(done, to);
+      shortened = false;
       increments.landed();
       increments.succeeded(static_cast<int>(newton.iterations.size()));
       place.size = increments.size();
