@@ -26,6 +26,15 @@ std::string step_key(int step, const std::string& rest) {
   return "steps." + std::to_string(step) + "." + rest;
 }
 
+// Vectors of any length along one line, and against it, replace one another.
+std::string line_along(const Vec3<double>& v) {
+  Vec3<double> d = unit(v);
+  const auto first = std::ranges::find_if(d, [](double c) { return std::abs(c) > 1e-9; });
+  const double sign = *first < 0 ? -1 : 1;
+  for (double& c : d) c = std::abs(c) > 1e-9 ? sign * c : 0;
+  return fmt::format("{:.9g} {:.9g} {:.9g}", d[0], d[1], d[2]);
+}
+
 // Displacement of one node along n over the step: numbers are approached linearly, formulas taken as they
 // stand.
 std::function<double(double)> course(std::shared_ptr<Formula> f, Vec3<double> X, double start,
@@ -179,8 +188,7 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
         [&](int n, double) { return norm(from_axis(at(start.x, n))) - norm(from_axis(at(mesh_.X, n))); });
   if (spec.by)
     along(
-        fmt::format("along {} {} {}", spec.along[0], spec.along[1], spec.along[2]), "by", *spec.by,
-        [&](int) { return unit(spec.along); }, all);
+        "along " + line_along(spec.along), "by", *spec.by, [&](int) { return unit(spec.along); }, all);
   if (!spec.affine && !spec.rotate && !spec.translate) return;
   // whole motions: u(s) for all three directions; affine from the reference, rigid from the start of the step
   const auto motion = [spec](const Vec3<double>& X, const Vec3<double>& x, double s) {

@@ -103,6 +103,26 @@ TEST_F(Displaced, RadiallyFromAnAxisAfterATurn) {
   for (int n : p.nodes_of("zmax")) expect_near(at(end.x, n), at(start.x, n), 1e-13);
 }
 
+TEST_F(Displaced, AlongALineReplacesWhateverTheVector) {
+  scene.model.steps = {step("one"), step("two"), step("three")};
+  d.by = "0.1", d.along = {0, 3, 4};
+  scene.model.steps[0].displace = {d};
+  d.by = "0.2", d.along = {0, .3, .4};
+  scene.model.steps[1].displace = {d};
+  d.by = "-0.4", d.along = {0, -6, -8};
+  scene.model.steps[2].displace = {d};
+  Problem p(scene.mesh, scene.model, world());
+  State s = p.initial_state();
+  for (double moved : {.1, .2, .4}) {
+    p.begin_step(moved == .1 ? 0 : moved == .2 ? 1 : 2, s);
+    p.set_progress(1, s);
+    s = obeyed(p, s, 1);
+    p.end_step();
+    for (int n : p.nodes_of("zmax"))
+      EXPECT_NEAR(dot({0, .6, .8}, minus(at(s.x, n), at(p.mesh().X, n))), moved, 1e-13);
+  }
+}
+
 TEST_F(Displaced, AlongTwoDirectionsInTwoStepsKeepsBoth) {
   scene.model.steps = {step("one"), step("two")};
   d.by = "0.1", d.along = {1, 0, 0};
