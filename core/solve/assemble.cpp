@@ -211,8 +211,7 @@ void add_liquids(const CoupledSystem& system, const CoupledOperator* augmented, 
   }
 }
 
-Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented, Triangles part,
-                  double compressibility) {
+Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented, Triangles part) {
   const Numbering number(system);
   const Layout& layout = system.layout();
   Collector out(global_size(system.problem()), part);
@@ -227,15 +226,13 @@ Triplets assemble(const CoupledSystem& system, const CoupledOperator* augmented,
   }
   std::vector<int> dofs;
   std::vector<double> values;
-  const auto V0 = system.problem().solid().reference_volumes(), mu = system.solid().shear_moduli();
   system.solid().visit_constraints([&](int hex, std::span<const int> nodes, std::span<const double> b) {
     reduce_vector(system.problem(), system.state(), nodes, b, dofs, values);
     for (std::size_t i = 0; i < dofs.size(); ++i) {
       out.add(number.dof(dofs[i]), number.hex(hex), values[i]);
       out.add(number.hex(hex), number.dof(dofs[i]), values[i]);
     }
-    out.add(number.hex(hex), number.hex(hex),
-            -system.problem().enclosed().compliance(hex) - compressibility * V0[hex] / mu[hex]);
+    out.add(number.hex(hex), number.hex(hex), -system.problem().enclosed().compliance(hex));
   });
   for (int e : system.problem().solid().rigid_hexes())
     out.add(number.hex(e), number.hex(e), -system.rigid_compliance(e));
@@ -257,12 +254,10 @@ long long global_size(const Problem& problem) {
   return n;
 }
 
-Triplets assemble(const CoupledOperator& A, Triangles part, double compressibility) {
-  return assemble(A.system(), &A, part, compressibility);
-}
+Triplets assemble(const CoupledOperator& A, Triangles part) { return assemble(A.system(), &A, part); }
 
-Triplets assemble_plain(const CoupledSystem& system, Triangles part, double compressibility) {
-  return assemble(system, nullptr, part, compressibility);
+Triplets assemble_plain(const CoupledSystem& system, Triangles part) {
+  return assemble(system, nullptr, part);
 }
 
 Triplets assemble_displacement(const CoupledSystem& system, Triangles part) {

@@ -7,20 +7,12 @@ namespace bulbus::inline solve {
 /// Which entries of a matrix are wanted; the upper triangle says all of a symmetric one.
 enum class Triangles { both, upper };
 
-/// Compressibility of hexahedra, in parts of 1/μ_e, that matrices get which are to be factorised. A
-/// checkerboard mode of the pressures that strains no displacement is then no part of the solution but for
-/// rounding over this number, whatever the ordering; without it a null pivot sets one pressure to zero, and
-/// adds the mode in as large a multiple as that takes. What it changes of the solution is this number's part.
-inline constexpr double regularisation = 1e-10;
-
 /// The coupled matrix as triplets in the global order of the ranks' unknown vectors: the sum of this rank's
-/// contributions, sorted by row and column. The diagonal of element pressures gets −`compressibility`
-/// V0_e/μ_e. Collective.
-Triplets assemble(const CoupledOperator& A, Triangles part = Triangles::both, double compressibility = 0);
+/// contributions, sorted by row and column. Collective.
+Triplets assemble(const CoupledOperator& A, Triangles part = Triangles::both);
 
 /// The same without any augmentation, of hexahedra (γ) or of liquids (ω). Collective.
-Triplets assemble_plain(const CoupledSystem& system, Triangles part = Triangles::both,
-                        double compressibility = 0);
+Triplets assemble_plain(const CoupledSystem& system, Triangles part = Triangles::both);
 
 /// Entries that the liquids bring, over all ranks, those that fall upon others included: of 3k free wet
 /// displacements 2·3k + 1 bordered, (3k)² + 1 eliminated; in one triangle 3k + 1 and 3k (3k + 1)/2 + 1.

@@ -80,7 +80,7 @@ FactorReport DirectFallback::factorise(const CoupledSystem& system, Mumps& mumps
   const auto scope = profiler_.clock.measure("factorisation");
   const bool symmetric = system.problem().symmetric();
   const FactorReport factor =
-      mumps.factorise(assemble_plain(system, symmetric ? Triangles::upper : Triangles::both, regularisation),
+      mumps.factorise(assemble_plain(system, symmetric ? Triangles::upper : Triangles::both),
                       global_size(system.problem()), symmetric);
   if (factor.too_large) fits_ = false;
   profiler_.memory.set("factor", static_cast<std::size_t>(factor.memory_max_mb * 1e6));
@@ -112,7 +112,7 @@ LinearReport DirectFallback::solve(const CoupledOperator& A, std::span<const dou
   }
   report.ok = std::isfinite(report.reduction);
   if (!report.ok) report.reason = "MUMPS: the solution is not finite";
-  if (report.ok && unsolvable(report.reduction))
+  if (report.ok && unsolvable(factor, report.reduction))
     report.ok = false, report.reason = "MUMPS: the matrix is singular";
   report.by_fallback = report.ok;
   return report;

@@ -31,7 +31,7 @@ class DirectSolver final : public LinearSolver {
     report.reduction = scale > 0 ? scaled_norm(A.system(), r) / scale : 0;
     if (!std::isfinite(report.reduction))
       report.ok = false, report.reason = factors_.name() + ": the solution is not finite";
-    if (unsolvable(report.reduction))
+    if (unsolvable(factor_, report.reduction))
       report.ok = false, report.reason = factors_.name() + ": the matrix is singular";
     return report;
   }

@@ -29,8 +29,10 @@ struct FactorReport {
 };
 
 /// Is the matrix singular and the right-hand side outside of its range? Within it the reduction is that of
-/// rounding, and of the regularisation.
-inline bool unsolvable(double reduction) { return !(reduction < 1e-6); }
+/// rounding.
+inline bool unsolvable(const FactorReport& f, double reduction) {
+  return f.null_pivots > 0 && !(reduction < 1e-6);
+}
 
 /// A sparse direct solver, for one matrix after the other. All members are collective.
 class Factorisation {

@@ -97,7 +97,12 @@ struct Mumps::InstanceOf final : Instance {
   Id id{};
   std::vector<int> row, col, place;  // counted from 1
   std::vector<Number> value;
+  std::vector<double> null_space;
   bool started = false, analysed = false, factorised = false;
+
+  // Of the scaled matrix, relative to its norm. MUMPS's own is 1e-21; rounding left 1e-10 of a null pivot of
+  // twist.yaml in the order of METIS.
+  static constexpr double least_pivot = 1e-9;
 
   InstanceOf(const Comm& c, const MumpsOptions& o) : comm(c), options(o) {}
   ~InstanceOf() override { stop(); }
@@ -134,6 +139,7 @@ struct Mumps::InstanceOf final : Instance {
     control(13) = 1;  // no ScaLAPACK at the root: its pivots would be missing in the inertia
     control(18) = 3;  // entries are distributed
     control(24) = options.null_pivots;
+    if (options.null_pivots) id.cntl[2] = least_pivot;
     control(28) = 1;  // sequential analysis
   }
 
@@ -275,7 +281,43 @@ struct Mumps::InstanceOf final : Instance {
     report.flops = rinfog(3);
     report.negative_pivots = id.sym == 2 ? infog(12) : 0;
     report.null_pivots = infog(28);
+    find_null_space();
     return report;
+  }
+
+  // On rank 0, orthonormal, one after the other; more would take as much memory as factors do, and are left.
+  void find_null_space() {
+    constexpr int most = 64;
+    null_space.clear();
+    const int vectors = infog(28);
+    if (vectors == 0 || vectors > most) return;
+    std::vector<Number> all(comm.rank() == 0 ? static_cast<std::size_t>(vectors) * id.n : 0);
+    control(25) = -1;
+    if (!run_solution(all, vectors)) all.clear();
+    control(25) = 0;
+    for (auto v = all.begin(); v != all.end(); v += id.n) {
+      for (int twice = 0; twice < 2; ++twice) remove_null_space({&*v, static_cast<std::size_t>(id.n)});
+      const double length = std::sqrt(std::inner_product(v, v + id.n, v, 0.0));
+      if (!(length > 0)) continue;
+      std::transform(v, v + id.n, std::back_inserter(null_space), [&](Number a) { return a / length; });
+    }
+  }
+
+  void remove_null_space(std::span<Number> x) const {
+    for (auto q = null_space.begin(); q != null_space.end(); q += id.n) {
+      const double part = std::inner_product(x.begin(), x.end(), q, 0.0);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] -= static_cast<Number>(part * q[i]);
+    }
+  }
+
+  // `whole`: on rank 0
+  bool run_solution(std::vector<Number>& whole, int vectors) {
+    id.rhs = whole.data();
+    id.nrhs = vectors;
+    id.lrhs = id.n;
+    const bool ok = run(solution);
+    id.rhs = nullptr;
+    return ok;
   }
 
   bool solve(std::span<const double> b, std::span<double> x) override {
@@ -289,12 +331,8 @@ struct Mumps::InstanceOf final : Instance {
     std::partial_sum(sizes.begin(), sizes.end() - 1, starts.begin() + 1);
     std::vector<Number> here(b.begin(), b.end()), whole(comm.rank() == 0 ? id.n : 0);
     MPI_Gatherv(here.data(), size, type, whole.data(), sizes.data(), starts.data(), type, 0, comm.raw());
-    id.rhs = whole.data();
-    id.nrhs = 1;
-    id.lrhs = id.n;
-    const bool ok = run(solution);
-    id.rhs = nullptr;
-    if (!ok) return false;
+    if (!run_solution(whole, 1)) return false;
+    remove_null_space(whole);
     MPI_Scatterv(whole.data(), sizes.data(), starts.data(), type, here.data(), size, type, 0, comm.raw());
     std::ranges::copy(here, x.begin());
     return true;

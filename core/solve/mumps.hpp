@@ -16,7 +16,7 @@ struct MumpsOptions {
   bool joined = false;  ///< entries that a matrix lacks of the last one become zeros, so that it needs no
                         ///< analysis; triplets come sorted, each once
   int refinements = 0;  ///< most steps of iterative refinement in a solve
-  bool null_pivots = false;  ///< pivots that vanish to rounding are found, and their unknowns set to zero
+  bool null_pivots = false;  ///< pivots that vanish to rounding are found; solutions are those of least norm
   int relaxations = 5;       ///< times that the workspace may be doubled when pivoting outgrows the estimate
   double memory_limit_mb =
       0;  ///< over all ranks: refuse to factorise when matrix and estimate are larger; 0: no limit

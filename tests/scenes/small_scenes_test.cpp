@@ -175,7 +175,7 @@ TEST(Scenes, Twist) {
 }
 
 // At rest, between ends that are glued, checkerboard modes of the pressures make the first systems singular.
-// The factors' regularisation leaves them out of the solution, whatever the ordering and the rounding.
+// The solution of least norm has none of them, whatever the ordering and the rounding.
 TEST(Scenes, TwistTakesTheSameIterationsWithEachOrdering) {
   std::vector<int> iterations;
   for (const char* ordering : {"scotch", "metis", "amd", "pord"}) {

@@ -58,9 +58,9 @@ FactorReport SystemFactors::factorise(SharedSystem system) {
   const bool symmetric = problem.symmetric(), triangle = symmetric && library_->takes_upper_triangle();
   FactorReport report = refused(*system, limit_mb, triangle);
   if (report.ok)
-    report = library_->factorise(
-        assemble(CoupledOperator(system), triangle ? Triangles::upper : Triangles::both, regularisation),
-        system->size(), symmetric);
+    report =
+        library_->factorise(assemble(CoupledOperator(system), triangle ? Triangles::upper : Triangles::both),
+                            system->size(), symmetric);
   profiler_.memory.set("factor", static_cast<std::size_t>(report.memory_max_mb * 1e6));
   return report;
 }
