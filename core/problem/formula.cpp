@@ -15,6 +15,10 @@
 namespace bulbus::inline problem {
 namespace {
 
+// A comparison with what is not a number is false, max and min may pass over it, and 1/(1/0) is 0, whatever
+// is meant: only the processor's flags tell of it. Overflow is left, as 1/(1 + exp(1000)) is 0 rightly.
+constexpr int no_value = FE_INVALID | FE_DIVBYZERO;
+
 constexpr const char* decimal_point = "Numbers have a decimal point: write 0.1, not 0,1.";
 
 // A comma that separates no arguments of a function: `0,1`, `2*(0,5)`.
@@ -94,7 +98,15 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
       p.expression.DefineVar(name, variable);
     p.expression.DefineConst("pi", 3.14159265358979323846);
     p.expression.SetExpr(text);
+    std::feclearexcept(no_value);
+    const double first = p.expression.Eval();  // computes the parts without variables
+    const bool then = std::fetestexcept(no_value);
+    std::feclearexcept(no_value);
     p.expression.Eval();
+    if (std::isfinite(first) && then && !std::fetestexcept(no_value))
+      throw scene_error(
+          where, "a part of the formula '" + text + "' has no finite value",
+          "Parts such as sqrt(-1) or 1/0 are hidden by comparisons, min and max: write what is meant.");
   } catch (const mu::ParserError& e) {
     throw scene_error(
         where, "cannot read the formula '" + text + "': " + e.GetMsg(),
@@ -107,7 +119,14 @@ double Formula::operator()(const Vec3<double>& X, double s, double t) const {
   if (constant_) return value_;
   auto& p = *parser_;
   p.X = X[0], p.Y = X[1], p.Z = X[2], p.s = s, p.t = t;
+  std::feclearexcept(no_value);
   const double value = p.expression.Eval();
+  if (std::isfinite(value) && std::fetestexcept(no_value))
+    throw scene_error(
+        where_,
+        fmt::format("a part of '{}' is {} at X = {:.6g}, Y = {:.6g}, Z = {:.6g}, s = {:.4g}, t = {:.4g}", text_,
+                    std::fetestexcept(FE_INVALID) ? "not a number" : "infinite", X[0], X[1], X[2], s, t),
+        "Every part must have a value there, or be left out where it has none: \"X > 1 ? sqrt(X - 1) : 0\".");
   if (!std::isfinite(value))
     throw scene_error(
         where_,
@@ -135,17 +154,8 @@ void Formula::require_uniform() const {
                         "into several for a pressure that varies.");
 }
 
-// A comparison with what is not a number is false, whatever is meant: only the processor's flag tells of it.
 bool Formula::holds(const Vec3<double>& X) const {
-  std::feclearexcept(FE_INVALID);
   const double value = (*this)(X, 0, 0);
-  if (std::fetestexcept(FE_INVALID))
-    throw scene_error(
-        where_,
-        fmt::format("a part of the condition '{}' is not a number at X = {:.6g}, Y = {:.6g}, Z = {:.6g}",
-                    text_, X[0], X[1], X[2]),
-        "Every part must have a value at every node, or be left out where it has none: \"X > 1 ? sqrt(X - 1) "
-        "< 2 : 0\".");
   if (value != 0 && value != 1)
     throw scene_error(where_,
                       fmt::format("'{}' is no condition: at X = {:.6g}, Y = {:.6g}, Z = {:.6g} it is {:.6g}",

@@ -54,5 +54,22 @@ TEST(Formula, SingleEqualsSignsAreRefused) {
   for (const char* two : {"X == 1", "Y <= 2", "Z >= 3", "X != 5"}) EXPECT_EQ(refusal(two), "") << two;
 }
 
+// Comparisons are false of them, min and max may pass over them, and 1/(1/0) is 0.
+TEST(Formula, PartsWithoutAValueAreRefused) {
+  for (const char* hidden :
+       {"max(0.1, sqrt(-1))", "0.1*(sqrt(-1)<1)", "0.1/(1/0)", "sqrt(-1) > 0 ? 0.1 : 0.2", "0.1*(log(0)<0)",
+        "max(X, sqrt(Y - 3))", "1/(1/(Z - 3)) + X", "(X - 1)/(X - 1) > 0"}) {
+    try {
+      Formula(hidden, "steps.0.displace.0.x")({1, 2, 3}, 1, 1);
+      ADD_FAILURE() << hidden;
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("part of"), std::string::npos) << hidden << ": " << e.what();
+    }
+  }
+  for (const char* sound :
+       {"X > 1 ? sqrt(X - 2) : 0.1", "1/(1 + exp(1000*X))", "1/X", "sqrt(Z)*log(Y)", "atan2(X, 0)"})
+    EXPECT_NO_THROW(Formula(sound, "steps.0.displace.0.x")({1, 2, 3}, 1, 1)) << sound;
+}
+
 }  // namespace
 }  // namespace bulbus
