@@ -44,7 +44,17 @@ void require_region(const Mesh& mesh, const SurfaceSides& sides, const LoadSpec&
   if (!load.region.empty() && region < 0)
     throw scene_error(key + ".region", "the mesh has no region '" + load.region + "'",
                       did_you_mean(load.region, mesh.region_names, "Name one of its regions."));
-  for (const Quad& q : mesh.surfaces.at(load.surface)) {
+  const auto& faces = mesh.surfaces.at(load.surface);
+  const auto has_all = [&](int r) {
+    return std::ranges::all_of(faces,
+                               [&](const Quad& q) { return (sides.of(q)[0] == r) != (sides.of(q)[1] == r); });
+  };
+  const auto named = [&](const std::string& one_of, int a, int b) -> std::string {
+    return has_all(a) || (b >= 0 && has_all(b)) ? one_of
+                                                : "Divide the surface, and give each part its pressure: no "
+                                                  "region has a hexahedron at all of its faces.";
+  };
+  for (const Quad& q : faces) {
     const auto& [a, b] = sides.of(q);
     const std::string first = mesh.region_names[a], second = b < 0 ? "" : mesh.region_names[b];
     if (region < 0 ? b < 0 : (a == region) != (b == region)) continue;
@@ -59,11 +69,13 @@ void require_region(const Mesh& mesh, const SurfaceSides& sides, const LoadSpec&
                         fmt::format("surface '{}' has faces between the regions '{}' and '{}': nothing says "
                                     "on which of them the pressure acts",
                                     load.surface, first, second),
-                        fmt::format("Name it: `region: {}` or `region: {}`.", first, second));
+                        named(fmt::format("Name it: `region: {}` or `region: {}`.", first, second), a, b));
     throw scene_error(
         key + ".region",
         fmt::format("surface '{}' has faces without a hexahedron of region '{}'", load.surface, load.region),
-        "Name the region that the pressure acts on: '" + first + (b < 0 ? "'." : "' or '" + second + "'."));
+        named("Name the region that the pressure acts on: '" + first +
+                  (b < 0 ? "'." : "' or '" + second + "'."),
+              a, b));
   }
 }
 

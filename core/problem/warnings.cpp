@@ -8,6 +8,7 @@
 #include "core/mesh/geometry.hpp"
 #include "core/problem/bars_on_planes.hpp"
 #include "core/problem/coincident_nodes.hpp"
+#include "core/problem/hanging_nodes.hpp"
 #include "core/problem/material_stability.hpp"
 #include "core/problem/nodal_forces.hpp"
 #include "core/problem/pressed_surfaces.hpp"
@@ -57,8 +58,9 @@ std::vector<std::string> warnings_of(const Mesh& mesh, const Model& model) {
   warn_of_size(mesh, warnings);
   warn_of_stiffness(model, warnings);
   for (const Warnings& more :
-       {coincident_nodes(mesh, model), overlapping_pressures(mesh, model), cancelled_figures(model),
-        unstable_regions(model), forces_on_planes(mesh, model), bars_on_planes(mesh, model)})
+       {coincident_nodes(mesh, model), hanging_nodes(mesh, model), overlapping_pressures(mesh, model),
+        cancelled_figures(model), unstable_regions(model), forces_on_planes(mesh, model),
+        bars_on_planes(mesh, model)})
     warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }

@@ -297,6 +297,19 @@ TEST(SymmetryNoise, IsReadAsThePlane) {
   }
 }
 
+TEST(SymmetryNoise, IsGoneBeforeConditionsAreAsked) {
+  const Ran run =
+      run_case("symmetry_noise", {"mesh.sets.flat=X < 1e-9", "probes.gap_at_plane.set=flat"}, "noise.yaml");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NEAR(probe(run, "gap_at_plane"), 0, 1e-12);
+}
+
+TEST(PressedBoth, IsToBeDivided) {
+  for (const char* set : {"steps.0.loads.0.region=left", "steps.0.loads.0.region=right"})
+    expect_refused(run_case("pressed_both", {set}),
+                   {"faces without a hexahedron of region", "Divide the surface"});
+}
+
 TEST(SymmetryNoise, BeyondTheToleranceIsRefused) {
   expect_refused(
       run_case("symmetry_noise", {"symmetry_tolerance=1e-9"}, "noise.yaml"),
@@ -378,6 +391,15 @@ TEST(Stl, AShellThatIsInsideOutIsRefused) {
   };
   expect_refused(run_changed("stl_duplicate_facets", "lid.stl", two),
                  {"lid.stl:", "inside out", "closed surface 2 of 2"});
+}
+
+// One hexahedron on the left, 2 x 2 x 2 on the right: only the corners are common.
+TEST(HangingNodes, AreTold) {
+  const Ran run = run_case("hanging_nodes");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.summary()["warnings"].dump().find("5 nodes of region 'right' lie on faces of region 'left'"),
+            std::string::npos)
+      << run.summary()["warnings"].dump();
 }
 
 }  // namespace
