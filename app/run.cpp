@@ -181,7 +181,7 @@ std::vector<std::string> warnings_of(const Prepared& prepared, const Recorder& r
   for (const auto& told :
        {deep_contacts(*prepared.interactions, contacts), missed_tolerances(*prepared.interactions, contacts),
         lost_tangents(*prepared.interactions, prepared.problem->model()),
-        point_supports(*prepared.problem, state),
+        point_supports(*prepared.problem, state), turned_radials(*prepared.problem, state),
         soft_contacts(*prepared.problem, *prepared.interactions, contacts, state),
         entered_vertices(*prepared.problem, *prepared.interactions, state),
         crossed_surfaces(*prepared.problem, *prepared.interactions, state)})

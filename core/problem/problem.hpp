@@ -8,6 +8,7 @@
 #include "core/problem/liquid.hpp"
 #include "core/problem/loads.hpp"
 #include "core/problem/model.hpp"
+#include "core/problem/turned_radials.hpp"
 
 namespace bulbus::inline problem {
 
@@ -88,6 +89,8 @@ class Problem {
   /// What a person should know of the steps begun so far, those of a rehearsal included. The same on every
   /// rank.
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Radial displacements of the steps begun so far, by set.
+  const std::map<std::string, RadialHold>& radial_holds() const { return radial_holds_; }
   void end_step();
   /// Goes through the first steps without solving them: prescribed displacements are carried along, so that
   /// each step starts where the one before leaves its sets. Then it is as new, without the terms that were
@@ -142,6 +145,7 @@ class Problem {
   std::unique_ptr<DofMap> dofs_;
   std::shared_ptr<const EnclosedParts> enclosed_;
   std::vector<std::string> warnings_;
+  std::map<std::string, RadialHold> radial_holds_;
   std::vector<Liquid> liquids_;
   std::map<std::string, std::shared_ptr<BarsTerm>> bars_;
   std::map<std::string, std::shared_ptr<Load>> loads_;

@@ -173,7 +173,8 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
     for (int c = 0; c < 3; ++c) r[c] -= t * axis[c];
     return r;
   };
-  if (spec.radial)
+  if (spec.radial) {
+    RadialHold& hold = radial_holds_[spec.set] = {spec.set, unit(spec.axis), spec.center, {}};
     along(
         "radial", "radial", *spec.radial,
         [&](int n) {
@@ -182,10 +183,11 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
             throw scene_error(where + ".radial",
                               "a node of '" + spec.set + "' lies on the axis: it has no radial direction",
                               "Take it out of the set.");
-          return unit(r);
+          return hold.directions.emplace_back(n, unit(r)).second;
         },
         // a set that has turned about the axis is as far from it as before
         [&](int n, double) { return norm(from_axis(at(start.x, n))) - norm(from_axis(at(mesh_.X, n))); });
+  }
   if (spec.by)
     along(
         "along " + line_along(spec.along), "by", *spec.by, [&](int) { return unit(spec.along); }, all);
