@@ -171,15 +171,16 @@ void read(const YamlNode& entry, const std::string& key, const About& about, dou
   } catch (const std::invalid_argument& fault) {
     refuse(entry, key, fault.what(), "give " + wanted_number(about));
   }
-  check_bounds(entry, key, about, value);
-  if (std::abs(value) > largest || (value != 0 && std::abs(value) < least))
-    refuse(entry, key, shown(entry) + " is beyond all measure",
-           fmt::format("give 0, or a size between {} and {}", least, largest));
-  if (about.quantity == Quantity::angle && std::abs(value) > most_radians && is_bare(entry.text))
+  if (about.quantity == Quantity::angle && std::abs(value) > std::min(most_radians, about.high) &&
+      is_bare(entry.text))
     refuse(entry, key,
            shown(entry) +
                fmt::format(" would be {:.3g} turns: is it in degrees?", value / (2 * std::numbers::pi)),
            fmt::format("write the unit: '{0} deg' or '{0} rad'", entry.text));
+  check_bounds(entry, key, about, value);
+  if (std::abs(value) > largest || (value != 0 && std::abs(value) < least))
+    refuse(entry, key, shown(entry) + " is beyond all measure",
+           fmt::format("give 0, or a size between {} and {}", least, largest));
 }
 
 void read(const YamlNode& entry, const std::string& key, const About& about, std::string& value) {

@@ -108,8 +108,9 @@ void Problem::build_bodies_and_solid() {
       regions.push_back({name, material_of(spec), run.first, run.count});
       if (spec.fibres)
         mesh_.comm.together([&] {
-          regions.back().directions = fibre_directions(*spec.fibres, "regions." + name + ".fibres", mesh_.X,
-                                                       std::span(mesh_.hexes).subspan(run.first, run.count));
+          regions.back().directions =
+              fibre_directions(*spec.fibres, "regions." + name + ".fibres", mesh_.drawn_places(),
+                               std::span(mesh_.hexes).subspan(run.first, run.count));
         });
       continue;
     }

@@ -352,5 +352,33 @@ TEST(IdleStatistic, IsRefusedWhereTheFigureIsNone) {
       << err.str();
 }
 
+// A ring of radius 1 mm that is carried round by 30 degrees within the step.
+TEST(TurnedRadial, IsTold) {
+  const Ran run = run_case("turned_radial");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(probe(run, "ur"), .05);  // mm, where 0 is prescribed
+  EXPECT_NE(run.summary()["warnings"].dump().find("nodes of 'ring' have turned about the axis"),
+            std::string::npos);
+  const Ran little = run_case("turned_radial", {"steps.0.displace.1.rotate.angle=2 deg"});
+  ASSERT_EQ(little.status, 0) << little.err;
+  EXPECT_EQ(little.text("summary.json").find("have turned"), std::string::npos);
+}
+
+// A formula in Z that divides two cells as they are drawn, 2 mm high; unloaded they are lower.
+TEST(FibresOfTheDrawn, AreThoseOfTwoRegions) {
+  const Ran formula = run_case("fibres_of_the_drawn", {}, "form.yaml"),
+            regions = run_case("fibres_of_the_drawn", {}, "two.yaml");
+  ASSERT_EQ(formula.status, 0) << formula.err;
+  ASSERT_EQ(regions.status, 0) << regions.err;
+  EXPECT_NEAR(probe(formula, "zpos"), probe(regions, "zpos"), 1e-6);
+}
+
+TEST(FibreAngle, WithoutAUnitIsAskedFor) {
+  const std::string fibres = "regions.block.fibres={k1: 0.05, k2: 1, families: [{angle: ";
+  expect_refused(run_case("fibres_of_the_drawn", {fibres + "10}]}"}, "form.yaml"),
+                 {"angle", "'10 deg' or '10 rad'"});
+  EXPECT_EQ(run_case("fibres_of_the_drawn", {fibres + "10 deg}]}"}, "form.yaml").status, 0);
+}
+
 }  // namespace
 }  // namespace bulbus::test

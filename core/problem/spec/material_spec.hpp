@@ -32,7 +32,8 @@ struct FibreFamilySpec {
       About{"instead: the angle to the circles about `axis`, in spheres about `center`; 0 along the circles, "
             "90 "
             "deg along the meridians",
-            Quantity::angle});
+            Quantity::angle}
+          .between(-3.1416, 3.1416));
     v("axis", axis, About{"direction of the axis of circles and meridians, which passes through `center`"});
     v("center", center, About{"centre of the spheres that circles and meridians lie on", Quantity::length});
   }
