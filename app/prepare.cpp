@@ -26,10 +26,10 @@ MeshHierarchy meshes_of(const Scene& scene, const Comm& comm, ToldOfMesh& told) 
     comm.together([&] {
       refuse_too_many_facets(scene, comm.size());
       if (const auto base = count_of(scene.mesh)) refuse_too_large(*base, scene, comm.size());
-      meshes = make_meshes(scene.mesh, &told);
+      meshes = make_meshes(scene.mesh, &told, [&](Mesh& base) { move_onto_planes(base, scene.model); });
       if (scene.mesh.file) refuse_too_large(count(meshes.base), scene, comm.size());
       refuse_too_many_points(meshes.base, scene, comm.size());
-      make_sound(meshes.base, scene);
+      refuse_unsound(meshes.base, scene);
     });
   } catch (const InputError& fault) {
     throw InputError(fault.what(), fault.key.empty() ? "mesh" : fault.key);
@@ -75,8 +75,7 @@ void rehearse(Problem& problem, const Mesh& base) {
 
 }  // namespace
 
-void make_sound(Mesh& base, const Scene& scene) {
-  move_onto_planes(base, scene.model);
+void refuse_unsound(const Mesh& base, const Scene& scene) {
   refuse_inverted(base);
   if (scene.mesh.file) refuse_overlapping(base);
 }

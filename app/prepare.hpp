@@ -24,9 +24,8 @@ struct Prepared {
   std::optional<UnloadedReport> reference;  ///< once it has been searched
 };
 
-/// Moves nodes near planes of symmetry onto them, and refuses hexahedra that are inverted or, in a file,
-/// overlap. Throws InputError.
-void make_sound(Mesh& base, const Scene& scene);
+/// Refuses hexahedra that are inverted or, in a file, overlap. Throws InputError.
+void refuse_unsound(const Mesh& base, const Scene& scene);
 
 /// Makes the mesh, checks it and builds the problem. All steps are set up once in rehearsal, so that a slip
 /// in the last of them is found before the first is solved. Throws InputError on every rank. Collective.

@@ -11,6 +11,7 @@
 #include "core/base/error.hpp"
 #include "core/io/output.hpp"
 #include "core/io/text_file.hpp"
+#include "core/problem/symmetry_planes.hpp"
 #include "core/problem/validate.hpp"
 
 namespace bulbus::inline app {
@@ -18,7 +19,8 @@ namespace {
 
 MeshHierarchy meshes_to_write(const Scene& scene) {
   if (const auto base = count_of(scene.mesh)) refuse_too_large_to_make(*base, scene);
-  MeshHierarchy meshes = make_meshes(scene.mesh);
+  MeshHierarchy meshes =
+      make_meshes(scene.mesh, nullptr, [&](Mesh& base) { move_onto_planes(base, scene.model); });
   if (scene.mesh.file) refuse_too_large_to_make(count(meshes.base), scene);
   return meshes;
 }
@@ -30,7 +32,7 @@ Mesh mesh_of_model(const Scene& scene, Model& model) {
     throw scene_error("reference", "the unloaded mesh is found by a run, and this writes the drawn one",
                       "Export a scene without `reference` whose mesh is the unloaded.msh of a run.");
   MeshHierarchy meshes = meshes_to_write(scene);
-  make_sound(meshes.base, scene);
+  refuse_unsound(meshes.base, scene);
   add_tissues(scene.materials, meshes.base.region_names, model);
   require_tissues(meshes.base.region_names, model);
   validate(meshes.base, model);

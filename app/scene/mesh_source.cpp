@@ -30,7 +30,11 @@ Mesh read_scaled(const MeshSource& source, ToldOfMesh* told) {
 
 Mesh make_base(const MeshSource& source, ToldOfMesh* told) {
   if (source.file) return read_scaled(source, told);
-  if (source.eye) return generate(*source.eye);
+  if (source.eye) {
+    if (std::string other = unlike_tear(*source.eye); told && !other.empty())
+      told->warnings.push_back(std::move(other));
+    return generate(*source.eye);
+  }
   if (source.block) return generate(*source.block);
   if (source.shell) return generate(*source.shell);
   if (source.ball) return generate(*source.ball);
@@ -49,9 +53,11 @@ std::optional<MeshCount> count_of(const MeshSource& source) {
   return {};
 }
 
-MeshHierarchy make_meshes(const MeshSource& source, ToldOfMesh* told) {
+MeshHierarchy make_meshes(const MeshSource& source, ToldOfMesh* told,
+                          const std::function<void(Mesh&)>& settle) {
   source.validate();
   Mesh base = make_base(source, told);
+  if (settle) settle(base);
   add_sets(base, source.sets);
   add_surfaces(base, source.surfaces);
   return refined(std::move(base), source.refine);

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -50,7 +51,7 @@ struct MeshSource {
   void validate() const;
 };
 
-/// What a mesh file was read without, as ReadMesh has it.
+/// What a mesh file was read without, as ReadMesh has it, and where a generated shape is not as asked for.
 struct ToldOfMesh {
   std::vector<std::string> notes, warnings;
 };
@@ -59,8 +60,9 @@ struct ToldOfMesh {
 /// contradicts itself.
 std::optional<MeshCount> count_of(const MeshSource& source);
 
-/// Reads or generates the base, whole on every rank; `told` gains the notes and warnings of a file.
-/// Throws InputError.
-MeshHierarchy make_meshes(const MeshSource& source, ToldOfMesh* told = nullptr);
+/// Reads or generates the base, whole on every rank; `told` gains the notes and warnings of it. `settle` may
+/// move its nodes before conditions of sets and surfaces are asked. Throws InputError.
+MeshHierarchy make_meshes(const MeshSource& source, ToldOfMesh* told = nullptr,
+                          const std::function<void(Mesh&)>& settle = {});
 
 }  // namespace bulbus::inline app
