@@ -74,4 +74,8 @@ struct EyeSettings {
 /// Bars "zonules". Throws InputError if the settings do not fit together.
 Mesh generate(const EyeSettings& settings);
 
+/// A sentence where the detachment's tear, which is made of whole cells, is more than a fifth wider,
+/// narrower, longer or shorter than asked for; empty otherwise.
+std::string unlike_tear(const EyeSettings& settings);
+
 }  // namespace bulbus::inline eye

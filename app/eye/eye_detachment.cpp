@@ -42,11 +42,16 @@ void check_room(const EyeShape& e, double t, double lift) {
                     "give the detachment a smaller height");
 }
 
+// Of the bed of the choroid at the tear, mm.
+double bed_radius(const EyeShape& e, const Tear& tear) {
+  return e.sclera_radius - e.wall(tear.center) - e.choroid(tear.center);
+}
+
 std::vector<bool> torn_quads(const EyeSheet& sheet, const EyeShape& e, const Tear& tear) {
   if (!(tear.width > 0 && tear.length > 0))
     throw input_error(fmt::format("eye: a tear of width {:g} and length {:g} mm", tear.width, tear.length),
                       "give sizes above 0 mm");
-  const double radius = e.sclera_radius - e.wall(tear.center) - e.choroid(tear.center);
+  const double radius = bed_radius(e, tear);
   const auto along = [&](int q) { return std::abs(sheet.middle(q) - tear.center) * degree * radius; };
   const auto across = [&](int q) {
     return middle_azimuth(sheet, q) * degree * radius * std::sin(sheet.middle(q) * degree);
@@ -102,6 +107,29 @@ DetachedSheet detached_sheet(const EyeSheet& sheet, const EyeSettings& s) {
     throw input_error("eye: no node of the mesh lies within the detachment",
                       "give a larger detachment or a larger n");
   return result;
+}
+
+std::string unlike_tear(const EyeSettings& s) {
+  if (!s.detachment || !s.detachment->tear) return "";
+  const Tear& tear = *s.detachment->tear;
+  const EyeSheet sheet = eye_sheet(s);
+  const auto torn = torn_quads(sheet, s.shape, tear);
+  const double radius = bed_radius(s.shape, tear);
+  double width = 0, front = 0, back = 180;
+  for (std::size_t q = 0; q < torn.size(); ++q)
+    for (int k : sheet.quads[q])
+      if (const auto& node = sheet.nodes[k]; torn[q]) {
+        width = std::max(width, 2 * azimuth(node) * degree * radius * std::sin(node.t * degree));
+        front = std::max(front, node.t), back = std::min(back, node.t);
+      }
+  const double length = (front - back) * degree * radius;
+  const auto alike = [](double is, double wanted) { return std::abs(is / wanted - 1) <= .2; };
+  if (alike(width, tear.width) && alike(length, tear.length)) return "";
+  return fmt::format(
+      "eye: the tear is {:.2f} mm wide and {:.2f} mm long, where {:g} and {:g} mm are asked for: it is made "
+      "of whole "
+      "cells. Take another n or other sizes",
+      width, length, tear.width, tear.length);
 }
 
 }  // namespace bulbus::inline eye

@@ -1,9 +1,13 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 
 #include "app/eye/eye_parts.hpp"
+#include "core/base/error.hpp"
 #include "core/mesh/generate/embed.hpp"
 
 namespace bulbus::inline eye {
@@ -58,6 +62,22 @@ std::vector<Row> rows(const EyeSettings& s) {
   const EyeShape& e = s.shape;
   const ZonuleLayout& z = s.zonules;
   const auto inside = [&](double t) { return e.place(t, e.wall(t) + e.ciliary(t)); };
+  for (const auto& [name, count, from] : {std::tuple{"equatorial_from", z.equatorial, z.equatorial_from},
+                                          {"anterior_from", z.anterior, z.anterior_from},
+                                          {"posterior_from", z.posterior, z.posterior_from}})
+    if (count > 0 && !(from >= e.ora && from <= e.ciliary_end))
+      throw input_error(
+          fmt::format(
+              "eye: zonules leave the ciliary body at {} = {:g} degrees, and it reaches from {:g} to {:g}",
+              name, from, e.ora, e.ciliary_end),
+          fmt::format("give `zonules: {{{}: ...}}` between the two", name));
+  for (const auto& [name, count, inset] : {std::tuple{"anterior_inset", z.anterior, z.anterior_inset},
+                                           {"posterior_inset", z.posterior, z.posterior_inset}})
+    if (count > 0 && !(inset < .5 * e.lens_diameter))
+      throw input_error(
+          fmt::format("eye: the zonules' {} of {:g} mm is not less than the lens' radius, {:g} mm", name,
+                      inset, .5 * e.lens_diameter),
+          "give a smaller inset");
   const double rim = .5 * e.lens_diameter, front = rim - z.anterior_inset, back = rim - z.posterior_inset;
   return {{z.equatorial, true, {rim, .5 * (e.lens_top(rim) + e.lens_bottom(rim))}, inside(z.equatorial_from)},
           {z.anterior, false, {front, e.lens_top(front)}, inside(z.anterior_from)},

@@ -289,5 +289,24 @@ TEST(EyeDetachment, RefusesARetinaThatReachesTheLens) {
   expect_refusal(s, "the lens");
 }
 
+TEST(Tear, OfAnotherSizeThanAskedForIsTold) {
+  EXPECT_NE(unlike_tear(settings(8, true)).find("mm are asked for: it is made of whole cells"),
+            std::string::npos);
+  EXPECT_EQ(unlike_tear(settings(16, true)), "");
+  EXPECT_EQ(unlike_tear(settings(8, false)), "");
+}
+
+TEST(Zonules, StayOnTheirTissues) {
+  const auto refused = [](auto change) {
+    EyeSettings s;
+    change(s);
+    EXPECT_THROW(generate(s), InputError);
+  };
+  refused([](EyeSettings& s) { s.zonules.equatorial_from = 100; });
+  refused([](EyeSettings& s) { s.zonules.posterior_from = 141; });
+  refused([](EyeSettings& s) { s.shape.ciliary_end = 128; });
+  refused([](EyeSettings& s) { s.zonules.anterior_inset = 6; });
+}
+
 }  // namespace
 }  // namespace bulbus
