@@ -16,7 +16,8 @@ Resultant resultant(Snapshot& s, std::span<const int> nodes, const std::string& 
   return total(s.problem, own, of);
 }
 
-// Loads there are balanced by the rest of the body: nothing supports its nodes one by one.
+// A residual there is balanced by the rest of the body: nothing supports its nodes one by one, and what a
+// plane of symmetry holds of them is a force of all of its nodes.
 void refuse_inside_rigid(const Problem& problem, const std::vector<int>& owned, const std::string& set) {
   const LocalMesh& mesh = problem.mesh();
   for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
@@ -24,11 +25,12 @@ void refuse_inside_rigid(const Problem& problem, const std::vector<int>& owned, 
     if (!problem.model().regions.at(name).rigid) continue;
     std::vector<bool> rigid(mesh.nodes());
     for (int n : mesh.region_nodes[r]) rigid[n] = true;
-    if (!problem.comm().any(std::ranges::any_of(owned, [&](int n) { return !rigid[n]; })))
-      throw scene_error(
-          "set",
-          "all nodes of '" + set + "' are of the rigid region '" + name + "', and no support holds them",
-          "Name a set that is fixed, displaced or in a plane of symmetry.");
+    if (problem.comm().any(std::ranges::any_of(owned, [&](int n) { return rigid[n]; })))
+      throw scene_error("set",
+                        "nodes of '" + set + "' are of the rigid region '" + name +
+                            "', whose nodes no support holds one by one",
+                        "Name a set of deformable tissue alone (mesh.sets), or give '" + name +
+                            "' a material a thousand times as stiff as its neighbours' in place of `rigid`.");
   }
 }
 
