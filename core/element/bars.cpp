@@ -52,7 +52,8 @@ Bars::Pull Bars::pull(std::span<const double> x, std::size_t i) const {
   const double L = length_[i], A = area_ * bars_[i].share;
   const Vec3<double> d = difference(ends(bars_[i]), x);
   const double e = (dot(d, d) - L * L) / (2 * L * L);
-  if (tension_only_ && e <= 0) return {d, 0, 0};
+  // An unstrained bar counts as stretched, up to round-off, so that the first tangent of a run has it.
+  if (tension_only_ && e < -1e-10) return {d, 0, 0};
   return {d, A * E_ / (L * L * L), A * E_ * e / L};
 }
 
