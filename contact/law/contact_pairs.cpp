@@ -64,6 +64,9 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
   const Candidates& near = search_.update(points, master.facets.triangles, master.places, limits.reach);
   clearances_.move(points, master.places);
   const double margin = limits.depth + rise_;  // a point deeper than the depth may come back to the surface
+  // Farther than the search follows, a point may be on the other side without having been seen to come
+  // through.
+  const bool followed = !history || f.motion <= limits.reach;
   for (int i = 0; i < points_.size(); ++i) {
     if (how == Search::near_last && idle(i)) continue;
     const Vec3<double> x = at(points, i);
@@ -85,7 +88,7 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
       for (std::size_t k = before; k < f.touches.size(); ++k)
         if (f.touches[k].pair.gap <= 0) nearest = 0;
     }
-    clearances_.set(i, nearest - margin);
+    clearances_.set(i, followed ? nearest - margin : 0);
   }
   return f;
 }

@@ -348,5 +348,13 @@ TEST(LostString, IsToldWithSutureAndPoint) {
   EXPECT_EQ(before.text("summary.json").find("no tangent"), std::string::npos);
 }
 
+// A plane goes 200 mm through a block of 1 mm, a hundred times farther than the search follows.
+TEST(FarPlane, DoesNotPassThrough) {
+  for (const char* way : {"-200", "-50", "-12.5"}) {
+    const Ran run = run_case("far_plane", {std::string("steps.0.move.0.translate=[0, 0, ") + way + "]"});
+    EXPECT_EQ(run.status, 1) << way << run.out;
+  }
+}
+
 }  // namespace
 }  // namespace bulbus::test
