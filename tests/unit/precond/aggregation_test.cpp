@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/solve/reduced.hpp"
+#include "precond/amg/scalar_matrices.hpp"
 #include "precond/make_preconditioner.hpp"
 #include "precond/operators/displacement.hpp"
 #include "tests/support/linearised.hpp"
@@ -136,6 +137,25 @@ TEST(Aggregation, PlansServeEveryLinearisation) {
   fresh->rigid->groups = plan->rigid->groups;
   Aggregation(l.system, fresh, {}).apply(b, own);
   EXPECT_LT(relative_difference(old, own), 1e-5);
+}
+
+// The diagonals are those of the operator, behind a body's entries too.
+TEST(ScalarMatrices, HaveWhatRigidRegionsLeave) {
+  const Linearised l(filled_shell("octant"), 0, .01);
+  const auto scalar = scalar_matrices(*l.system);
+  const DisplacementBlock A(l.system);
+  const LocalMesh& mesh = l.problem.mesh();
+  std::vector<double> found, expected;
+  for (int n = 0; n < mesh.owned; ++n)
+    for (int c = 0; c < 3; ++c) {
+      std::vector<double> unit(A.size()), column(A.size());
+      unit[3 * n + c] = 1;
+      A.apply(unit, column);
+      expected.push_back(column[3 * n + c]);
+      for (int k = scalar[c].start[n]; k < scalar[c].start[n + 1]; ++k)
+        if (scalar[c].columns[k] == mesh.first_node + n) found.push_back(scalar[c].values[k]);
+    }
+  EXPECT_LT(relative_difference(found, expected), 1e-6);
 }
 
 TEST(Aggregation, TakesFewIterations) {
