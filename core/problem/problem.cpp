@@ -5,6 +5,7 @@
 
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
+#include "core/base/worse.hpp"
 #include "core/problem/coarse_positions.hpp"
 #include "core/problem/enclosed_parts.hpp"
 #include "core/problem/validate.hpp"
@@ -203,8 +204,9 @@ EquilibriumError Problem::equilibrium_error(const Residual& r) const {
     }
   comm().sum(sums);
   for (std::size_t g = 0; g < region_nodes_.size(); ++g) {
-    const double relative = imbalance(std::sqrt(sums[2 * g]), std::sqrt(sums[2 * g + 1]), region_floor_[g]);
-    if (!(relative <= b.force)) b.force = relative, b.region = solid_->regions()[g].name;
+    const double relative =
+        worse(0, imbalance(std::sqrt(sums[2 * g]), std::sqrt(sums[2 * g + 1]), region_floor_[g]));
+    if (relative > b.force) b.force = relative, b.region = solid_->regions()[g].name;
   }
   for (std::size_t k = 0; k < dofs_->bodies().size(); ++k) {
     // as the free nodes are: the resultants against the sum of the nodal magnitudes
@@ -212,16 +214,13 @@ EquilibriumError Problem::equilibrium_error(const Residual& r) const {
     const double floor = region_floor_.empty() ? 1e-300 : region_floor_[0];
     for (double relative : {imbalance(norm(body.force), body.reference_force, floor),
                             imbalance(norm(body.moment), body.reference_moment, floor * body.arm)})
-      if (!(relative <= b.force)) b.force = relative, b.region = dofs_->bodies()[k].name();
+      if (worse(0, relative) > b.force) b.force = worse(0, relative), b.region = dofs_->bodies()[k].name();
   }
   const auto V0 = solid_->reference_volumes();
-  for (std::size_t e = 0; e < r.volume.size(); ++e) {
-    const double v = std::abs(r.volume[e] / V0[e]);
-    if (!(v <= b.volume)) b.volume = v;
-  }
+  for (std::size_t e = 0; e < r.volume.size(); ++e) b.volume = worse(b.volume, std::abs(r.volume[e] / V0[e]));
   b.volume = comm().max(b.volume);
   for (std::size_t i = 0; i < liquids_.size(); ++i)
-    b.liquid = std::max(b.liquid, std::abs(r.liquid[i] / liquids_[i].scale()));
+    b.liquid = worse(b.liquid, std::abs(r.liquid[i] / liquids_[i].scale()));
   return b;
 }
 
