@@ -69,8 +69,8 @@ class Iteration {
     system_ = std::make_shared<const CoupledSystem>(problem_, linear_, state_, *residual_);
   }
 
-  // `excess`: by how much the criteria are missed.
-  LinearReport solve(NewtonIteration& now, double excess) {
+  // `excess`: by how much the criteria are missed; `small`: a small change is to be followed.
+  LinearReport solve(NewtonIteration& now, double excess, bool small) {
     std::optional<double> tolerance;
     LinearReport report;
     int iterations = 0;
@@ -85,7 +85,7 @@ class Iteration {
       const CoupledOperator A(system_, augmentation_);
       std::vector<double> b = right_hand_side(A);
       if (!tolerance)
-        tolerance = std::min(forcing_.next(scaled_norm(*system_, b), excess, prescribed_done(now)),
+        tolerance = std::min(forcing_.next(scaled_norm(*system_, b), excess, prescribed_done(now) && !small),
                              system_->tangents().solve_tolerance());
       now.tolerance = *tolerance;
       report = solver_.solve(A, std::move(b), solution_, *tolerance);
@@ -239,7 +239,7 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     iteration.linearise();
     try {
-      now.linear = iteration.solve(now, std::max(excess(now.error, criteria), 1.0));
+      now.linear = iteration.solve(now, std::max(excess(now.error, criteria), 1.0), change.small());
     } catch (const Interruption&) {
       return fail(Outcome::interrupted);
     }
