@@ -5,6 +5,7 @@
 
 #include "core/base/did_you_mean.hpp"
 #include "core/base/error.hpp"
+#include "core/base/worse.hpp"
 #include "core/problem/coarse_positions.hpp"
 #include "core/problem/enclosed_parts.hpp"
 #include "core/problem/validate.hpp"
@@ -39,6 +40,15 @@ double imbalance(double force, double reference_force, double floor) {
   constexpr double rounding = 1e-8;
   return force <= rounding * floor ? 0 : force / std::max(reference_force, floor);
 }
+
+// The same over what rounding may leave of it while the body moves: 1e-12 of the forces that cancel, or a
+// strain of 1e-13 (places of 10 mm in cells of 0.01 mm).
+double above_rounding(double force, double reference_force, double floor) {
+  return force <= 0 ? 0 : force / std::max(1e-12 * reference_force, 1e-6 * floor);
+}
+
+// Of a liquid's |D| / V.
+constexpr double volume_rounding = 1e-12;
 
 }  // namespace
 
@@ -191,37 +201,39 @@ Residual::Resultant Problem::resultant(std::size_t k, const State& state, const 
 
 EquilibriumError Problem::equilibrium_error(const Residual& r) const {
   EquilibriumError b;
+  const auto judge = [&](double force, double reference, double floor, const std::string& where) {
+    const double relative = worse(0, imbalance(force, reference, floor));
+    if (relative > b.force) b.force = relative, b.region = where;
+    b.above_rounding.push_back(above_rounding(force, reference, floor));
+  };
   std::vector<double> free(r.force);
   dofs_->project(free);
-  // ‖A‖² and squared reference force norm of every region's free nodes; the floor keeps an unloaded region
-  // from dividing by round-off
+  // ‖A‖² and squared reference force norm of every region's nodes, reactions of held ones left out; the floor
+  // keeps an unloaded region from dividing by round-off
   std::vector<double> sums(2 * region_nodes_.size());
   for (std::size_t g = 0; g < region_nodes_.size(); ++g)
     for (int n : region_nodes_[g]) {
       for (int c = 0; c < 3; ++c) sums[2 * g] += free[3 * n + c] * free[3 * n + c];
-      sums[2 * g + 1] += r.reference_force[n] * r.reference_force[n];
+      if (!dofs_->fully_constrained(n)) sums[2 * g + 1] += r.reference_force[n] * r.reference_force[n];
     }
   comm().sum(sums);
-  for (std::size_t g = 0; g < region_nodes_.size(); ++g) {
-    const double relative = imbalance(std::sqrt(sums[2 * g]), std::sqrt(sums[2 * g + 1]), region_floor_[g]);
-    if (!(relative <= b.force)) b.force = relative, b.region = solid_->regions()[g].name;
-  }
+  for (std::size_t g = 0; g < region_nodes_.size(); ++g)
+    judge(std::sqrt(sums[2 * g]), std::sqrt(sums[2 * g + 1]), region_floor_[g], solid_->regions()[g].name);
   for (std::size_t k = 0; k < dofs_->bodies().size(); ++k) {
     // as the free nodes are: the resultants against the sum of the nodal magnitudes
     const Residual::Resultant& body = r.bodies[k];
-    const double floor = region_floor_.empty() ? 1e-300 : region_floor_[0];
-    for (double relative : {imbalance(norm(body.force), body.reference_force, floor),
-                            imbalance(norm(body.moment), body.reference_moment, floor * body.arm)})
-      if (!(relative <= b.force)) b.force = relative, b.region = dofs_->bodies()[k].name();
+    const std::string& name = dofs_->bodies()[k].name();
+    judge(norm(body.force), body.reference_force, body_floor_[k], name);
+    judge(norm(body.moment), body.reference_moment, body_floor_[k] * body.arm, name);
   }
   const auto V0 = solid_->reference_volumes();
-  for (std::size_t e = 0; e < r.volume.size(); ++e) {
-    const double v = std::abs(r.volume[e] / V0[e]);
-    if (!(v <= b.volume)) b.volume = v;
-  }
+  for (std::size_t e = 0; e < r.volume.size(); ++e) b.volume = worse(b.volume, std::abs(r.volume[e] / V0[e]));
   b.volume = comm().max(b.volume);
-  for (std::size_t i = 0; i < liquids_.size(); ++i)
-    b.liquid = std::max(b.liquid, std::abs(r.liquid[i] / liquids_[i].scale()));
+  for (std::size_t i = 0; i < liquids_.size(); ++i) {
+    const double relative = std::abs(r.liquid[i] / liquids_[i].scale());
+    b.liquid = worse(b.liquid, relative);
+    b.above_rounding.push_back(relative / volume_rounding);
+  }
   return b;
 }
 

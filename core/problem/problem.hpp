@@ -30,10 +30,13 @@ struct Residual {
 /// How far a state is from equilibrium, relative and free of units.
 struct EquilibriumError {
   double force =
-      0;  ///< largest ‖A‖ / ‖internal forces‖ of a region, force or moment of a rigid body, and which
+      0;  ///< largest ‖A‖ / ‖contributions‖ of a region, force or moment of a rigid body, and which
   std::string region;
   double volume = 0;  ///< largest |V_e/V0_e − 1|
   double liquid = 0;  ///< largest |D| / V
+  /// Of every region, force and moment of every body, and every liquid: what is missing over what rounding
+  /// may leave of it.
+  std::vector<double> above_rounding;
 };
 
 class EnclosedParts;
@@ -120,6 +123,7 @@ class Problem {
   void begin(int step, const State& start, void (Term::*begin_term)(int, const State&));
   void build();
   void build_bodies_and_solid();
+  void build_floors();
   void build_liquids();
   void build_bars();
   void hold_fixed();
@@ -151,8 +155,9 @@ class Problem {
   std::map<std::string, std::shared_ptr<Load>> loads_;
   std::vector<std::shared_ptr<Load>> fading_;  // in this step: others have taken their place
   std::vector<std::shared_ptr<Term>> added_;
-  std::vector<std::vector<int>> region_nodes_;  // owned free nodes of each solid region
-  std::vector<double> region_floor_;            // smallest force that counts, N
+  // Owned nodes of each solid region, but for those of rigid bodies and of much stiffer regions.
+  std::vector<std::vector<int>> region_nodes_;
+  std::vector<double> region_floor_, body_floor_;  // smallest force that counts, N
   int multiplicity_ = 1, step_ = -1;
   double s_ = 0;
 };

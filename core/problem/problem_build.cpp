@@ -93,8 +93,6 @@ void mark_rigid_nodes(const LocalMesh& mesh, const Model& model, std::vector<boo
 
 void Problem::build_bodies_and_solid() {
   solid_.reset();
-  region_nodes_.clear();
-  region_floor_.clear();
   std::vector<RigidBody> bodies;
   std::vector<SolidRegion> regions;
   std::vector<bool> rigid_node(mesh_.nodes());
@@ -120,27 +118,45 @@ void Problem::build_bodies_and_solid() {
   }
   solid_ = std::make_shared<const Solid>(mesh_.X, mesh_.hexes, regions);
   dofs_ = std::make_unique<DofMap>(mesh_, std::move(bodies));
+  build_floors();
+}
+
+// Nodes beside a region a hundred times stiffer are judged with that alone: its forces neither hide the
+// balance of the softer one nor disturb it by what rounding leaves of them.
+void Problem::build_floors() {
+  constexpr double much_stiffer = 100;
   const auto nodes_of_region = [&](const std::string& name) -> const std::vector<int>& {
     return mesh_.region_nodes[std::ranges::find(mesh_.region_names, name) - mesh_.region_names.begin()];
   };
+  region_nodes_.clear();
+  region_floor_.clear();
   std::vector<double> stiffest(mesh_.nodes());  // shear moduli of the regions around each node
   for (const SolidRegion& r : solid_->regions())
     for (int n : nodes_of_region(r.name))
       stiffest[n] = std::max(stiffest[n], initial_shear_modulus(r.material));
+  std::vector<double> around(
+      dofs_->bodies().size());  // largest floor of the regions that a body is joined to
   for (const SolidRegion& r : solid_->regions()) {
-    std::vector<int> nodes = nodes_of_region(r.name);
-    std::erase_if(nodes, [&](int n) { return n >= mesh_.owned || rigid_node[n]; });
+    const double modulus = initial_shear_modulus(r.material);
     // forces of a strain of 1e-7 on the faces of the region's hexahedra, since rounded positions leave
-    // strains of 1e-14 in thin cells, and of 1e-9 in the stiffest region that shares its nodes
+    // strains of 1e-14 in thin cells
     double areas = 0;
     for (int h = r.first; h < r.first + r.count; ++h)
       areas += std::pow(solid_->reference_volumes()[h], 4.0 / 3);
-    double beside = 0;
-    for (int n : nodes) beside = std::max(beside, stiffest[n]);
-    const double modulus = std::max(1e-7 * initial_shear_modulus(r.material), 1e-9 * comm().max(beside));
-    region_floor_.push_back(modulus * std::sqrt(comm().sum(areas)));
+    region_floor_.push_back(1e-7 * modulus * std::sqrt(comm().sum(areas)));
+    std::vector<int> nodes = nodes_of_region(r.name);
+    for (int n : nodes)
+      if (const int b = dofs_->body_of(n); b >= 0) around[b] = std::max(around[b], region_floor_.back());
+    std::erase_if(nodes, [&](int n) {
+      return n >= mesh_.owned || dofs_->body_of(n) >= 0 || stiffest[n] > much_stiffer * modulus;
+    });
     region_nodes_.push_back(std::move(nodes));
   }
+  comm().max(around);
+  // one that only contact, bars or a liquid hold is joined to none
+  const double least = region_floor_.empty() ? 1e-300 : std::ranges::min(region_floor_);
+  body_floor_.clear();
+  for (double floor : around) body_floor_.push_back(floor > 0 ? floor : least);
 }
 
 void Problem::build_liquids() {

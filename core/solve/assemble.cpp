@@ -108,10 +108,7 @@ class BlockCollector {
       : mesh_(mesh), rows_(mesh.all_nodes), upper_(part == Triangles::upper) {}
   // What bodies have is left out.
   void add(std::span<const int> dofs, std::span<const double> K) {
-    const int nodal = 3 * mesh_.nodes();
-    firsts_.clear();
-    for (std::size_t i = 0; i < dofs.size(); i += dofs[i] < nodal ? 3 : 6)
-      if (dofs[i] < nodal) firsts_.push_back(i);
+    first_of_nodes(dofs, 3 * mesh_.nodes(), firsts_);
     for (std::size_t i : firsts_)
       for (std::size_t j : firsts_) {
         const int row = number(dofs[i]), column = number(dofs[j]);

@@ -12,15 +12,12 @@
 #include "core/problem/enclosed_parts.hpp"
 #include "core/solve/cycle_detector.hpp"
 #include "core/solve/forcing_term.hpp"
+#include "core/solve/small_change.hpp"
 #include "core/solve/state_increment.hpp"
 #include "core/solve/step_lengths.hpp"
 
 namespace bulbus::inline solve {
 namespace {
-
-// Of a liquid's criterion, in the first iterate of a step's last increment: a volume added that is less than
-// it sees would have no effect at all.
-constexpr double untouched = 1e-2;
 
 bool finite(const EquilibriumError& b) {
   return std::isfinite(b.force) && std::isfinite(b.volume) && std::isfinite(b.liquid);
@@ -72,8 +69,8 @@ class Iteration {
     system_ = std::make_shared<const CoupledSystem>(problem_, linear_, state_, *residual_);
   }
 
-  // `excess`: by how much the criteria are missed.
-  LinearReport solve(NewtonIteration& now, double excess) {
+  // `excess`: by how much the criteria are missed; `small`: a small change is to be followed.
+  LinearReport solve(NewtonIteration& now, double excess, bool small) {
     std::optional<double> tolerance;
     LinearReport report;
     int iterations = 0;
@@ -88,7 +85,7 @@ class Iteration {
       const CoupledOperator A(system_, augmentation_);
       std::vector<double> b = right_hand_side(A);
       if (!tolerance)
-        tolerance = std::min(forcing_.next(scaled_norm(*system_, b), excess, prescribed_done(now)),
+        tolerance = std::min(forcing_.next(scaled_norm(*system_, b), excess, prescribed_done(now) && !small),
                              system_->tangents().solve_tolerance());
       now.tolerance = *tolerance;
       report = solver_.solve(A, std::move(b), solution_, *tolerance);
@@ -213,6 +210,7 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
   };
   Iteration iteration(problem, linear, solver, state, settings, profiler);
   CycleDetector cycle;
+  SmallChange change(progress == 1);
   NewtonSettings criteria = settings;
   int last = settings.max_iterations;
   StepLengths lengths;
@@ -221,8 +219,8 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
     iteration.measure(now);
     report.error = now.error;
     if (!finite(now.error)) return fail(Outcome::not_finite);
-    const bool passed_over = number == 0 && progress == 1 && now.error.liquid > untouched * criteria.liquid;
-    if (excess(now.error, criteria) <= 1 && !passed_over && iteration.prescribed_done(now)) {
+    change.add(now.error.above_rounding, excess(now.error, criteria));
+    if (excess(now.error, criteria) <= 1 && change.followed() && iteration.prescribed_done(now)) {
       if (!problem.update_multipliers(state)) {
         observe(now);
         if (std::string why = refusal(problem, state); !why.empty())
@@ -241,7 +239,7 @@ NewtonReport newton(Problem& problem, const LinearSettings& linear, LinearSolver
     if (interrupt(problem.comm())) return fail(Outcome::interrupted);
     iteration.linearise();
     try {
-      now.linear = iteration.solve(now, std::max(excess(now.error, criteria), 1.0));
+      now.linear = iteration.solve(now, std::max(excess(now.error, criteria), 1.0), change.small());
     } catch (const Interruption&) {
       return fail(Outcome::interrupted);
     }

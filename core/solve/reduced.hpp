@@ -19,6 +19,14 @@ enum class Matrices { plain, augmented, mean, reduced_augmentation };
 /// of constrained directions are not among it.
 void for_each_condensed_matrix(const CoupledSystem& system, Matrices matrices, const ReducedVisitor& visitor);
 
+/// Places of the nodes' first entries among reduced dofs, between which bodies have six each. `nodal`:
+/// 3·nodes.
+inline void first_of_nodes(std::span<const int> dofs, int nodal, std::vector<std::size_t>& firsts) {
+  firsts.clear();
+  for (std::size_t i = 0; i < dofs.size(); i += dofs[i] < nodal ? 3 : 6)
+    if (dofs[i] < nodal) firsts.push_back(i);
+}
+
 /// T of a single column block: for local nodes with their nodal values, the reduced dofs and values (Tᵀ v).
 void reduce_vector(const Problem& problem, const State& state, std::span<const int> nodes,
                    std::span<const double> v, std::vector<int>& dofs, std::vector<double>& values);

@@ -51,11 +51,13 @@ std::array<DistributedCsr, 3> scalar_matrices(const CoupledSystem& system) {
   m[1] = m[2] = m[0];
   for (auto& matrix : m) matrix.values.assign(pattern.columns.size(), 0);
   const int nodal = 3 * mesh.nodes();
+  std::vector<std::size_t> firsts;
   for_each_condensed_matrix(system, Matrices::augmented,
                             [&](std::span<const int> d, std::span<const double> K) {
                               const std::size_t n = d.size();
-                              for (std::size_t i = 0; i < n && d[i] < nodal; i += 3)
-                                for (std::size_t j = 0; j < n && d[j] < nodal; j += 3) {
+                              first_of_nodes(d, nodal, firsts);
+                              for (const std::size_t i : firsts)
+                                for (const std::size_t j : firsts) {
                                   const std::size_t at = pattern.at(d[i] / 3, d[j] / 3);
                                   for (int c = 0; c < 3; ++c) m[c].values[at] += K[(i + c) * n + j + c];
                                 }

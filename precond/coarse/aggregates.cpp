@@ -35,13 +35,17 @@ std::vector<std::vector<int>> strong_neighbours(const CoupledSystem& system) {
   return strong;
 }
 
+bool wholly_held(const DofMap& dofs, int node) {
+  return dofs.constrained(node) && trace(dofs.projector(node)) < 0.5;
+}
+
 }  // namespace
 
 Aggregates aggregate(const CoupledSystem& system, int nodes) {
   const LocalMesh& mesh = system.problem().mesh();
   const DofMap& dofs = system.problem().dofs();
   std::vector<char> excluded(mesh.owned);
-  for (int n = 0; n < mesh.owned; ++n) excluded[n] = dofs.constrained(n) && trace(dofs.projector(n)) < 0.5;
+  for (int n = 0; n < mesh.owned; ++n) excluded[n] = wholly_held(dofs, n);
   const auto of = grow_aggregates(strong_neighbours(system), nodes, excluded);
   Aggregates a;
   a.mine = of.empty() ? 0 : std::ranges::max(of) + 1;
@@ -54,6 +58,12 @@ Aggregates aggregate(const CoupledSystem& system, int nodes) {
   mesh.halo.update_ghosts(number, 1);
   a.of.assign(number.begin(), number.end());
   return a;
+}
+
+bool hold_every_free_node(const Aggregates& groups, const Problem& problem) {
+  bool lacks = false;
+  for (int n = 0; n < problem.mesh().owned; ++n) lacks |= groups.of[n] < 0 && !wholly_held(problem.dofs(), n);
+  return !problem.comm().any(lacks);
 }
 
 }  // namespace bulbus::inline precond

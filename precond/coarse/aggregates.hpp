@@ -20,4 +20,7 @@ struct Aggregates {
 /// linearised displacement block. Collective.
 Aggregates aggregate(const CoupledSystem& system, int nodes);
 
+/// False where a node has been released that was wholly constrained when they were made. Collective.
+bool hold_every_free_node(const Aggregates& groups, const Problem& problem);
+
 }  // namespace bulbus::inline precond

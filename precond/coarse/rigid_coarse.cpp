@@ -15,12 +15,19 @@ constexpr int most_factorised = 200000;
 }  // namespace
 
 RigidPlan::RigidPlan(const CoupledSystem& system, int nodes, Precision precision, int most)
-    : groups(aggregate(system, nodes)),
-      matrix(system.problem().symmetric()),
+    : symmetric(system.problem().symmetric()),
+      precision(precision),
+      groups(aggregate(system, nodes)),
+      matrix(symmetric),
       factor(system.problem().comm(), {.precision = precision}) {
   const Comm& comm = system.problem().comm();
   if (precision == Precision::single && 6 * groups.total > most)
     levels = std::make_shared<HierarchyPlan>(comm, most);
+}
+
+bool RigidPlan::fits(const Problem& problem, Precision wanted) const {
+  const bool precise = wanted == Precision::single || precision == Precision::full || levels;
+  return precise && symmetric == problem.symmetric() && hold_every_free_node(groups, problem);
 }
 
 RigidCoarse::RigidCoarse(const CoupledSystem& system, std::shared_ptr<RigidPlan> plan)
@@ -33,13 +40,13 @@ RigidCoarse::RigidCoarse(const CoupledSystem& system, std::shared_ptr<RigidPlan>
 void RigidCoarse::factorise(const CoupledSystem& system, const KeepFactors& keep) {
   if (system.problem().comm().rank() == 0)
     for (const auto& e : system.body_extra())
-      if (!system.problem().symmetric() || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
+      if (!plan_->symmetric || e.row <= e.column) plan_->matrix.add(e.row, e.column, e.value);
   for (int k : modes_.missing) plan_->matrix.add(k, k, system.constrained_diagonal());
   plan_->matrix.shrink();
   const auto frames = std::exchange(modes_.frames, {});
   if (plan_->levels && make_levels(system, frames)) return;
   const FactorReport f =
-      plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), system.problem().symmetric(), keep);
+      plan_->factor.factorise(plan_->matrix.triplets(), coarse_size(), plan_->symmetric, keep);
   keeps_factors_ = f.kept;
   if (!f.ok) setup_error_ = "rigid motions of aggregates: " + f.reason;
   factor_bytes_ = static_cast<std::size_t>(f.memory_max_mb * 1e6);

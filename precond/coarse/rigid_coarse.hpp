@@ -13,6 +13,11 @@ struct RigidPlan {
   /// Aggregates of about `nodes` nodes, factors of this precision; a matrix of more than `most` unknowns
   /// is not factorised but has levels of its own, as long as single precision suffices. Collective.
   RigidPlan(const CoupledSystem& system, int nodes, Precision precision, int most);
+  /// Is it of use for the problem as it is now? Not where the tangent is no more, or now, symmetric, a node
+  /// has been released that no aggregate holds, or factors are to be more precise. Collective.
+  bool fits(const Problem& problem, Precision wanted) const;
+  bool symmetric;
+  Precision precision;
   Aggregates groups;
   CoarseMatrix matrix;
   Mumps factor;

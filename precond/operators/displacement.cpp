@@ -88,12 +88,12 @@ std::unique_ptr<DisplacementPreconditioner> DisplacementFactory::make(SharedSyst
     const int nodes = settings_.aggregates > 0
                           ? std::max(8, static_cast<int>(problem.mesh().all_nodes / settings_.aggregates))
                           : 0;
-    if (nodes > 0 && !plans_->rigid)
+    if (nodes > 0 && !(plans_->rigid && plans_->rigid->fits(problem, smoothing)))
       plans_->rigid = std::make_shared<RigidPlan>(*system, nodes, smoothing, std::numeric_limits<int>::max());
     return std::make_unique<Hybrid>(system, settings_.degree, settings_.smoothing_range, plans_->rigid,
                                     smoothing);
   }
-  if (!plans_->aggregation)
+  if (!plans_->aggregation || !plans_->aggregation->rigid->fits(problem, smoothing))
     plans_->aggregation = std::make_shared<AggregationPlan>(*system, settings_.aggregation, smoothing);
   return std::make_unique<Aggregation>(system, plans_->aggregation, settings_.aggregation, smoothing, keep);
 }

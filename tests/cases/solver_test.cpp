@@ -110,5 +110,25 @@ TEST(DeepOverlap, IsResolved) {
   EXPECT_NEAR(run.summary["probes"]["push"].get<double>(), 2340, 1);
 }
 
+// Changes that the criteria hardly see, or not at all: figures of them are those of the direct solver.
+TEST(SmallChange, IsSolvedAsPreciselyAsALargeOne) {
+  struct Change {
+    std::string file, probe, size;
+    double apart;  // the smallest are of the size of what the step before may leave
+  };
+  for (const Change& c : {Change{"injection.yaml", "dp", "steps.1.add.inside=0.01 uL", 2e-3},
+                          {"injection.yaml", "dp", "steps.1.add.inside=4e-5 uL", .1},
+                          {"force.yaml", "ux", "steps.1.loads.0.force=[5e-8,0,0]", 3e-3},
+                          {"force.yaml", "ux", "steps.1.loads.0.force=[1e-9,0,0]", .2}}) {
+    const Ran iterative = run_case("small_change", {c.size}, c.file);
+    const Ran direct = run_case("small_change", {c.size, "solver.linear.method=direct"}, c.file);
+    ASSERT_EQ(iterative.status, 0) << iterative.err;
+    ASSERT_EQ(direct.status, 0) << direct.err;
+    const double expected = probe(direct, c.probe);
+    EXPECT_GT(expected, 0) << c.size;
+    EXPECT_NEAR(probe(iterative, c.probe), expected, c.apart * expected) << c.size;
+  }
+}
+
 }  // namespace
 }  // namespace bulbus::test

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/tensor.hpp"
+#include "core/base/worse.hpp"
 
 namespace bulbus {
 
@@ -22,9 +23,6 @@ inline std::vector<double> noise_vector(std::size_t n, std::uint64_t seed) {
   for (std::size_t i = 0; i < n; ++i) v[i] = noise(seed, i);
   return v;
 }
-
-/// The larger of two errors; a NaN, which std::max passes over, is infinitely large.
-inline double worse(double a, double b) { return std::isnan(b) ? INFINITY : std::max(a, b); }
 
 inline double largest(std::span<const double> v) {
   double m = 0;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/solve/reduced.hpp"
+#include "precond/amg/scalar_matrices.hpp"
 #include "precond/make_preconditioner.hpp"
 #include "precond/operators/displacement.hpp"
 #include "tests/support/linearised.hpp"
@@ -136,6 +137,72 @@ TEST(Aggregation, PlansServeEveryLinearisation) {
   fresh->rigid->groups = plan->rigid->groups;
   Aggregation(l.system, fresh, {}).apply(b, own);
   EXPECT_LT(relative_difference(old, own), 1e-5);
+}
+
+// A block that is held at both ends and pressed on a side, each in one step alone.
+Scene block_of_steps() {
+  Scene s{generate(BlockShape{.upper = {1, 1, 6}, .nx = 3, .ny = 3, .nz = 12}), {}};
+  s.model.regions["block"] = neo_hooke(.5);
+  s.model.fix.push_back({"zmin", {"x", "y", "z"}});
+  s.model.steps = {step("held"), step("pressed")};
+  return s;
+}
+
+// What one factory makes of the second step, having served the first, against what a new one makes.
+double change_by_history(const Scene& scene, Displacement displacement) {
+  Linearised l(scene, 0, 0);
+  l.settings.displacement = displacement;
+  l.settings.aggregates = 20;
+  DisplacementFactory used(l.settings), fresh(l.settings);
+  used.make(l.system);
+  l.problem.set_progress(1, l.state), l.problem.end_step();
+  l.problem.begin_step(1, l.state), l.problem.set_progress(1, l.state);
+  l.state = shaken(l.problem, l.state, .001, 7);
+  l.linearise();
+  const auto b = noise_primal(l.problem, 1);
+  std::vector<double> old(b.size()), own(b.size());
+  const auto M = used.make(l.system);
+  EXPECT_EQ(M->setup_error(), "");
+  M->apply(b, old);
+  fresh.make(l.system)->apply(b, own);
+  return relative_difference(old, own);
+}
+
+TEST(Aggregation, FollowsATangentThatIsNoMoreSymmetric) {
+  Scene s = block_of_steps();
+  LoadSpec side;
+  side.surface = "xmax", side.pressure = "0.2";
+  s.model.steps[1].loads = {side};
+  EXPECT_LT(change_by_history(s, Displacement::aggregation), 1e-5);
+  EXPECT_LT(change_by_history(s, Displacement::hybrid), 1e-5);
+}
+
+TEST(Aggregation, TakesInNodesThatAreReleased) {
+  Scene s = block_of_steps();
+  DisplaceSpec end = displace("zmax");
+  end.x = end.y = end.z = "0.1";
+  s.model.steps[0].displace = {end};
+  s.model.steps[1].release = {"zmax"};
+  EXPECT_LT(change_by_history(s, Displacement::aggregation), 1e-5);
+}
+
+// The diagonals are those of the operator, behind a body's entries too.
+TEST(ScalarMatrices, HaveWhatRigidRegionsLeave) {
+  const Linearised l(filled_shell("octant"), 0, .01);
+  const auto scalar = scalar_matrices(*l.system);
+  const DisplacementBlock A(l.system);
+  const LocalMesh& mesh = l.problem.mesh();
+  std::vector<double> found, expected;
+  for (int n = 0; n < mesh.owned; ++n)
+    for (int c = 0; c < 3; ++c) {
+      std::vector<double> unit(A.size()), column(A.size());
+      unit[3 * n + c] = 1;
+      A.apply(unit, column);
+      expected.push_back(column[3 * n + c]);
+      for (int k = scalar[c].start[n]; k < scalar[c].start[n + 1]; ++k)
+        if (scalar[c].columns[k] == mesh.first_node + n) found.push_back(scalar[c].values[k]);
+    }
+  EXPECT_LT(relative_difference(found, expected), 1e-6);
 }
 
 TEST(Aggregation, TakesFewIterations) {

@@ -1,3 +1,4 @@
+#include "tests/support/two_regions.hpp"
 #include "tests/unit/problem/standing_block.hpp"
 
 namespace bulbus {
@@ -63,6 +64,39 @@ TEST(RigidRegions, BalanceCountsTheMomentOnABody) {
   expect_near(r.bodies[0].moment, {0, -6, 0});
   EXPECT_EQ(p.equilibrium_error(r).region, "lid");
   EXPECT_GT(p.equilibrium_error(r).force, .5);
+}
+
+// Less than rounding leaves in a stiff region elsewhere, but not in the one that the body is joined to.
+TEST(RigidRegions, BalanceOfABodyIsThatOfTheRegionsAroundIt) {
+  Scene scene = row_of_four({0, 1, 1, 2}, {"stiff", "soft", "lid"});
+  scene.model.regions["stiff"] = neo_hooke(500);
+  scene.model.regions["lid"] = rigid();
+  scene.model.steps[0].loads.push_back(force("xmax", {2.5e-6, 0, 0}));
+  Problem p(scene.mesh, scene.model, world());
+  State s = at_end_of_step(p);
+  const EquilibriumError b = p.equilibrium_error(p.residual(s));
+  EXPECT_EQ(b.region, "lid");
+  EXPECT_NEAR(b.force, 1, 1e-9);
+}
+
+// Forces of a stiff neighbour and reactions meet in its nodes: they say nothing of its own balance.
+TEST(Regions, AreNotHiddenByTheirStiffNeighbour) {
+  Scene scene = row_of_four({0, 0, 1, 1}, {"stiff", "soft"});
+  scene.model.regions["stiff"] = neo_hooke(500);
+  scene.model.regions["soft"] = neo_hooke(5e-4);
+  scene.mesh.node_sets["joint"] = nodes_where(scene.mesh, [](const Point& p) { return p[0] == 2; });
+  scene.mesh.node_sets["middle"] = nodes_where(scene.mesh, [](const Point& p) { return p[0] == 1; });
+  scene.model.fix.push_back({"joint", {"x", "y", "z"}});
+  scene.model.fix.push_back({"middle", {"y", "z"}});
+  Problem p(scene.mesh, scene.model, world());
+  State s = at_end_of_step(p);
+  for (int h = 0; h < static_cast<int>(s.lambda.size()); ++h)
+    if (p.mesh().input_hex[h] < 2) s.lambda[h] = 500;
+  for (int n = 0; n < p.mesh().nodes(); ++n)
+    if (p.mesh().X[3 * n] == 4) s.x[3 * n + 1] += .1;
+  const EquilibriumError b = p.equilibrium_error(p.residual(s));
+  EXPECT_EQ(b.region, "soft");
+  EXPECT_GT(b.force, .1);
 }
 
 }  // namespace

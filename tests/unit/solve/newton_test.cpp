@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/two_regions.hpp"
 #include "tests/unit/solve/trial.hpp"
 
 namespace bulbus {
@@ -63,6 +64,31 @@ TEST(Newton, NotANumberIsNoticed) {
   Profiler profiler;
   const auto solver = make_direct_solver({}, profiler);
   EXPECT_EQ(newton(problem, {}, *solver, state, 1, {}, profiler).outcome, Outcome::not_finite);
+}
+
+TEST(Newton, NotANumberIsNoticedInEveryRegionAndLiquid) {
+  const auto outcome = [](const Scene& scene, const std::function<void(Problem&, State&)>& spoil) {
+    Problem problem(scene.mesh, scene.model, Comm());
+    State state = problem.initial_state();
+    problem.begin_step(0, state);
+    spoil(problem, state);
+    Profiler profiler;
+    const auto solver = make_direct_solver({}, profiler);
+    return newton(problem, {}, *solver, state, 1, {}, profiler).outcome;
+  };
+  for (int hex = 0; hex < 4; ++hex)
+    EXPECT_EQ(outcome(two_regions(),
+                      [&](const Problem& problem, State& state) {
+                        for (std::size_t h = 0; h < state.lambda.size(); ++h)
+                          if (problem.mesh().input_hex[h] == hex) state.lambda[h] = NAN;
+                      }),
+              Outcome::not_finite)
+        << hex;
+  Problem problem(filled_shell("octant").mesh, filled_shell("octant").model, Comm());
+  Residual r = problem.residual(problem.initial_state());
+  ASSERT_FALSE(r.liquid.empty());
+  r.liquid[0] = NAN;
+  EXPECT_TRUE(std::isinf(problem.equilibrium_error(r).liquid));
 }
 
 TEST(Newton, EveryOutcomeHasWords) {
