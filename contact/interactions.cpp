@@ -211,7 +211,8 @@ ContactSides Interactions::sides_of(const ContactSpec& spec) const {
   const LocalMesh& local = problem_.mesh();
   const auto body = bodies_.find(spec.master);
   return {local.X, local.owned, local.shared.at(spec.slave),
-          body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second),
+          body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X))
+                                : Master(body->second, problem_.model().symmetry),
           problem_.model().symmetry};
 }
 
