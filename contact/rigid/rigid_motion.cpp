@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "contact/surfaces/meridians.hpp"
 #include "core/base/error.hpp"
@@ -106,8 +105,8 @@ Vec3<double> RigidMotion::inwards(std::size_t part) const {
   return turned(start_[part].rotation, surface_->parts[part].inwards);
 }
 
-void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key) {
-  const double close = move.close + move.shorten / (2 * std::numbers::pi);
+void RigidMotion::begin(const MoveSpec& move, const SlavePlaces& slaves, const std::string& key) {
+  const double close = move.close + move.shorten / surface_->shortening;
   for (const auto& part : surface_->parts)
     if (close != 0 && norm(part.inwards) == 0)
       throw scene_error(key + (move.close != 0 ? ".close" : ".shorten"),

@@ -101,6 +101,8 @@ void append_arcs(RigidSurface& body, const ArcProfile& profile, const ArcSpec& a
   const bool closed = arc.caps && opening < 360 - 1e-9;
   const double length = step * std::numbers::pi / 180 * profile.radius;
   const MeridianFrame frame(arc.meridians, key);
+  const double half = step / 2 * std::numbers::pi / 180;
+  if (step < 360 - 1e-9) body.shortening = 2 * std::numbers::pi * std::sin(half) / half;
   for (int p = 0; p < arc.parts; ++p) {
     const double from = arc.from + step * p, to = from + step;
     const bool radial = norm(direction) == 0 && step < 360 - 1e-9;  // a whole ring has no middle

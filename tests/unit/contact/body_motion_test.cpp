@@ -54,7 +54,7 @@ TEST(Motion, ShorteningClosesByTheRadius) {
   const auto b = shared(two_arcs());
   RigidMotion motion(b);
   MoveSpec shorten;
-  shorten.shorten = 4 * pi;
+  shorten.shorten = 2 * b->shortening;
   motion.begin(shorten, {}, "");
   motion.set_progress(.5);
   for (const auto& part : b->parts)
