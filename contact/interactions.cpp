@@ -103,7 +103,8 @@ void check_sewing(const Model& model) {
     }
 }
 
-// A plane of no given size reaches past the model on all sides.
+// A plane of no given size reaches past the model on all sides, wherever its point is: the sheet covers a
+// circle of half its size.
 RigidBodySpec sized(RigidBodySpec spec, const Mesh& base) {
   if (spec.plane && !spec.plane->size) spec.plane->size = std::max(usual_plane, 2 * diagonal(base));
   return spec;
@@ -276,12 +277,18 @@ std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::s
   return found;
 }
 
-// Current positions of all points that may touch a body, of all ranks.
-std::vector<double> Interactions::slaves_of(const std::string& body, const State& state) const {
-  std::vector<double> mine;
-  for (const Contact& c : contacts_)
-    if (c.spec.master == body) std::ranges::copy(c.term->outermost(state), std::back_inserter(mine));
-  return problem_.comm().gather(std::span<const double>(mine));
+// All points that may touch a body, of all ranks.
+SlavePlaces Interactions::slaves_of(const std::string& body, const State& state) const {
+  SlavePlaces mine;
+  for (const Contact& c : contacts_) {
+    if (c.spec.master != body) continue;
+    std::ranges::copy(c.term->outermost(state), std::back_inserter(mine.points));
+    for (const Vec3<double>& n : c.term->normals(state))
+      std::ranges::copy(n, std::back_inserter(mine.normals));
+  }
+  const Comm& comm = problem_.comm();
+  return {comm.gather(std::span<const double>(mine.points)),
+          comm.gather(std::span<const double>(mine.normals))};
 }
 
 void Interactions::start_contacts(const State& start) {

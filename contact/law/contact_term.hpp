@@ -106,6 +106,8 @@ class ContactTerm final : public Term {
 
   /// Current positions of the slave points, their chordal offset added along the normal; 3 each, mm.
   std::vector<double> outermost(const State& state) const { return outermost(state.x, shape(state.x)); }
+  /// Of the slave points, out of the slave; unit, or zero where it has none.
+  std::vector<Vec3<double>> normals(const State& state) const { return shape(state.x).normals; }
   /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;
   /// Points that are inside by more than is allowed (mm), as a function of a point and its area (mm²).
