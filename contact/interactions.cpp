@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <ranges>
 #include <set>
 
@@ -106,7 +107,14 @@ void check_sewing(const Model& model) {
 // A plane of no given size reaches past the model on all sides, wherever its point is: the sheet covers a
 // circle of half its size.
 RigidBodySpec sized(RigidBodySpec spec, const Mesh& base) {
-  if (spec.plane && !spec.plane->size) spec.plane->size = std::max(usual_plane, 2 * diagonal(base));
+  if (!spec.plane || spec.plane->size) return spec;
+  const double length = norm(spec.plane->normal);
+  double farthest = 0;  // of the model's nodes from the point, along the plane
+  for (const Point& X : base.points) {
+    const Vec3<double> r = minus(X, spec.plane->point);
+    farthest = std::max(farthest, norm(cross(r, spec.plane->normal)) / (length > 0 ? length : 1));
+  }
+  spec.plane->size = std::max({usual_plane, 2 * diagonal(base), 2 * std::numbers::sqrt2 * farthest});
   return spec;
 }
 
