@@ -12,12 +12,21 @@
 #include "core/problem/closed_surface.hpp"
 
 namespace bulbus::inline contact {
+namespace {
+
+constexpr double widest_arc = 180 + 1e-9;  // degrees: the ends of a wider one open where it closes
+
+}  // namespace
 
 double band_opening(const RigidBodySpec& body, const std::string& name, const std::string& key) {
   if (!body.band || norm(body.direction) > 0 ||
-      (body.band->arc.parts == 1 && body.band->arc.to - body.band->arc.from >= 360))
-    throw scene_error(key, "'" + name + "' is no band whose arcs close radially: it has no hoop force",
-                      "Name a `band` without `direction`, a whole ring of them in several `parts`.");
+      (body.band->arc.to - body.band->arc.from) / body.band->arc.parts > widest_arc)
+    throw scene_error(
+        key,
+        "'" + name +
+            "' is no band whose arcs, of at most half a turn each, close radially: it has no hoop "
+            "force",
+        "Name a `band` without `direction`, a longer one in several `parts`.");
   return (body.band->arc.to - body.band->arc.from) * std::numbers::pi / 180;
 }
 
@@ -50,7 +59,7 @@ BandArcs band_arcs(const Problem& problem, const RigidSurface& band, const std::
 double band_tension(const RigidSurface& band, const BandArcs& arcs, std::span<const Wrench> on_arcs) {
   double outwards = 0;
   for (std::size_t p = 0; p < on_arcs.size(); ++p) outwards -= dot(on_arcs[p].force, band.parts[p].closes);
-  return arcs.widths * outwards / arcs.opening;
+  return arcs.widths * outwards / (arcs.opening / (2 * std::numbers::pi) * band.shortening);
 }
 
 }  // namespace bulbus::inline contact

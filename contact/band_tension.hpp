@@ -9,7 +9,7 @@
 namespace bulbus::inline contact {
 
 /// The angle that the arcs of a band span, rad. Throws InputError (with `key`) unless `body` is a band whose
-/// arcs close radially.
+/// arcs close radially and span no more than half a turn each.
 double band_opening(const RigidBodySpec& body, const std::string& name, const std::string& key);
 
 /// What the drawn model has of a band whose arcs close radially.
@@ -25,9 +25,10 @@ BandArcs band_arcs(const Problem& problem, const RigidSurface& band, const std::
                    const std::string& key);
 
 /// Hoop force of a band without friction, N, from the forces on its arcs (as drawn, without images):
-///     T = −w Σ F_p·d_p / φ,   d_p the direction in which an arc closes where it is now, φ the opening, w the
-/// widths: the force that does the work of what presses when the radius changes; p w r under a pressure p on
-/// a width w.
+///     T = −w Σ F_p·d_p / Σ 2 sin h_p,   d_p the direction in which an arc closes where it is now, h_p half
+///     of
+/// its angle, w the widths: the force that does the work of what presses when the arcs close; p w r under a
+/// pressure p on a width w.
 double band_tension(const RigidSurface& band, const BandArcs& arcs, std::span<const Wrench> on_arcs);
 
 }  // namespace bulbus::inline contact

@@ -2,24 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bulbus::inline contact {
 namespace {
 
-constexpr double full_circle = 2 * std::numbers::pi;
 constexpr double balanced = 1e-4;  // of the hoop force: below the digits that figures are given with
 constexpr int most_secants = 20;   // the secant method takes three or four
 
 }  // namespace
 
 void ElasticBand::shorten(double circumference, double by) {
-  if (!touches()) circumference_ = circumference, rate_ = 1 / full_circle;  // as if it did not stretch
+  if (!touches()) circumference_ = circumference, rate_ = 1 / shortening_;  // as if it did not stretch
   to_ = from_ + by;
 }
 
 double ElasticBand::tension() const {
-  return stiffness_ * std::max(0., shortened_ - full_circle * closed_) / length();
+  return stiffness_ * std::max(0., shortened_ - shortening_ * closed_) / length();
 }
 
 void ElasticBand::set_progress(double s) {
@@ -42,7 +40,7 @@ bool ElasticBand::balance(double pressed) {
     slope_ = pressed / closed_;
   }
   last_ = {closed_, pressed};
-  closed_ -= excess / (slope_ + full_circle * stiffness_ / length());
+  closed_ -= excess / (slope_ + shortening_ * stiffness_ / length());
   return true;
 }
 

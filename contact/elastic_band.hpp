@@ -7,13 +7,14 @@ namespace bulbus::inline contact {
 
 /// An elastic band around the eye: its closing c, the same radial way of all its arcs, is the one at which
 /// its tension balances the hoop force T of what it presses on (formulation, section 5.9),
-///     T(c) = EA (D − 2π c) / (C − D),
-/// with the circumference C where it came to touch and D what it has been shortened by since. c is found by
-/// the secant method on T, each value of which takes Newton's method some iterations.
+///     T(c) = EA (D − κ c) / (C − D),
+/// with the circumference C where it came to touch, D what it has been shortened by since, and κ what it
+/// loses per way by which its arcs close (RigidSurface::shortening). c is found by the secant method on T,
+/// each value of which takes Newton's method some iterations.
 class ElasticBand {
  public:
-  /// Tension per strain EA, N.
-  explicit ElasticBand(double stiffness) : stiffness_(stiffness) {}
+  /// Tension per strain EA, N; κ, about 2π.
+  ElasticBand(double stiffness, double shortening) : stiffness_(stiffness), shortening_(shortening) {}
 
   /// The coming step shortens it by `by` (mm, linearly); C is taken where it first does.
   void shorten(double circumference, double by);
@@ -38,7 +39,7 @@ class ElasticBand {
   };
   double length() const { return circumference_ - shortened_; }
 
-  double stiffness_, circumference_ = 0;
+  double stiffness_, shortening_, circumference_ = 0;
   double from_ = 0, to_ = 0, shortened_ = 0;  // D at the start and the end of the step, and now, mm
   double closed_ = 0, closed_before_ = 0;     // c now and at the start of the step, mm
   double kept_ = 0, kept_shortened_ = 0;      // c and D of the last increment, mm

@@ -43,20 +43,20 @@ ElasticBands::ElasticBands(Problem& problem, Interactions& interactions) : probl
     if (!spec.band || spec.band->stiffness == 0) continue;
     const std::string key = "rigid_bodies." + name + ".band.stiffness";
     check_moves(problem.model(), name);
-    bands_.emplace(name, Ring{ElasticBand(spec.band->stiffness), interactions.motion(name),
-                              *interactions.bodies().at(name), spec.band->radius,
+    bands_.emplace(name, Ring{ElasticBand(spec.band->stiffness, interactions.bodies().at(name)->shortening),
+                              interactions.motion(name), *interactions.bodies().at(name), spec.band->radius,
                               band_arcs(problem, *interactions.bodies().at(name), name, key),
                               interactions.contacts_on(name, key)});
   }
 }
 
-// Of a ring of the mean radius of the arcs.
+// Of a ring of the radius that the arcs were drawn with, and of where they are now on the mean.
 double ElasticBands::circumference(const Ring& ring) const {
   const auto& poses = ring.motion.poses();
   double closed = 0;
   for (std::size_t p = 0; p < poses.size(); ++p)
     closed += dot(poses[p].shift, ring.surface.parts[p].inwards) / static_cast<double>(poses.size());
-  return 2 * std::numbers::pi * (ring.radius - closed);
+  return 2 * std::numbers::pi * ring.radius - ring.surface.shortening * closed;
 }
 
 double ElasticBands::pressed(const Ring& ring, const State& state) const {

@@ -7,6 +7,7 @@
 #include "contact/band_tension.hpp"
 #include "contact/interaction_figures.hpp"
 #include "core/base/error.hpp"
+#include "core/mesh/distributed/bounds.hpp"
 #include "core/problem/closed_surface.hpp"
 
 namespace bulbus::inline contact {
@@ -100,11 +101,13 @@ std::map<int, double> edge_lengths(const Problem& problem, const Contact& contac
       if (named.contains(a) && named.contains(b)) ++faces_of_edge[{a, b}];
     }
   const std::span<const double> X = problem.mesh().X;
+  const Bounds model = bounds_of(problem.comm(), X);
+  const double on_plane = 1e-9 * norm(model.sides());
   std::map<int, double> lengths;
   for (const auto& [edge, faces] : faces_of_edge) {
     const Vec3<double> a = at(X, edge[0]), b = at(X, edge[1]);
     const bool in_plane = std::ranges::any_of(problem.model().symmetry, [&](const std::string& plane) {
-      return std::max(std::abs(a[axis_of(plane)]), std::abs(b[axis_of(plane)])) < 1e-9 * norm(a);
+      return std::max(std::abs(a[axis_of(plane)]), std::abs(b[axis_of(plane)])) <= on_plane;
     });
     if (faces != 1 || in_plane) continue;
     for (int n : edge) lengths[n] += norm(minus(a, b)) / 2;

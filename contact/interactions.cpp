@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <ranges>
 #include <set>
 
@@ -103,9 +104,17 @@ void check_sewing(const Model& model) {
     }
 }
 
-// A plane of no given size reaches past the model on all sides.
+// A plane of no given size reaches past the model on all sides, wherever its point is: the sheet covers a
+// circle of half its size.
 RigidBodySpec sized(RigidBodySpec spec, const Mesh& base) {
-  if (spec.plane && !spec.plane->size) spec.plane->size = std::max(usual_plane, 2 * diagonal(base));
+  if (!spec.plane || spec.plane->size) return spec;
+  const double length = norm(spec.plane->normal);
+  double farthest = 0;  // of the model's nodes from the point, along the plane
+  for (const Point& X : base.points) {
+    const Vec3<double> r = minus(X, spec.plane->point);
+    farthest = std::max(farthest, norm(cross(r, spec.plane->normal)) / (length > 0 ? length : 1));
+  }
+  spec.plane->size = std::max({usual_plane, 2 * diagonal(base), 2 * std::numbers::sqrt2 * farthest});
   return spec;
 }
 
@@ -211,7 +220,8 @@ ContactSides Interactions::sides_of(const ContactSpec& spec) const {
   const LocalMesh& local = problem_.mesh();
   const auto body = bodies_.find(spec.master);
   return {local.X, local.owned, local.shared.at(spec.slave),
-          body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X)) : Master(body->second),
+          body == bodies_.end() ? Master(split(local.shared.at(spec.master), local.X))
+                                : Master(body->second, problem_.model().symmetry),
           problem_.model().symmetry};
 }
 
@@ -275,12 +285,18 @@ std::vector<const Interactions::Contact*> Interactions::contacts_on(const std::s
   return found;
 }
 
-// Current positions of all points that may touch a body, of all ranks.
-std::vector<double> Interactions::slaves_of(const std::string& body, const State& state) const {
-  std::vector<double> mine;
-  for (const Contact& c : contacts_)
-    if (c.spec.master == body) std::ranges::copy(c.term->outermost(state), std::back_inserter(mine));
-  return problem_.comm().gather(std::span<const double>(mine));
+// All points that may touch a body, of all ranks.
+SlavePlaces Interactions::slaves_of(const std::string& body, const State& state) const {
+  SlavePlaces mine;
+  for (const Contact& c : contacts_) {
+    if (c.spec.master != body) continue;
+    std::ranges::copy(c.term->outermost(state), std::back_inserter(mine.points));
+    for (const Vec3<double>& n : c.term->normals(state))
+      std::ranges::copy(n, std::back_inserter(mine.normals));
+  }
+  const Comm& comm = problem_.comm();
+  return {comm.gather(std::span<const double>(mine.points)),
+          comm.gather(std::span<const double>(mine.normals))};
 }
 
 void Interactions::start_contacts(const State& start) {

@@ -61,7 +61,7 @@ class Interactions final : public Term {
                                          const std::string& key) const;
   void add_suture(const std::string& name, const SutureSpec& spec);
   void start_contacts(const State& start);
-  std::vector<double> slaves_of(const std::string& body, const State& state) const;
+  SlavePlaces slaves_of(const std::string& body, const State& state) const;
 
   Problem& problem_;
   std::map<std::string, std::shared_ptr<RigidSurface>> bodies_;

@@ -34,10 +34,12 @@ double part_in_contact(const std::array<NodeInContact, 4>& corners, const std::a
                        double modulus) {
   static constexpr std::array<std::array<double, 2>, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   std::vector<std::array<double, 2>> polygon;
+  double cover = 0;
+  int closed = 0;
   for (int i = 0; i < 4; ++i) {
     const int j = (i + 1) % 4;
     const bool here = corners[i].pressure > 0, there = corners[j].pressure > 0;
-    if (here) polygon.push_back(square[i]);
+    if (here) polygon.push_back(square[i]), cover += corners[i].cover, ++closed;
     if (here == there) continue;
     const double part = here ? part_in_contact(corners[i], corners[j], lengths[i], modulus)
                              : 1 - part_in_contact(corners[j], corners[i], lengths[i], modulus);
@@ -50,7 +52,7 @@ double part_in_contact(const std::array<NodeInContact, 4>& corners, const std::a
     const auto& b = polygon[(i + 1) % polygon.size()];
     twice += a[0] * b[1] - a[1] * b[0];
   }
-  return twice / 2;
+  return closed > 0 ? cover / closed * twice / 2 : 0;
 }
 
 double area_in_contact(std::span<const PointInContact> points, const Comm& comm) {

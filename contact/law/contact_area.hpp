@@ -9,6 +9,7 @@ namespace bulbus::inline contact {
 /// How a contact leaves a node of its slave surface.
 struct NodeInContact {
   double pressure, gap;  ///< MPa, 0: open; mm
+  double cover = 1;      ///< φ: the part of the node that lies on the master
 };
 
 /// Part of an edge from a node in contact to an open one, `length` mm away, that is in contact. Near the end
@@ -20,7 +21,7 @@ struct NodeInContact {
 double part_in_contact(const NodeInContact& closed, const NodeInContact& open, double length, double modulus);
 
 /// Part of a face that is in contact: of the polygon of its corners in contact and the ends of contact on its
-/// edges. `lengths`: of the edge from each corner to the next, mm.
+/// edges, by the mean φ of those corners. `lengths`: of the edge from each corner to the next, mm.
 double part_in_contact(const std::array<NodeInContact, 4>& corners, const std::array<double, 4>& lengths,
                        double modulus);
 

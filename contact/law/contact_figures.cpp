@@ -56,7 +56,8 @@ double ContactTerm::least_area(const Found& f) const {
   for (const Touch& t : f.touches) {
     if (!points_[t.point].mine) continue;
     const double push = area(t) * pressure(t).value;
-    of_point = (t.point == last ? of_point : 0) + push, last = t.point;
+    if (push == 0) continue;
+    of_point = (t.point == last ? of_point : 0) + push / cover(t), last = t.point;
     force += push, most = std::max(most, of_point / f.shape.areas[t.point]);
   }
   force = comm_.sum(force), most = comm_.max(most);
@@ -68,7 +69,7 @@ Overlap ContactTerm::overlap_of(const Found& f, const State& state,
   Overlap o;
   const std::vector<double> places = points_.places(state.x);
   for (const Touch& t : f.touches)
-    if (points_[t.point].mine && counts(t)) o.add(-gap(t), at(places, t.point));
+    if (points_[t.point].mine && !beside(t) && counts(t)) o.add(-gap(t), at(places, t.point));
   return o;
 }
 
@@ -103,7 +104,7 @@ double ContactTerm::area_of_points(const Found& f) const {
     if (t.point == last)
       points.back().pressure = std::max(points.back().pressure, p);
     else
-      points.push_back({p, f.shape.areas[t.point]});
+      points.push_back({p, cover(t) * f.shape.areas[t.point]});
     last = t.point;
   }
   return area_in_contact(points, comm_);
@@ -111,22 +112,24 @@ double ContactTerm::area_of_points(const Found& f) const {
 
 // Each face is of the rank that owns its first corner; the others tell that rank of corners of their own.
 double ContactTerm::area_of_faces(const State& state, const Found& f) const {
-  const NodeInContact far{0, limits_.reach};
+  const NodeInContact far{0, limits_.reach, 0};
   std::map<int, NodeInContact> of_node;
   for (const Touch& t : f.touches) {
     NodeInContact& n = of_node.try_emplace(points_[t.point].nodes[0], far).first->second;
-    n = {std::max(n.pressure, pressure(t).value), std::min(n.gap, gap(t))};
+    const double p = area(t) > 0 ? pressure(t).value : 0;
+    n = {std::max(n.pressure, p), std::min(n.gap, gap(t)), std::max(n.cover, cover(t))};
   }
   const auto faces = slave_.faces();
-  std::vector<double> told;  // number of face and corner, pressure, gap
+  std::vector<double> told;  // number of face and corner, pressure, gap, cover
   for (std::size_t k = 0; k < faces.size(); ++k)
     for (int c = 0; c < 4 && faces[k][0] >= owned_; ++c)
       if (const auto n = of_node.find(faces[k][c]); faces[k][c] < owned_ && n != of_node.end())
-        told.insert(told.end(), {4. * slave_.numbers()[k] + c, n->second.pressure, n->second.gap});
+        told.insert(told.end(),
+                    {4. * slave_.numbers()[k] + c, n->second.pressure, n->second.gap, n->second.cover});
   told = comm_.gather(told);
   std::map<long long, NodeInContact> of_corner;
-  for (std::size_t k = 0; k < told.size(); k += 3)
-    of_corner[static_cast<long long>(told[k])] = {told[k + 1], told[k + 2]};
+  for (std::size_t k = 0; k < told.size(); k += 4)
+    of_corner[static_cast<long long>(told[k])] = {told[k + 1], told[k + 2], told[k + 3]};
   const auto corner = [&](std::size_t face, int c) {
     if (std::ranges::binary_search(master_.nodes(), faces[face][c])) return NodeInContact{0, 0};
     if (const auto n = of_node.find(faces[face][c]); n != of_node.end()) return n->second;
@@ -165,7 +168,7 @@ std::vector<ContactNode> ContactTerm::nodes(const State& state, double farthest)
       if (at == slave_.nodes().end() || *at != point.nodes[k]) continue;
       const std::size_t i = at - slave_.nodes().begin();
       ContactNode& n = nodes[i];
-      if (gap(t) < 0 && 2 * point.weights[k] > std::ranges::max(point.weights))
+      if (gap(t) < 0 && !beside(t) && 2 * point.weights[k] > std::ranges::max(point.weights))
         n.gap = std::min(n.gap, gap(t));
       n.pressure += point.weights[k] * push / areas[i];
       for (int c = 0; c < 3; ++c) n.force[c] += push * shares[k][c];

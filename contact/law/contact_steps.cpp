@@ -22,10 +22,15 @@ void ContactTerm::begin_increment() {
 }
 
 // Bodies that a step brings to touch get there without a way; what is inside as the first step begins is in
-// contact.
+// contact, but not what lies behind the master beside its rim.
 void ContactTerm::begin_step(int, const State& state) {
+  const bool first = start_.points.empty() && !start_.resumed && current_.overlap.empty();
   if (!start_.points.empty()) leave(state);
   commit(state);
+  if (!first) return;
+  for (const Touch& t : find(state, limits_, Search::whole).touches)
+    if (beside(t) && gap(t) < 0) current_.triangle[t.slot] = -1;
+  committed_ = current_;
 }
 
 void ContactTerm::pass_step(int, const State& start) { leave(start); }
@@ -125,7 +130,8 @@ void ContactTerm::leave(const State& state) {
 
 double ContactTerm::penetration(const Found& f) const {
   double worst = 0;
-  for (const Touch& t : f.touches) worst = std::max(worst, -gap(t));
+  for (const Touch& t : f.touches)
+    if (!beside(t)) worst = std::max(worst, -gap(t));
   return worst;
 }
 
@@ -133,7 +139,7 @@ double ContactTerm::penetration(const Found& f) const {
 double ContactTerm::violation(const Found& f) const {
   double worst = penetration(f);
   for (const Touch& t : f.touches)
-    if (pressure(t).value > 0) worst = std::max(worst, gap(t));
+    if (!beside(t) && pressure(t).value > 0) worst = std::max(worst, gap(t));
   return worst;
 }
 
@@ -155,6 +161,13 @@ bool ContactTerm::set_changed(const Found& f) {
   return retried_ = comm_.any(now != active_);
 }
 
+// Past a rim multipliers only fall: nothing has to be held there, and a small φ would ask for a high
+// pressure.
+double ContactTerm::updated(const Touch& t) const {
+  const double p = current_.pressure[t.slot], next = std::max(0., p - penalty_ * gap(t));
+  return beside(t) ? std::min(p, next) : next;
+}
+
 bool ContactTerm::unsettled(const State& state) {
   const Found& f = found(state);
   if (set_changed(f) || released(f)) return true;
@@ -165,7 +178,7 @@ bool ContactTerm::unsettled(const State& state) {
   if (augmentation_.gave_up) return false;
   ++augmentation_.updates;
   std::vector<double> p(current_.pressure.size());
-  for (const Touch& t : f.touches) p[t.slot] = std::max(0., current_.pressure[t.slot] - penalty_ * gap(t));
+  for (const Touch& t : f.touches) p[t.slot] = updated(t);
   current_.pressure = std::move(p);
   return true;
 }

@@ -20,6 +20,7 @@ constexpr double settling = 2;
 // Radius of sharp edges of a rigid body, in allowed depths: more than what the penalty lets in
 // (docs/decisions/042).
 constexpr double rounding = 0.2;
+constexpr double rounding_of_cover = 1e-6;
 
 }  // namespace
 
@@ -55,10 +56,15 @@ ContactTerm::ContactTerm(const ContactSpec& spec, const ContactDefaults& default
   committed_ = current_;
 }
 
+// φ: the part of the point that lies on the master.
+double ContactTerm::cover(const Touch& t) const { return t.along ? t.along->cover : 1; }
+
 // Reference area, of the part that lies on the master.
-double ContactTerm::area(const Touch& t) const {
-  return t.along ? t.along->cover * area0_[t.point] : area0_[t.point];
-}
+double ContactTerm::area(const Touch& t) const { return cover(t) * area0_[t.point]; }
+
+// Past a rim of the master by more than rounding: such a point is pressed, the less the farther it is, but
+// not inside of anything.
+bool ContactTerm::beside(const Touch& t) const { return cover(t) < 1 - rounding_of_cover; }
 
 double ContactTerm::gap(const Touch& t) const {
   return t.pair.gap + (current_.overlap.empty() ? 0 : fade_ * current_.overlap[t.slot]);
@@ -113,7 +119,7 @@ std::shared_ptr<const TermTangent> ContactTerm::tangent(const std::shared_ptr<co
   for (const Touch& t : found(*state).touches) {
     const ContactPressure p = pressure(t);
     if (p.slope == 0) continue;
-    highest = std::max(highest, p.value);
+    if (area(t) > 0) highest = std::max(highest, p.value);
     tangent->rates.push_back({t.slot, p.value, penalty_ * p.slope, gradient(*state, t)});
     if (!points_[t.point].mine) continue;
     const double before = predicted_[t.slot];

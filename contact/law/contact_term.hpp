@@ -106,6 +106,8 @@ class ContactTerm final : public Term {
 
   /// Current positions of the slave points, their chordal offset added along the normal; 3 each, mm.
   std::vector<double> outermost(const State& state) const { return outermost(state.x, shape(state.x)); }
+  /// Of the slave points, out of the slave; unit, or zero where it has none.
+  std::vector<Vec3<double>> normals(const State& state) const { return shape(state.x).normals; }
   /// Points farther inside than `tolerance` (mm) and nearer than the reach, whatever the depth allowed.
   Overlap overlaps(const State& start, double tolerance) const;
   /// Points that are inside by more than is allowed (mm), as a function of a point and its area (mm²).
@@ -166,6 +168,7 @@ class ContactTerm final : public Term {
   PairGradient gradient(const State& state, const Touch& touch) const;
   void add_tangent_along(const MasterSurface& master, const Touch& touch, const ContactPressure& pressure,
                          BlockTangent& blocks) const;
+  double cover(const Touch& touch) const;
   double area(const Touch& touch) const;
   double area_of_points(const Found& found) const;
   double area_of_faces(const State& state, const Found& found) const;
@@ -184,6 +187,7 @@ class ContactTerm final : public Term {
   void follow(const MasterSurface& master, double motion, const Way& way, const Vec3<double>& N, int start,
               std::span<const int> candidates, Selection& chosen) const;
   bool idle(int point) const;
+  bool beside(const Touch& touch) const;
   double gap(const Touch& touch) const;
   ContactPressure pressure(const Touch& touch) const;
   double penetration(const Found& found) const;
@@ -193,6 +197,7 @@ class ContactTerm final : public Term {
   double violation(const Found& found) const;
   double needed_tolerance(double highest) const;
   bool unsettled(const State& state);
+  double updated(const Touch& touch) const;
   bool released(const Found& found);
   bool set_changed(const Found& found);
   void begin_increment();

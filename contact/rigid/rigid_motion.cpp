@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "contact/surfaces/meridians.hpp"
 #include "core/base/error.hpp"
@@ -15,12 +14,24 @@ namespace {
 // Between a part brought to touch and the first of its slave's points: of the slave's extent, and mm at most.
 constexpr double near_touch = 1e-7, farthest_touch = 1e-6;
 
+constexpr double looks_away = 1e-6;  // N·d
+
 double clearance(std::span<const double> points) {
   double extent = 0;
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t i = c; i < points.size(); i += 3)
       extent = std::max(extent, std::abs(points[i] - points[c]));
   return extent > 0 ? std::min(near_touch * extent, farthest_touch) : farthest_touch;
+}
+
+// The points that a body on its way along d meets from in front: N·d ≤ 0 but for rounding.
+std::vector<double> opposed(const SlavePlaces& slaves, const Vec3<double>& d) {
+  if (slaves.normals.empty()) return slaves.points;
+  std::vector<double> points;
+  for (std::size_t i = 0; i < slaves.points.size(); i += 3)
+    if (dot({slaves.normals[i], slaves.normals[i + 1], slaves.normals[i + 2]}, d) <= looks_away)
+      points.insert(points.end(), &slaves.points[i], &slaves.points[i] + 3);
+  return points;
 }
 
 Vec3<double> turned(const Mat3<double>& R, const Vec3<double>& v) {
@@ -106,8 +117,8 @@ Vec3<double> RigidMotion::inwards(std::size_t part) const {
   return turned(start_[part].rotation, surface_->parts[part].inwards);
 }
 
-void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key) {
-  const double close = move.close + move.shorten / (2 * std::numbers::pi);
+void RigidMotion::begin(const MoveSpec& move, const SlavePlaces& slaves, const std::string& key) {
+  const double close = move.close + move.shorten / surface_->shortening;
   for (const auto& part : surface_->parts)
     if (close != 0 && norm(part.inwards) == 0)
       throw scene_error(key + (move.close != 0 ? ".close" : ".shorten"),
@@ -123,23 +134,25 @@ void RigidMotion::begin(const MoveSpec& move, std::span<const double> slaves, co
   set_progress(0);
 }
 
-void RigidMotion::bring_to_touch(const MoveSpec& move, std::span<const double> slaves,
-                                 const std::string& key) {
+void RigidMotion::bring_to_touch(const MoveSpec& move, const SlavePlaces& slaves, const std::string& key) {
   now_ = start_;
   place();  // where a run goes on amid the step it is farther on
-  const double left = clearance(slaves);
+  const double left = clearance(slaves.points);
   for (std::size_t p = 0; p < start_.size(); ++p) {
     const bool shifts = move.close == 0 && move.shorten == 0 && norm(move.translate) > 0;
     const Vec3<double> d = shifts ? unit(move.translate) : inwards(p);
     if (!(norm(d) > 0))
       throw scene_error(key + ".from", "'" + surface_->name + "' has no direction in which to come to touch",
                         "Give the move a `translate`, or the body a `direction`.");
-    const double way = way_to_touch(*surface_, surface_->parts[p], d, slaves);
+    const double way = way_to_touch(*surface_, surface_->parts[p], d, opposed(slaves, d));
     if (!std::isfinite(way))
       throw scene_error(
           key + ".from",
           "part " + std::to_string(p) + " of '" + surface_->name +
-              "' meets no node of the surfaces it is in contact with",
+              "' meets no node of the surfaces it is in contact with" +
+              (std::isfinite(way_to_touch(*surface_, surface_->parts[p], d, slaves.points))
+                   ? " but from behind: where it meets them they look the way that it moves"
+                   : ""),
           "Place the body so that its way leads to them, and name them as slaves of a contact with it.");
     start_[p].shift = start_[p].shift + (way - left) * d;
   }

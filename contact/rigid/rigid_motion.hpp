@@ -11,6 +11,12 @@
 
 namespace bulbus::inline contact {
 
+/// Where the tissue that a body may touch is: 3 numbers per point.
+struct SlavePlaces {
+  std::vector<double> points;   ///< mm
+  std::vector<double> normals;  ///< out of the tissue, unit or zero; none: the points have no side
+};
+
 /// Moves the parts of a rigid surface through the steps. Every part has its pose about its own centre c:
 /// x = c + shift + rotation (X − c). Works the same on every rank without communication.
 class RigidMotion {
@@ -18,10 +24,11 @@ class RigidMotion {
   /// Sets surface->places from here on.
   explicit RigidMotion(std::shared_ptr<RigidSurface> surface);
 
-  /// A step begins that moves the body. `slaves`: current positions (3 each) of the nodes that it may touch,
-  /// of ALL ranks; read only where the move counts from touch. `key` is the path of the move in the scene.
+  /// A step begins that moves the body. `slaves`: what it may touch now, of ALL ranks; read only where the
+  /// move counts from touch, which is with points whose surface does not look the way that the part moves.
+  /// `key` is the path of the move in the scene.
   /// Throws InputError if a part has no direction to close along, or never meets a slave.
-  void begin(const MoveSpec& move, std::span<const double> slaves, const std::string& key);
+  void begin(const MoveSpec& move, const SlavePlaces& slaves, const std::string& key);
   /// Places at the part s of the step done.
   void set_progress(double s);
   /// All parts a way (mm) further along their own directions than the step's motion has them, till its end.
@@ -43,7 +50,7 @@ class RigidMotion {
   };
   Pose at(std::size_t part, double s) const;
   Vec3<double> inwards(std::size_t part) const;
-  void bring_to_touch(const MoveSpec& move, std::span<const double> slaves, const std::string& key);
+  void bring_to_touch(const MoveSpec& move, const SlavePlaces& slaves, const std::string& key);
   void place();
 
   std::shared_ptr<RigidSurface> surface_;

@@ -61,11 +61,6 @@ std::vector<Station> stations_of(const Profile& profile, int facets, double from
   return stations;
 }
 
-struct Ends {
-  bool first = false, last = false;
-  int count() const { return first + last; }
-};
-
 // One part between two azimuths (degrees), an end rounded as its edges are: a ball of the edges' radius rolls
 // in it.
 std::vector<Station> stations_of(const ArcProfile& profile, const ArcSpec& arc, double from, double to,
@@ -84,7 +79,7 @@ std::vector<Station> stations_of(const ArcProfile& profile, const ArcSpec& arc, 
   return stations;
 }
 
-// An end in a plane of symmetry is none: the body goes on as its image.
+// An end in a plane of symmetry is none: the body goes on as its image, without a cap and the edges of one.
 bool goes_on(const MeridianFrame& frame, double azimuth, std::span<const std::string> symmetry) {
   const Vec3<double> normal = cross(frame.axis, frame.radius(azimuth));
   return std::ranges::any_of(symmetry, [&](const std::string& plane) {
@@ -103,24 +98,27 @@ void append_arcs(RigidSurface& body, const ArcProfile& profile, const ArcSpec& a
   if (step / arc.facets >= 90)
     throw scene_error(key + ".facets", "a facet spans " + std::to_string(step / arc.facets) + " degrees",
                       "Let facets span less than 90.");
-  const bool round = profile.edge_radius > 0 && arc.caps && opening < 360 - 1e-9;
+  const bool closed = arc.caps && opening < 360 - 1e-9;
   const double length = step * std::numbers::pi / 180 * profile.radius;
   const MeridianFrame frame(arc.meridians, key);
+  const double half = step / 2 * std::numbers::pi / 180;
+  if (step < 360 - 1e-9) body.shortening = 2 * std::numbers::pi * std::sin(half) / half;
   for (int p = 0; p < arc.parts; ++p) {
     const double from = arc.from + step * p, to = from + step;
     const bool radial = norm(direction) == 0 && step < 360 - 1e-9;  // a whole ring has no middle
-    const Ends ends{round && p == 0 && !goes_on(frame, from, symmetry),
-                    round && p == arc.parts - 1 && !goes_on(frame, to, symmetry)};
+    const Ends free{closed && p == 0 && !goes_on(frame, from, symmetry),
+                    closed && p == arc.parts - 1 && !goes_on(frame, to, symmetry)};
+    const Ends ends = profile.edge_radius > 0 ? free : Ends{};
     if (ends.count() * profile.edge_radius >= length)
       throw scene_error(
           key + ".edge_radius", "the rounded ends do not fit into the arc",
           "Keep edge_radius below the length of a part, or below half of it where both of its ends "
           "are free; or leave the ends open: `caps: false`.");
-    append(body, sweep(stations_of(profile, arc, from, to, ends), frame, arc.caps), triangles,
+    append(body, sweep(stations_of(profile, arc, from, to, ends), frame, free), triangles,
            radial ? -1 * frame.radius(from + step / 2) : direction);
     if (ends.count() > 0)  // as if they were not rounded, so that it lies on the middle's radius
       body.parts.back().center =
-          mean_of(sweep(stations_of(profile.at(0), arc.facets, from, to), frame, arc.caps).points);
+          mean_of(sweep(stations_of(profile.at(0), arc.facets, from, to), frame, free).points);
   }
 }
 

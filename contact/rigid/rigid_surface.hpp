@@ -1,4 +1,5 @@
 #pragma once
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct RigidSurface {
   /// At the corners of the triangles, as drawn and as moved; empty where every triangle keeps its own normal.
   std::vector<CornerNormals> reference_normals, normals;
   std::vector<Part> parts;
+  /// What the length of a whole turn loses per way by which the arcs close radially: 2π sin h / h, since the
+  /// ends of a rigid arc of half angle h come together by 2 sin h.
+  double shortening = 2 * std::numbers::pi;
   std::vector<std::string> warnings;  ///< sentences about the file that it was read from
 };
 

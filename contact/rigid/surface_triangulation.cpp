@@ -143,7 +143,7 @@ SurfaceTriangulation triangulated(const BodyFile& file, const std::string& key) 
   return surface;
 }
 
-SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFrame& frame, bool caps) {
+SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFrame& frame, Ends caps) {
   const int n = static_cast<int>(stations.front().profile.size()),
             strips = static_cast<int>(stations.size()) - 1;
   const bool ring = stations.back().azimuth - stations.front().azimuth >= 360 - 1e-9;
@@ -157,10 +157,12 @@ SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFram
       const int a = n * k + i, b = n * k + (i + 1) % n, c = (a + n) % points, d = (b + n) % points;
       for (const auto& t : {std::array{a, c, d}, {a, d, b}}) surface.triangles.push_back(t);
     }
-  if (!caps || ring) return surface;
-  for (const auto& [a, b, c] : triangulate(stations.front().profile)) surface.triangles.push_back({a, b, c});
-  for (const auto& [a, b, c] : triangulate(stations.back().profile))
-    surface.triangles.push_back({n * strips + a, n * strips + c, n * strips + b});
+  if (caps.first && !ring)
+    for (const auto& [a, b, c] : triangulate(stations.front().profile))
+      surface.triangles.push_back({a, b, c});
+  if (caps.last && !ring)
+    for (const auto& [a, b, c] : triangulate(stations.back().profile))
+      surface.triangles.push_back({n * strips + a, n * strips + c, n * strips + b});
   return surface;
 }
 

@@ -42,8 +42,14 @@ struct Station {
   Profile profile;
 };
 
-/// The surface through sections of equally many corners at ascending azimuths; closed by flat caps if `caps`.
+/// Which ends of an arc something is true of.
+struct Ends {
+  bool first = false, last = false;
+  int count() const { return first + last; }
+};
+
+/// The surface through sections of equally many corners at ascending azimuths; closed by flat `caps`.
 /// If the last azimuth is a whole turn beyond the first, the surface ends where it begins.
-SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFrame& frame, bool caps);
+SurfaceTriangulation sweep(std::span<const Station> stations, const MeridianFrame& frame, Ends caps);
 
 }  // namespace bulbus::inline contact

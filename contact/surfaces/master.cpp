@@ -19,10 +19,10 @@ void Master::mirror(std::vector<std::array<bool, 3>> components) {
   if (!surface_) node_normals_.emplace(faces_, std::move(components));
 }
 
-Master::Master(std::shared_ptr<const RigidSurface> surface)
+Master::Master(std::shared_ptr<const RigidSurface> surface, std::span<const std::string> symmetry)
     : surface_(std::move(surface)),
-      edges_(surface_->facets, surface_->places, SharpEdges::Kind::convex),
-      hollows_(surface_->facets, surface_->places, SharpEdges::Kind::concave),
+      edges_(surface_->facets, surface_->places, SharpEdges::Kind::convex, symmetry),
+      hollows_(surface_->facets, surface_->places, SharpEdges::Kind::concave, symmetry),
       pieces_(std::max(1, static_cast<int>(surface_->parts.size()))),
       piece_(surface_->facets.triangles.size()) {
   for (std::size_t k = 0; k < surface_->parts.size(); ++k)

@@ -15,7 +15,8 @@ class Master {
   /// Corners are local nodes, renumbered to those in use; all triangles on every rank that has slave nodes,
   /// in the same order.
   explicit Master(Facets faces);
-  explicit Master(std::shared_ptr<const RigidSurface> surface);
+  /// `symmetry`: the planes "x", ... in which a body that is drawn up to them goes on as its image.
+  explicit Master(std::shared_ptr<const RigidSurface> surface, std::span<const std::string> symmetry = {});
 
   bool rigid() const { return surface_ != nullptr; }
   bool smooth() const { return surface_ && !surface_->normals.empty(); }

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 #include <vector>
 
 #include "contact/surfaces/facets.hpp"
@@ -7,12 +8,14 @@
 namespace bulbus::inline contact {
 
 /// For every triangle of a surface those that it meets in a corner where the surface is sharp (normals that
-/// differ by more than 30 degrees), and convex or concave.
+/// differ by more than 30 degrees), and convex or concave. Triangles in a plane of symmetry ("x", ...) meet
+/// none: the body goes on there as its image.
 class SharpEdges {
  public:
   enum class Kind { convex, concave };
   SharpEdges() = default;
-  SharpEdges(const Facets& facets, std::span<const double> places, Kind kind);
+  SharpEdges(const Facets& facets, std::span<const double> places, Kind kind,
+             std::span<const std::string> symmetry = {});
   bool empty() const { return others_.empty(); }
   /// Ascending.
   std::span<const int> of(int triangle) const {

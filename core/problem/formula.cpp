@@ -124,8 +124,9 @@ double Formula::operator()(const Vec3<double>& X, double s, double t) const {
   if (std::isfinite(value) && std::fetestexcept(no_value))
     throw scene_error(
         where_,
-        fmt::format("a part of '{}' is {} at X = {:.6g}, Y = {:.6g}, Z = {:.6g}, s = {:.4g}, t = {:.4g}", text_,
-                    std::fetestexcept(FE_INVALID) ? "not a number" : "infinite", X[0], X[1], X[2], s, t),
+        fmt::format("a part of '{}' is {} at X = {:.6g}, Y = {:.6g}, Z = {:.6g}, s = {:.4g}, t = {:.4g}",
+                    text_, std::fetestexcept(FE_INVALID) ? "not a number" : "infinite", X[0], X[1], X[2], s,
+                    t),
         "Every part must have a value there, or be left out where it has none: \"X > 1 ? sqrt(X - 1) : 0\".");
   if (!std::isfinite(value))
     throw scene_error(

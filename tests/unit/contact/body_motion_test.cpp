@@ -54,7 +54,7 @@ TEST(Motion, ShorteningClosesByTheRadius) {
   const auto b = shared(two_arcs());
   RigidMotion motion(b);
   MoveSpec shorten;
-  shorten.shorten = 4 * pi;
+  shorten.shorten = 2 * b->shortening;
   motion.begin(shorten, {}, "");
   motion.set_progress(.5);
   for (const auto& part : b->parts)
@@ -130,6 +130,23 @@ TEST(Touch, PlaneComesToTheNearestNode) {
   EXPECT_NEAR(way_to_touch(b, b.parts[0], {.6, 0, -.8}, std::vector<double>{6, 0, 2}), 10, 1e-12);
 }
 
+// In a cavity the wall behind looks the way that the ball moves.
+TEST(Touch, IsWithWhatLooksAgainstTheWay) {
+  const auto b = shared({.sphere = SphereShape{{0, 0, 0}, 1, 64}});
+  RigidMotion motion(b);
+  MoveSpec m;
+  m.from = "touch", m.translate = {0, 0, 2};
+  motion.begin(m, {{0, 0, 5, 0, 0, -5}, {0, 0, -1, 0, 0, 1}}, "");
+  EXPECT_NEAR(motion.poses()[0].shift[2], 4, 1e-4);
+  try {
+    motion.begin(m, {{0, 0, 5, 0, 0, -5}, {0, 0, 1, 0, 0, 1}}, "steps.0.move.0");
+    ADD_FAILURE();
+  } catch (const InputError& fault) {
+    EXPECT_EQ(fault.key, "steps.0.move.0.from");
+    EXPECT_NE(std::string(fault.what()).find("from behind"), std::string::npos) << fault.what();
+  }
+}
+
 // A rod along x sinks onto the nodes of a sphere: the way to a node at (x, y, z) is z_rod − √(R² − y²) − z
 TEST(Touch, RodOnASphereOfNodes) {
   const Mesh mesh = generate(ShellShape{.inner = 4, .outer = 5, .n = 6, .layers = 1, .part = "whole"});
@@ -182,7 +199,7 @@ TEST(Touch, EveryArcStandsWhereItFirstTouches) {
     EXPECT_GT(inside(*b), 0);
     MoveSpec m = closing(0, "touch");
     m.close = 1;
-    motion.begin(m, points, "");
+    motion.begin(m, {points, {}}, "");
     EXPECT_EQ(inside(*b), 0);
     motion.set_progress(4e-3);  // the edges' chord height, 0.2 (1 − cos 11.25°), and the clearance of 1e-6 mm
     EXPECT_GT(inside(*b), 0);
@@ -196,7 +213,7 @@ TEST(Touch, TheWayGoesAlongTranslateUnlessPartsClose) {
   MoveSpec m;
   m.from = "touch";
   m.translate = {0, 0, -2};
-  motion.begin(m, std::vector<double>{0, 0, 3}, "");
+  motion.begin(m, {{0, 0, 3}, {}}, "");
   expect_near(motion.poses()[0].shift, {0, 0, -6 + 1e-6}, 1e-12);
   motion.freeze();
   expect_near(motion.poses()[0].shift, {0, 0, -8 + 1e-6}, 1e-12);
@@ -208,9 +225,9 @@ TEST(Touch, WhatNeverMeetsIsRefused) {
   MoveSpec m;
   m.from = "touch";
   m.translate = {0, 0, -2};
-  EXPECT_THROW(motion.begin(m, aside, "steps.1.move.0"), InputError);
+  EXPECT_THROW(motion.begin(m, {aside, {}}, "steps.1.move.0"), InputError);
   m.translate = {0, 0, 0};
-  EXPECT_THROW(motion.begin(m, std::vector<double>{0, 0, 0}, "steps.1.move.0"), InputError);  // no direction
+  EXPECT_THROW(motion.begin(m, {{0, 0, 0}, {}}, "steps.1.move.0"), InputError);  // no direction
   EXPECT_THROW(motion.begin(closing(1), {}, "steps.1.move.0"), InputError);
   try {
     motion.begin(closing(1), {}, "steps.1.move.0");

@@ -252,6 +252,44 @@ TEST(Contact, MakesNoPairsOfNodesThatBothSurfacesShare) {
   EXPECT_EQ(two.term(contact_spec(50, .1)).slave().nodes().size(), 30u);
 }
 
+// A slave that reaches past a master of one face: of points past its rim the part φ counts that is pressed.
+TEST(Contact, FiguresCountPointsPastARimInPart) {
+  constexpr double sunk = .01, penalty = 50;
+  for (int divisions : {0, 3}) {
+    Sheets s;
+    const auto slave = s.add(10, 10, [](double u, double v) {
+      return Vec3<double>{2 * v - .5, 2 * u - .5, -sunk};
+    });
+    const auto master = s.add(1, 1, [](double u, double v) { return Vec3<double>{u, v, 0}; });
+    ContactSpec spec = contact_spec(penalty, .1);
+    spec.divisions = divisions;
+    const ContactTerm term(spec, {.penalty = 0, .depth = 0, .reach = .3},
+                           {s.X, s.nodes(), slave, Master(split(master)), {}}, Comm());
+    const ContactFigures f = term.figures(s.state());
+    const double pressed = -f.on_master[0].force[2] / (penalty * sunk);
+    EXPECT_GT(pressed, 1);
+    EXPECT_NEAR(f.area, pressed, divisions > 0 ? 1e-12 : .1 * pressed) << divisions;
+  }
+}
+
+// Behind a master but beside its rim a point is not inside of anything.
+TEST(Contact, PointsBesideARimAreNotInside) {
+  for (const auto& [from, expected] : {std::pair{1.02, 0}, {.9, 9}}) {
+    Sheets s;
+    const auto slave = s.add(2, 2, [from](double u, double v) {
+      return Vec3<double>{from + .08 * v, .4 + .2 * u, -.02};
+    });
+    const auto master = s.add(1, 1, [](double u, double v) { return Vec3<double>{u, v, 0}; });
+    ContactTerm term(contact_spec(50, .1), {.penalty = 0, .depth = 0, .reach = .3},
+                     {s.X, s.nodes(), slave, Master(split(master)), {}}, Comm());
+    const State start = s.state();
+    EXPECT_EQ(term.overlaps(start, 1e-4).points, expected);
+    EXPECT_NEAR(term.penetration(start), expected > 0 ? .02 : 0, 1e-12);
+    term.begin_step(0, start);
+    EXPECT_EQ(term.figures(start).pairs, expected);
+  }
+}
+
 // A master that is a ridge of two faces: the side force of a node that crosses it goes through zero.
 TEST(Contact, ForceGoesOnAcrossARidge) {
   Sheets s;

@@ -110,6 +110,27 @@ TEST(OperationProbes, RefuseASetWithoutAnEdge) {
   }
 }
 
+/// Also where it begins in the origin.
+TEST(OperationProbes, RefuseAnEdgeInAPlaneOfSymmetryFromTheOrigin) {
+  Scene s = block(1.99, true);
+  s.model.fix[0].set = "xmax";
+  s.model.contacts[0].slave = "xmin";
+  s.model.rigid_bodies["plate"].plane = PlaneShape{.point = {.01, 0, 0}, .normal = {1, 0, 0}};
+  EXPECT_THROW(figures(s, {sealed("ymin")}), InputError);
+  EXPECT_EQ(figures(s, {sealed("ymax")}).size(), 1u);
+}
+
+/// A sheet without a size reaches the model from wherever its point is.
+TEST(OperationProbes, PlaneReachesPastTheModelFromAnyPoint) {
+  const auto push = [](double along) {
+    Scene s = block(1.9);
+    s.model.rigid_bodies["plate"].plane->point = {1.9, along, -2 * along};
+    return figures(s, {probe("penetration")}).front();
+  };
+  EXPECT_NEAR(push(0), .1, 1e-12);
+  EXPECT_NEAR(push(100), .1, 1e-12);
+}
+
 /// Columns of nodes at y = −1, 0, 1 are .1, .2, .3 before the plate.
 TEST(OperationProbes, MeasureGaps) {
   const Map tilt = [](const Vec3<double>& X) {
