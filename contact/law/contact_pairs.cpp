@@ -58,7 +58,8 @@ ContactTerm::Found ContactTerm::find(const State& state, const SearchLimits& nea
   SearchLimits limits = near_by;
   const double master_motion = history ? greatest_motion(master.places, start_.places) : 0;
   if (history) {
-    f.motion = greatest_motion(points, start_.points) + master_motion;
+    // a point stays a candidate however deep it was
+    f.motion = greatest_motion(points, start_.points) + master_motion + start_.deepest;
     if (f.motion > limits.reach) limits.reach = std::min(1.5 * f.motion, farthest_search * limits_.reach);
   }
   const Candidates& near = search_.update(points, master.facets.triangles, master.places, limits.reach);
@@ -137,12 +138,14 @@ void ContactTerm::follow(const MasterSurface& master, double motion, const Way& 
   if (over && p.gap < 0) chosen.triangle = t, chosen.distance = 0;
 }
 
-// Too far away to touch, and without a multiplier or a predicted pressure that could pull it back.
+// Too far away to touch, not in contact when the increment began, and without a multiplier or a predicted
+// pressure that could pull it back.
 bool ContactTerm::idle(int point) const {
   if (!clearances_.far(point)) return false;
   for (std::size_t first = point * master_.pieces(); first < current_.pressure.size(); first += slots())
     for (int k = 0; k < master_.pieces(); ++k)
-      if (current_.pressure[first + k] != 0 || predicted_[first + k] != 0) return false;
+      if (current_.pressure[first + k] != 0 || predicted_[first + k] != 0 || committed_.triangle[first + k] >= 0)
+        return false;
   return true;
 }
 

@@ -69,11 +69,12 @@ std::string ContactTerm::refusal(const State& state) const {
 
 void ContactTerm::commit(const State& state) {
   std::ranges::fill(current_.triangle, -1);
-  for (const Touch& t : find(state, limits_, Search::with_history).touches)
-    current_.triangle[t.slot] = t.triangle;
+  const Found f = find(state, limits_, Search::with_history);
+  for (const Touch& t : f.touches) current_.triangle[t.slot] = t.triangle;
   committed_ = current_;
   found_.key.clear();
   leave(state);
+  start_.deepest = penetration(f);
 }
 
 void ContactTerm::roll_back() {

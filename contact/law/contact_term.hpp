@@ -159,6 +159,7 @@ class ContactTerm final : public Term {
   struct IncrementStart {
     std::vector<double> points, places;
     bool resumed = false;  // the points are where the next search finds them
+    double deepest = 0;    // penetration, mm
   };
 
   std::vector<double> surfaces(const State& state) const;

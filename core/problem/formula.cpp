@@ -79,17 +79,18 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
   const std::string rest = end;
   bare_ = rest.empty();
   constant_ = end != text.c_str() && std::isfinite(value_) &&
-              (bare_ || rest == " " + unit_of(Quantity::length) || rest == " " + unit_of(Quantity::stress));
+              (bare_ || rest == fmt::format(" {}", unit_of(Quantity::length)) ||
+               rest == fmt::format(" {}", unit_of(Quantity::stress)));
   if (constant_) return;
   bare_ = false;
   if (has_stray_comma(text))
-    throw scene_error(where, "the formula '" + text + "' has a comma outside of a function", decimal_point);
+    throw scene_error(where, fmt::format("the formula '{}' has a comma outside of a function", text), decimal_point);
   if (assigns(text))
-    throw scene_error(where, "the formula '" + text + "' has a single '=', which compares nothing",
+    throw scene_error(where, fmt::format("the formula '{}' has a single '=', which compares nothing", text),
                       "Write == to compare, or of coordinates better \"abs(X - 1) < 0.001\".");
   if (compares_twice(text))
     throw scene_error(where,
-                      "the formula '" + text + "' compares the outcome of a comparison, which is 0 or 1",
+                      fmt::format("the formula '{}' compares the outcome of a comparison, which is 0 or 1", text),
                       "Join two comparisons by &&, such as \"0.1 < X && X < 0.9\".");
   parser_ = std::make_unique<Parser>();
   auto& p = *parser_;
@@ -105,11 +106,11 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
     p.expression.Eval();
     if (std::isfinite(first) && then && !std::fetestexcept(no_value))
       throw scene_error(
-          where, "a part of the formula '" + text + "' has no finite value",
+          where, fmt::format("a part of the formula '{}' has no finite value", text),
           "Parts such as sqrt(-1) or 1/0 are hidden by comparisons, min and max: write what is meant.");
   } catch (const mu::ParserError& e) {
     throw scene_error(
-        where, "cannot read the formula '" + text + "': " + e.GetMsg(),
+        where, fmt::format("cannot read the formula '{}': {}", text, e.GetMsg()),
         std::string("Give a number, or an expression in X, Y, Z, s (0 to 1 over the step) and t.") +
             (text.find(',') == std::string::npos ? "" : std::string(" ") + decimal_point));
   }
