@@ -32,7 +32,8 @@ TEST(CycleDetector, SeesStatesThatAreNotFarApart) {
 TEST(CycleDetector, HalvesTheStepAgainWhereTheErrorHasFallen) {
   CycleDetector cycle;
   std::vector<double> steps;
-  for (double force : {7.38e-5, 5.59e-5, 7.38e-5, 5.59e-5, 7.38e-5, 5.59e-5, 1.47e-5, 1.92e-5, 1.77e-5, 1.92e-5, 1.77e-5})
+  for (double force :
+       {7.38e-5, 5.59e-5, 7.38e-5, 5.59e-5, 7.38e-5, 5.59e-5, 1.47e-5, 1.92e-5, 1.77e-5, 1.92e-5, 1.77e-5})
     steps.push_back(cycle.longest_step({.force = force}));
   EXPECT_EQ(steps, (std::vector<double>{1, 1, 1, 1, 1, 0.5, 1, 1, 1, 1, 0.5}));
 }

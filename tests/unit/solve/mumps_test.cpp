@@ -224,8 +224,7 @@ TEST_F(MumpsTest, SolutionOfASingularSystemIsThatOfLeastNorm) {
     std::vector<double> x(mine.size());
     ASSERT_TRUE(mumps.solve(mine, x));
     const std::vector<double> all = comm.gather(std::span<const double>(x));
-    for (int e = nodes; e < nodes + pairs; ++e)
-      EXPECT_NEAR(all[e], all[e + pairs], 1e-12) << e;
+    for (int e = nodes; e < nodes + pairs; ++e) EXPECT_NEAR(all[e], all[e + pairs], 1e-12) << e;
     std::vector<double> Ax(rows, 0.);
     for (std::size_t k = 0; k < c.mine.row.size(); ++k)
       Ax[c.mine.row[k]] += c.mine.value[k] * all[c.mine.col[k]];
