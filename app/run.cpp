@@ -258,6 +258,12 @@ int run_into(ResultsFolder& folder, const Scene& scene, const std::string& scene
     log.warn(warning);
   }
   std::ranges::copy(recorder.snaps(), std::back_inserter(prepared.warnings));
+  if (const int unstable = recorder.unstable_increments(); unstable > 0)  // the log has each
+    prepared.warnings.push_back(fmt::format(
+        "not a stable equilibrium, or perhaps not, at the end of {} of {} increments: the log tells "
+        "which, and by how many negative pivots or by negative curvature. The body would leave it "
+        "at the least push.",
+        unstable, recorder.increments()));
   profiler.memory.set("mesh", problem.mesh().bytes());
   const bool stuck = !report.converged && !report.signal;
   return conclude(report, !stuck ? "" : report.remedy.empty() ? recorder.diagnosis(state) : report.remedy);

@@ -84,8 +84,12 @@ std::string diagnosis(const FailureFacts& f) {
            "Support it "
            "with `fix` or `displace` until the contact bears.";
   if (f.outcome == Outcome::linear_solver_failed)
-    return "the linear systems could not be solved: try `solver: {linear: {method: direct}}`, more "
-           "`increments`, or a larger `linear.max_iterations`.";
+    return f.direct
+               ? "the linear systems could not be solved: a part may be able to move freely (`fix`, "
+                 "`symmetry`, `displace` or bars hold it). Else take more `increments`, or "
+                 "`solver: {linear: {direct: mumps}}` where that is another one."
+               : "the linear systems could not be solved: try `solver: {linear: {method: direct}}`, more "
+                 "`increments`, or a larger `linear.max_iterations`.";
   return "Newton's iteration does not settle: take more `increments`, a smaller `stepping.minimum`, or "
          "divide the step; look at the last converged state for what is about to happen.";
 }

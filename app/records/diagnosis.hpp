@@ -28,6 +28,7 @@ struct FailureFacts {
   double displacement = 0;  ///< largest, over the model's size
   std::optional<AlternatingPressures> alternating;
   bool contacts = false, touching = false;
+  bool direct = false;  ///< the linear solver is
 };
 
 /// One line: the most likely cause, and what to try. Never empty.

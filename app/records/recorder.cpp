@@ -47,7 +47,8 @@ Recorder::Recorder(const Prepared& prepared, const Scene& scene, ResultsFolder& 
       probes_(problem_, probe_kinds(interactions_)),
       record_(probes_),
       results_(scene.output, problem_, interactions_, folder),
-      checkpoints_(scene, prepared, *this, folder) {
+      checkpoints_(scene, prepared, *this, folder),
+      direct_(scene.solver.linear.method == Method::direct) {
   values_.resize(probes_.size());
   const bool krylov = scene.solver.linear.record_krylov || scene.solver.linear.record_spectrum;
   folder.claim({history_file, units_file});
@@ -199,7 +200,9 @@ Resumed Recorder::resume(Checkpoint& checkpoint) {
 std::string Recorder::diagnosis(const State& last) const {
   const bool touching =
       std::ranges::any_of(contacts_, [](const ContactStanding& c) { return c.touching > 0; });
-  return bulbus::diagnosis(witness_.facts(last, touching));
+  FailureFacts facts = witness_.facts(last, touching);
+  facts.direct = direct_;
+  return bulbus::diagnosis(facts);
 }
 
 std::vector<std::string> Recorder::snaps() const {

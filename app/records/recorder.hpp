@@ -92,6 +92,7 @@ class Recorder final : public MarchObserver, public Archived {
   std::optional<double> from_drawn_;
   double worst_reduction_ = 0;
   bool taken_ = false;  // are the values of the last state?
+  bool direct_;         // is the linear solver?
   double since_ = Clock::now();
 };
 

@@ -100,7 +100,10 @@ LinearReport DirectFallback::solve(const CoupledOperator& A, std::span<const dou
   const double scale = scaled_norm(system, b);
   std::ranges::fill(x, 0.0);
   report.reduction = scale > 0 ? 1 : 0;
-  for (int i = 0; i <= refinements && report.reduction > tolerance; ++i) {
+  const auto misses = [&](double reduction) {
+    return reduction > tolerance || unsolvable(factor, reduction);
+  };
+  for (int i = 0; i <= refinements && misses(report.reduction); ++i) {
     if (!solve_once(A, mumps, r, dx)) return report.reason = "MUMPS could not solve", report;
     for (std::size_t k = 0; k < dx.size(); ++k) dx[k] += x[k];
     A.apply(dx, r);

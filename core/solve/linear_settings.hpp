@@ -150,7 +150,8 @@ void LinearSettings::describe_choices(V& v) {
   // not of GMRES alone: beside the direct solver either word is true
   v("fallback", fallback,
     About{"what solves a system on which GMRES stagnates or fails; direct: MUMPS, as long as the memory "
-          "suffices; none: the increment is cut"});
+          "suffices; none: the increment is cut, and what MUMPS does for systems of up to 2,000 unknowns, "
+          "counting negative pivots and a second try before a cut, is left out"});
   v("memory_limit", memory_limit,
     About{"MB over all ranks that a run may need: more is refused; 0: the memory of one machine"}
         .at_least(0)

@@ -71,6 +71,8 @@ TEST(UnstableMaterial, IsFollowedBeyondItsLimitAndTold) {
   expect_same(both);
   EXPECT_NEAR(both.iterative.summary["probes"]["Fx"].get<double>(), -102.83, .01);
   EXPECT_NE(both.iterative.log.find("not a stable equilibrium"), std::string::npos);
+  for (const Result& r : {both.iterative, both.direct})
+    EXPECT_NE(r.summary["warnings"].dump().find("not a stable equilibrium"), std::string::npos);
 }
 
 // Twelve iterations are too few now and then.

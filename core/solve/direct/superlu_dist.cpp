@@ -46,9 +46,11 @@ class SuperLuDist final : public Factorisation {
     int info = 0;
     call(nullptr, 0, info);  // no right-hand side: factors only
     FactorReport report{.ok = info == 0, .code = info, .ordering = "METIS", .negative_pivots = -1};
-    if (info != 0)
-      report.reason =
-          info <= n_ ? "the matrix is singular" : "not enough memory";  // beyond n: bytes that were allocated
+    if (info != 0)  // beyond n: bytes that were allocated
+      report.reason = info > n_
+                          ? "not enough memory"
+                          : "the matrix is singular, or a pivot vanished, as rows are not exchanged: take "
+                            "direct: mumps";
     report.matrix_entries = static_cast<double>(comm_.sum(static_cast<long long>(matrix.value.size())));
     if (report.ok) tell(report);
     report.seconds_analysis += seconds_ordering;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/records/diagnosis.hpp"
 #include "core/io/hdf5_read.hpp"
 #include "core/solve/dump.hpp"
 #include "tests/support/not_empty.hpp"
@@ -258,6 +259,14 @@ TEST(Run, IsRefusedBeforeItStartsWhereMemoryDoesNotSuffice) {
     EXPECT_NE(r.err.find("Refine once less"), std::string::npos) << r.err;
     EXPECT_FALSE(r.wrote("summary.json"));
   }
+}
+
+// Whoever solves directly is not told to.
+TEST(Diagnosis, AdvisesWhatHasNotBeenTried) {
+  FailureFacts failed{.outcome = Outcome::linear_solver_failed};
+  EXPECT_NE(diagnosis(failed).find("method: direct"), std::string::npos);
+  failed.direct = true;
+  EXPECT_EQ(diagnosis(failed).find("method: direct"), std::string::npos);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "core/solve/direct/libraries.hpp"
 #include "core/solve/direct/make_factorisation.hpp"
 #include "core/solve/direct/system_factors.hpp"
+#include "core/solve/direct_fallback.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/not_empty.hpp"
 #include "tests/support/numbers.hpp"
@@ -158,6 +159,23 @@ TEST_F(DirectTest, EigenIsForSmallSystems) {
   const FactorReport report = factors.factorise(big);
   EXPECT_TRUE(report.too_large);
   EXPECT_NE(report.reason.find("more than 20000 take too long"), std::string::npos) << report.reason;
+}
+
+// What the regularisation leaves grows with γ in the norm of the augmented system, and is refined away.
+TEST_F(DirectTest, AugmentationMakesNoMatrixSingular) {
+  LinearSettings settings = direct_settings(Direct::mumps);
+  settings.gamma = 1e4;
+  const Residual r = problem.residual(state);
+  system = std::make_shared<const CoupledSystem>(problem, settings, state, r);
+  const CoupledOperator A(system);
+  std::vector<double> prescribed(state.x.size()), x(system->size(), NAN);
+  b = A.right_hand_side(r, prescribed);
+  for (double tolerance : {.5, 1e-3}) {
+    const LinearReport report = DirectFallback(settings, profiler).solve(A, b, x, tolerance);
+    EXPECT_TRUE(report.ok) << report.reason;
+    EXPECT_LT(report.reduction, 1e-6);
+  }
+  EXPECT_LT(relative_difference(solved_by(settings), x), 1e-6);
 }
 
 }  // namespace
