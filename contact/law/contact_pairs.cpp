@@ -144,7 +144,8 @@ bool ContactTerm::idle(int point) const {
   if (!clearances_.far(point)) return false;
   for (std::size_t first = point * master_.pieces(); first < current_.pressure.size(); first += slots())
     for (int k = 0; k < master_.pieces(); ++k)
-      if (current_.pressure[first + k] != 0 || predicted_[first + k] != 0 || committed_.triangle[first + k] >= 0)
+      if (current_.pressure[first + k] != 0 || predicted_[first + k] != 0 ||
+          committed_.triangle[first + k] >= 0)
         return false;
   return true;
 }

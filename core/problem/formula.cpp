@@ -84,14 +84,15 @@ Formula::Formula(const std::string& text, const std::string& where) : text_(text
   if (constant_) return;
   bare_ = false;
   if (has_stray_comma(text))
-    throw scene_error(where, fmt::format("the formula '{}' has a comma outside of a function", text), decimal_point);
+    throw scene_error(where, fmt::format("the formula '{}' has a comma outside of a function", text),
+                      decimal_point);
   if (assigns(text))
     throw scene_error(where, fmt::format("the formula '{}' has a single '=', which compares nothing", text),
                       "Write == to compare, or of coordinates better \"abs(X - 1) < 0.001\".");
   if (compares_twice(text))
-    throw scene_error(where,
-                      fmt::format("the formula '{}' compares the outcome of a comparison, which is 0 or 1", text),
-                      "Join two comparisons by &&, such as \"0.1 < X && X < 0.9\".");
+    throw scene_error(
+        where, fmt::format("the formula '{}' compares the outcome of a comparison, which is 0 or 1", text),
+        "Join two comparisons by &&, such as \"0.1 < X && X < 0.9\".");
   parser_ = std::make_unique<Parser>();
   auto& p = *parser_;
   try {

@@ -348,12 +348,22 @@ TEST(LostString, IsToldWithSutureAndPoint) {
   EXPECT_EQ(before.text("summary.json").find("no tangent"), std::string::npos);
 }
 
-// A plane goes 200 mm through a block of 1 mm, a hundred times farther than the search follows.
+// A plane goes up to 200 mm through a block of 1 mm, a hundred times farther than the search follows.
 TEST(FarPlane, DoesNotPassThrough) {
-  for (const char* way : {"-200", "-50", "-12.5"}) {
+  for (const char* way : {"-200", "-50"}) {
     const Ran run = run_case("far_plane", {std::string("steps.0.move.0.translate=[0, 0, ") + way + "]"});
     EXPECT_EQ(run.status, 1) << way << run.out;
+    EXPECT_NE(run.text("summary.json").find("Give the step more increments"), std::string::npos) << way;
   }
+}
+
+// Deeper than the search looks, and still in contact: the penalty is too small for it, which is told.
+TEST(FarPlane, IsFollowedHoweverDeep) {
+  const Ran run = run_case("far_plane", {"steps.0.move.0.translate=[0, 0, -12.5]"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(probe(run, "push"), 1e4);
+  EXPECT_LT(probe(run, "top"), .1);
+  EXPECT_NE(run.summary()["warnings"].dump().find("of the thinner layer"), std::string::npos);
 }
 
 }  // namespace
