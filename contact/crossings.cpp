@@ -18,16 +18,8 @@ namespace {
 using Sides = unsigned long long;
 constexpr Sides all_slaves = 0x5555555555555555ULL;
 Sides slave_of(std::size_t contact) { return 1ULL << (2 * contact % 64); }
-
-// A triangle: of its corners, and of itself. A side of a master that only meets the master's rim keeps
-// nothing out.
-struct TriangleSides {
-  Sides corners, own;
-};
-
-bool opposed(Sides hexahedron, const TriangleSides& triangle) {
-  return ((((hexahedron & all_slaves) << 1) & triangle.own) |
-          (((triangle.corners & all_slaves) << 1) & hexahedron)) != 0;
+bool opposed(Sides a, Sides b) {
+  return ((((a & all_slaves) << 1) & b) | (((b & all_slaves) << 1) & a)) != 0;
 }
 
 std::vector<Sides> sides_of_nodes(const LocalMesh& mesh, const Interactions& interactions) {
@@ -44,26 +36,16 @@ std::vector<Sides> sides_of_nodes(const LocalMesh& mesh, const Interactions& int
   return sides;
 }
 
-// Of the faces that are masters, by their sorted nodes.
-std::map<Quad, Sides> sides_of_faces(const LocalMesh& mesh, const Interactions& interactions) {
-  std::map<Quad, Sides> sides;
-  for (std::size_t k = 0; k < interactions.contacts().size(); ++k)
-    if (const auto& c = interactions.contacts()[k]; !c.body)
-      for (const Quad& q : mesh.shared.at(c.spec.master)) sides[sorted(q)] |= slave_of(k) << 1;
-  return sides;
-}
-
 // The boundary of the hexahedra and the rigid bodies, the same on every rank.
 struct Boundary {
   std::vector<double> places;     // mm, 3 per corner
   std::vector<Sides> sides;       // of a corner
   std::vector<long long> number;  // of a corner's node; −1 of bodies
   std::vector<std::array<int, 3>> triangles;
-  std::vector<Sides> own_sides;  // of a triangle
-  std::vector<int> part;         // of a triangle: its region, or behind the regions a body
+  std::vector<int> part;  // of a triangle: its region, or behind the regions a body
 };
 
-constexpr std::size_t of_face = 10;  // numbers: its four nodes, their sides, its region, its own sides
+constexpr std::size_t of_face = 9;  // numbers: its four nodes, their sides, its region
 
 int region_of(const LocalMesh& mesh, int hex) {
   int r = 0;
@@ -73,8 +55,7 @@ int region_of(const LocalMesh& mesh, int hex) {
 
 // The outer faces of this rank's hexahedra, those of all ranks one after the other.
 std::vector<long long> faces_of_all(const LocalMesh& mesh, const std::vector<Sides>& sides,
-                                    const std::map<Quad, Sides>& masters, std::span<const double> x,
-                                    std::vector<double>& places) {
+                                    std::span<const double> x, std::vector<double>& places) {
   std::vector<long long> own;
   std::vector<double> own_places;
   for (int f : outer_faces(mesh.hexes)) {
@@ -82,8 +63,6 @@ std::vector<long long> faces_of_all(const LocalMesh& mesh, const std::vector<Sid
     for (int n : q) own.push_back(mesh.number[n]);
     for (int n : q) own.push_back(static_cast<long long>(sides[n]));
     own.push_back(region_of(mesh, f / 6));
-    const auto master = masters.find(sorted(q));
-    own.push_back(master == masters.end() ? 0 : static_cast<long long>(master->second));
     for (int n : q) own_places.insert(own_places.end(), &x[3 * n], &x[3 * n] + 3);
   }
   places = mesh.comm.gather(std::span<const double>(own_places));
@@ -109,8 +88,7 @@ void add_mesh(std::span<const long long> faces, std::span<const double> places, 
     const Quad& q = quads[i];
     if (ranks[sorted(q)] > 1) continue;
     for (const auto& t : triangles_of(std::span(&q, 1)))
-      all.triangles.push_back(t), all.part.push_back(static_cast<int>(faces[of_face * i + 8])),
-          all.own_sides.push_back(static_cast<Sides>(faces[of_face * i + 9]));
+      all.triangles.push_back(t), all.part.push_back(static_cast<int>(faces[of_face * i + 8]));
   }
 }
 
@@ -126,8 +104,7 @@ void add_bodies(const Interactions& interactions, int part, Boundary& all) {
     all.sides.resize(all.places.size() / 3, sides);
     all.number.resize(all.sides.size(), -1);
     for (const auto& t : body->facets.triangles)
-      all.triangles.push_back({first + t[0], first + t[1], first + t[2]}), all.part.push_back(own),
-          all.own_sides.push_back(sides);
+      all.triangles.push_back({first + t[0], first + t[1], first + t[2]}), all.part.push_back(own);
   }
 }
 
@@ -191,8 +168,9 @@ std::vector<int> unheld(const LocalMesh& mesh, const std::vector<Sides>& sides, 
     const auto joined = [&](int n) {
       return std::ranges::any_of(c, [&](int k) { return all.number[k] == mesh.number[n]; });
     };
-    const TriangleSides of_triangle{all.sides[c[0]] | all.sides[c[1]] | all.sides[c[2]], all.own_sides[t]};
-    if (!opposed(own, of_triangle) && std::ranges::none_of(hex, joined)) triangles.push_back(t);
+    if (!opposed(own, all.sides[c[0]] | all.sides[c[1]] | all.sides[c[2]]) &&
+        std::ranges::none_of(hex, joined))
+      triangles.push_back(t);
   }
   return triangles;
 }
@@ -236,7 +214,7 @@ std::vector<std::string> crossed_surfaces(const Problem& problem, const Interact
   for (const std::string& region : mesh.region_names) names.push_back("region '" + region + "'");
   Boundary all;
   std::vector<double> places;
-  const auto faces = faces_of_all(mesh, sides, sides_of_faces(mesh, interactions), state.x, places);
+  const auto faces = faces_of_all(mesh, sides, state.x, places);
   add_mesh(faces, places, all);
   add_bodies(interactions, static_cast<int>(names.size()), all);
   for (const auto& [name, body] : interactions.bodies()) names.push_back("rigid body '" + name + "'");
@@ -251,8 +229,8 @@ std::vector<std::string> crossed_surfaces(const Problem& problem, const Interact
   for (const auto& [parts, x] : of_all_ranks(own, mesh.comm))
     sentences.push_back(fmt::format(
         "{} passes through {} near ({:.4g}, {:.4g}, {:.4g}) mm, which no bodies do: name the two surfaces "
-        "there as slave and master of a contact, the sides beside a master's rim among them, or end the run "
-        "before",
+        "there "
+        "as slave and master of a contact, or end the run before",
         names[parts.second], parts.first == parts.second ? "itself" : names[parts.first], x[0], x[1], x[2]));
   return sentences;
 }

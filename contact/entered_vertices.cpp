@@ -63,14 +63,6 @@ Overlap entered(const Interactions::Contact& c, const LocalMesh& mesh, std::span
   return deepest;
 }
 
-// Neither helps against a slave that comes in from the side.
-std::string beside_rim(const Interactions::Contact& c) {
-  return c.body
-             ? ""
-             : fmt::format("; where it has come in past the rim of '{}', name the side there as master, too",
-                           c.spec.master);
-}
-
 }  // namespace
 
 std::vector<std::string> entered_vertices(const Problem& problem, const Interactions& interactions,
@@ -84,9 +76,9 @@ std::vector<std::string> entered_vertices(const Problem& problem, const Interact
     if (o.points == 0) continue;
     sentences.push_back(fmt::format(
         "'{}' enters '{}' by {:.3g} mm at ({:.4g}, {:.4g}, {:.4g}) between the points of contact '{}', which "
-        "feel {:.3g} mm: its force is too small. Give more `divisions`{}, or refine '{}'{}",
+        "feel {:.3g} mm: its force is too small. Give more `divisions`{}, or refine '{}'",
         c.spec.master, c.spec.slave, o.depth, o.place[0], o.place[1], o.place[2], c.spec.name, penetration,
-        c.body ? "" : " or `two_way: true`", c.spec.slave, beside_rim(c)));
+        c.body ? "" : " or `two_way: true`", c.spec.slave));
   }
   return sentences;
 }

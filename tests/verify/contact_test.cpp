@@ -1,5 +1,4 @@
 // Contact against closed forms: blocks pressed together, Hertz, a ball that is pressed and let go.
-#include "contact/crossings.hpp"
 #include "tests/verify/two_blocks.hpp"
 
 namespace bulbus {
@@ -11,19 +10,6 @@ double pressed(ContactTrial& run) {
   run.direct();
   EXPECT_TRUE(run.report.converged) << run.report.reason;
   return run.force("joint")[2];
-}
-
-// Contact holds the faces that are masters, not the sides of the block that meet them at the rim.
-TEST(Blocks, ThatComeInPastTheRimCrossItsSides) {
-  const ContactTrial run(two_blocks(2, 2, 100));
-  const auto crossings = [&](double aside, double down) {
-    State state = run.problem.initial_state();
-    for (int n : run.problem.mesh().region_nodes[1]) state.x[3 * n] += aside, state.x[3 * n + 2] -= down;
-    return crossed_surfaces(run.problem, *run.interactions, state).size();
-  };
-  EXPECT_EQ(crossings(0, .002), 0u);
-  EXPECT_EQ(crossings(.3, .002), 0u);
-  EXPECT_EQ(crossings(.7, .1), 1u);
 }
 
 TEST(Blocks, PenaltyErsWithItsInverse) {
