@@ -166,19 +166,12 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
             return d;
           },
           all);
-  const auto from_axis = [&](const Vec3<double>& x) {
-    const Vec3<double> axis = unit(spec.axis);
-    Vec3<double> r = minus(x, spec.center);
-    const double t = dot(r, axis);
-    for (int c = 0; c < 3; ++c) r[c] -= t * axis[c];
-    return r;
-  };
   if (spec.radial) {
-    RadialHold& hold = radial_holds_[spec.set] = {spec.set, unit(spec.axis), spec.center, {}};
+    RadialHold& hold = radial_holds_[spec.set] = {spec, {}};
     along(
         "radial", "radial", *spec.radial,
         [&](int n) {
-          const Vec3<double> r = from_axis(at(start.x, n));
+          const Vec3<double> r = from_axis(spec, at(start.x, n));
           if (!(norm(r) > 0))
             throw scene_error(where + ".radial",
                               "a node of '" + spec.set + "' lies on the axis: it has no radial direction",
@@ -186,7 +179,9 @@ void Problem::add_displacement(const DisplaceSpec& spec, int step, int index, co
           return hold.directions.emplace_back(n, unit(r)).second;
         },
         // a set that has turned about the axis is as far from it as before
-        [&](int n, double) { return norm(from_axis(at(start.x, n))) - norm(from_axis(at(mesh_.X, n))); });
+        [&](int n, double) {
+          return norm(from_axis(spec, at(start.x, n))) - norm(from_axis(spec, at(mesh_.X, n)));
+        });
   }
   if (spec.by)
     along(

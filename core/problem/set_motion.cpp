@@ -20,6 +20,13 @@ Vec3<double> rigidly_moved(const DisplaceSpec& spec, const Vec3<double>& x, doub
   return place;
 }
 
+Vec3<double> from_axis(const DisplaceSpec& spec, const Vec3<double>& x) {
+  Vec3<double> r = minus(x, spec.center);
+  const double t = dot(r, spec.axis) / dot(spec.axis, spec.axis);
+  for (int c = 0; c < 3; ++c) r[c] -= t * spec.axis[c];
+  return r;
+}
+
 Vec3<double> affine_image(const DisplaceSpec& spec, const Vec3<double>& X) {
   const auto& F = *spec.affine;
   Vec3<double> image;

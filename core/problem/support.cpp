@@ -16,6 +16,7 @@
 #include "core/mesh/faces.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/problem/closed_surface.hpp"
+#include "core/problem/set_motion.hpp"
 #include "core/problem/validate.hpp"
 
 namespace bulbus::inline problem {
@@ -173,15 +174,12 @@ void add_holds(const Mesh& mesh, const Model& model, std::size_t step, Constrain
   for (const DisplaceSpec& d : held_in(model, step)) {
     const bool all = d.affine || d.rotate || d.translate;
     const bool along[3] = {all || d.x, all || d.y, all || d.z};
-    const double axis2 = dot(d.axis, d.axis);
     for (int n : nodes_of(mesh, d.set)) {
       for (int c = 0; c < 3; ++c)
         if (along[c]) constraints.constrain(n, unit(c));
       if (d.by) constraints.constrain(n, d.along);
       if (d.radial) {
-        Vec3<double> r = minus(mesh.points[n], d.center);
-        const double t = dot(r, d.axis) / axis2;
-        for (int c = 0; c < 3; ++c) r[c] -= t * d.axis[c];
+        Vec3<double> r = from_axis(d, mesh.points[n]);
         if (const double length = norm(r); length > 0) {
           for (double& c : r) c /= length;
           constraints.constrain(n, r);

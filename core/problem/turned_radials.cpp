@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/problem/problem.hpp"
+#include "core/problem/set_motion.hpp"
 
 namespace bulbus::inline problem {
 namespace {
@@ -16,9 +17,7 @@ std::array<double, 2> worst(const Problem& problem, const RadialHold& hold, cons
   std::array<double, 2> all{0, 0};
   for (const auto& [n, d] : hold.directions) {
     if (n >= problem.mesh().owned || !problem.dofs().constrains(n, d)) continue;
-    Vec3<double> r = minus(at(state.x, n), hold.center);
-    const double t = dot(r, hold.axis);
-    for (int c = 0; c < 3; ++c) r[c] -= t * hold.axis[c];
+    const Vec3<double> r = from_axis(hold.spec, at(state.x, n));
     const double kept = dot(d, r), missed = norm(r) - kept;
     if (missed > seen * kept && missed > all[0]) all = {missed, kept};
   }
@@ -39,7 +38,7 @@ std::vector<std::string> turned_radials(const Problem& problem, const State& sta
                       "farther from it than it says (radius {:.4g} mm): it acts in the direction from the "
                       "axis at the start of the "
                       "step. Divide the step into several, each with the displacement",
-                      hold.set, missed, radius));
+                      hold.spec.set, missed, radius));
   }
   return sentences;
 }

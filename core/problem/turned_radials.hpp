@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/tensor.hpp"
+#include "core/problem/model.hpp"
 
 namespace bulbus::inline problem {
 
@@ -14,8 +15,7 @@ struct State;
 /// A radial displacement acts in the direction from its axis that a node has at the start of the step, so
 /// that a node that turns about the axis leaves its circle along the tangent.
 struct RadialHold {
-  std::string set;
-  Vec3<double> axis, center;                             // axis: of length 1
+  DisplaceSpec spec;
   std::vector<std::pair<int, Vec3<double>>> directions;  ///< of local nodes
 };
 
