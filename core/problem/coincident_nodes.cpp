@@ -9,9 +9,9 @@
 #include <map>
 
 #include "core/base/sort_unique.hpp"
-#include "core/mesh/faces.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/hex_edges.hpp"
+#include "core/problem/contact_nodes.hpp"
 
 namespace bulbus::inline problem {
 namespace {
@@ -78,20 +78,6 @@ class Grid {
   std::vector<Entry> entries_;
 };
 
-// Takes out the pairs that the two sides of a contact make.
-void drop_contacts(const Mesh& mesh, const Model& model, std::vector<Pair>& pairs) {
-  for (const ContactSpec& c : model.contacts) {
-    if (pairs.empty() || !mesh.surfaces.contains(c.slave) || !mesh.surfaces.contains(c.master)) continue;
-    const auto slave = nodes_of_faces(mesh.surfaces.at(c.slave)),
-               master = nodes_of_faces(mesh.surfaces.at(c.master));
-    const auto across = [&](int a, int b) {
-      return std::ranges::binary_search(slave, a) && std::ranges::binary_search(master, b);
-    };
-    std::erase_if(pairs,
-                  [&](const Pair& p) { return across(p.first, p.second) || across(p.second, p.first); });
-  }
-}
-
 // The first region whose hexahedra have the node; −1 for ends of bars.
 std::vector<int> regions_of_nodes(const Mesh& mesh) {
   std::vector<int> region(mesh.points.size(), -1);
@@ -116,8 +102,9 @@ std::string sentence(const Mesh& mesh, const Pair& regions, const std::vector<in
 
 std::vector<std::string> coincident_nodes(const Mesh& mesh, const Model& model) {
   auto pairs = Grid(mesh, of_edge * shortest_edge(mesh)).pairs();
-  drop_contacts(mesh, model, pairs);
   if (pairs.empty()) return {};
+  const ContactNodes contacts(mesh, model);
+  std::erase_if(pairs, [&](const Pair& p) { return contacts.join(p.first, {&p.second, 1}); });
   const auto region = regions_of_nodes(mesh);
   std::map<Pair, std::vector<int>> nodes;
   for (const auto& [a, b] : pairs)

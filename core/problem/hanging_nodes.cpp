@@ -11,6 +11,7 @@
 #include "core/base/sort_unique.hpp"
 #include "core/mesh/faces.hpp"
 #include "core/mesh/geometry.hpp"
+#include "core/problem/contact_nodes.hpp"
 
 namespace bulbus::inline problem {
 namespace {
@@ -68,29 +69,6 @@ class NodeGrid {
   std::unordered_map<Key, std::vector<int>, Hash> cells_;
 };
 
-// The two sides of each contact.
-class Contacts {
- public:
-  Contacts(const Mesh& mesh, const Model& model) {
-    for (const ContactSpec& c : model.contacts)
-      if (mesh.surfaces.contains(c.slave) && mesh.surfaces.contains(c.master))
-        sides_.push_back(
-            {nodes_of_faces(mesh.surfaces.at(c.slave)), nodes_of_faces(mesh.surfaces.at(c.master))});
-  }
-  bool join(int node, const Quad& face) const {
-    return std::ranges::any_of(sides_, [&](const auto& s) {
-      return (has(s[0], node) && has_all(s[1], face)) || (has(s[1], node) && has_all(s[0], face));
-    });
-  }
-
- private:
-  static bool has(const std::vector<int>& nodes, int n) { return std::ranges::binary_search(nodes, n); }
-  static bool has_all(const std::vector<int>& nodes, const Quad& face) {
-    return std::ranges::all_of(face, [&](int n) { return has(nodes, n); });
-  }
-  std::vector<std::array<std::vector<int>, 2>> sides_;
-};
-
 bool hangs(const Mesh& mesh, int node, const Quad& face, const Corners& q, double shortest) {
   if (std::ranges::count(face, node) > 0) return false;
   const Point& x = mesh.points[node];
@@ -112,7 +90,7 @@ std::vector<std::string> hanging_nodes(const Mesh& mesh, const Model& model) {
     edges += shortest_side(corners(mesh, faces[f]));
   }
   const NodeGrid grid(mesh, nodes_of_faces(faces), edges / static_cast<double>(faces.size()));
-  const Contacts contacts(mesh, model);
+  const ContactNodes contacts(mesh, model);
   std::map<std::pair<int, int>, std::vector<int>> found;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Corners q = corners(mesh, faces[f]);

@@ -45,19 +45,21 @@ void require_region(const Mesh& mesh, const SurfaceSides& sides, const LoadSpec&
     throw scene_error(key + ".region", "the mesh has no region '" + load.region + "'",
                       did_you_mean(load.region, mesh.region_names, "Name one of its regions."));
   const auto& faces = mesh.surfaces.at(load.surface);
+  const auto has_one_side = [&](const Quad& q, int r) {
+    return (sides.of(q)[0] == r) != (sides.of(q)[1] == r);
+  };
   const auto has_all = [&](int r) {
-    return std::ranges::all_of(faces,
-                               [&](const Quad& q) { return (sides.of(q)[0] == r) != (sides.of(q)[1] == r); });
+    return r >= 0 && std::ranges::all_of(faces, [&](const Quad& q) { return has_one_side(q, r); });
   };
   const auto named = [&](const std::string& one_of, int a, int b) -> std::string {
-    return has_all(a) || (b >= 0 && has_all(b)) ? one_of
-                                                : "Divide the surface, and give each part its pressure: no "
-                                                  "region has a hexahedron at all of its faces.";
+    return has_all(a) || has_all(b) ? one_of
+                                    : "Divide the surface, and give each part its pressure: no "
+                                      "region has a hexahedron at all of its faces.";
   };
   for (const Quad& q : faces) {
     const auto& [a, b] = sides.of(q);
     const std::string first = mesh.region_names[a], second = b < 0 ? "" : mesh.region_names[b];
-    if (region < 0 ? b < 0 : (a == region) != (b == region)) continue;
+    if (region < 0 ? b < 0 : has_one_side(q, region)) continue;
     if (a == b)
       throw scene_error(
           key + ".surface",
