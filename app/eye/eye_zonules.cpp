@@ -58,10 +58,7 @@ struct Row {
   EyeShape::Place lens, ciliary;
 };
 
-std::vector<Row> rows(const EyeSettings& s) {
-  const EyeShape& e = s.shape;
-  const ZonuleLayout& z = s.zonules;
-  const auto inside = [&](double t) { return e.place(t, e.wall(t) + e.ciliary(t)); };
+void check(const ZonuleLayout& z, const EyeShape& e) {
   for (const auto& [name, count, from] : {std::tuple{"equatorial_from", z.equatorial, z.equatorial_from},
                                           {"anterior_from", z.anterior, z.anterior_from},
                                           {"posterior_from", z.posterior, z.posterior_from}})
@@ -78,6 +75,12 @@ std::vector<Row> rows(const EyeSettings& s) {
           fmt::format("eye: the zonules' {} of {:g} mm is not less than the lens' radius, {:g} mm", name,
                       inset, .5 * e.lens_diameter),
           "give a smaller inset");
+}
+
+std::vector<Row> rows(const EyeSettings& s) {
+  const EyeShape& e = s.shape;
+  const ZonuleLayout& z = s.zonules;
+  const auto inside = [&](double t) { return e.place(t, e.wall(t) + e.ciliary(t)); };
   const double rim = .5 * e.lens_diameter, front = rim - z.anterior_inset, back = rim - z.posterior_inset;
   return {{z.equatorial, true, {rim, .5 * (e.lens_top(rim) + e.lens_bottom(rim))}, inside(z.equatorial_from)},
           {z.anterior, false, {front, e.lens_top(front)}, inside(z.anterior_from)},
@@ -96,6 +99,7 @@ std::vector<Quad> ciliary_faces(const Mesh& mesh) {
 }  // namespace
 
 void add_zonules(Mesh& mesh, const EyeSettings& s) {
+  check(s.zonules, s.shape);
   const Ground on_lens(mesh, mesh.surfaces.at("lens_surface")), on_ciliary(mesh, ciliary_faces(mesh));
   std::vector<Bar>& bars = mesh.bars["zonules"];
   for (const Row& row : rows(s))
