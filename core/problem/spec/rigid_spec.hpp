@@ -46,7 +46,8 @@ struct PlaneShape {
     v("point", point, About{"middle of the sheet", Quantity::length});
     v("normal", normal, About{"normal out of the body"});
     v("size", size,
-      About{"edge; without it 50 mm, or twice the diagonal of a larger model", Quantity::length}.positive());
+      About{"edge; without it 50 mm, or as much as it takes to reach past the model", Quantity::length}
+          .positive());
   }
 };
 
@@ -212,7 +213,7 @@ struct MoveSpec {
             Quantity::length});
     v("shorten", shorten,
       About{"in place of `close`: by how much the whole circumference is shortened, which closes every part "
-            "by 1/(2 pi) of it",
+            "by 1/(2 pi) of it, parts of a wide angle 2h by h/sin(h) more",
             Quantity::length});
     v("from", from,
       About{"the motion counts from where the body is (`here`), or from where each part, approaching along "
