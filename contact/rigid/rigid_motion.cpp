@@ -34,6 +34,18 @@ std::vector<double> opposed(const SlavePlaces& slaves, const Vec3<double>& d) {
   return points;
 }
 
+// What a surface is known by: triangles, corners, and how far these lie from the origin together.
+std::vector<double> figures_of(const RigidSurface& surface) {
+  double far = 0;
+  for (double v : surface.reference) far += std::abs(v);
+  return {1. * surface.facets.triangles.size(), surface.reference.size() / 3., far};
+}
+
+bool alike(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(
+      a, b, [](double v, double w) { return std::abs(v - w) <= 1e-9 * std::max(std::abs(v), std::abs(w)); });
+}
+
 Vec3<double> turned(const Mat3<double>& R, const Vec3<double>& v) {
   return {R(0, 0) * v[0] + R(0, 1) * v[1] + R(0, 2) * v[2], R(1, 0) * v[0] + R(1, 1) * v[1] + R(1, 2) * v[2],
           R(2, 0) * v[0] + R(2, 1) * v[1] + R(2, 2) * v[2]};
@@ -182,8 +194,18 @@ void RigidMotion::set_progress(double s) {
   place();
 }
 
+// Places within the triangles are kept by number: they say nothing of another surface, as another version of
+// the program may make it from the same scene.
 void RigidMotion::serialize(Archive& archive) {
   const Archive::Group group(archive, "rigid body " + surface_->name);
+  const bool kept = !archive.reading() || archive.knows("figures");
+  const auto here = figures_of(*surface_);
+  auto figures = here;
+  if (kept) archive.numbers("figures", figures);
+  if (!kept || !alike(figures, here))
+    throw input_error("the checkpoint has other triangles of rigid body '" + surface_->name +
+                          "' than this version of the program makes",
+                      "Run without --restart, or go on with the version that wrote the checkpoint.");
   bulbus::serialize(archive, "start", start_);
   bulbus::serialize(archive, "now", now_);
   place();

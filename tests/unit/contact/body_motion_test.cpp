@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <numbers>
 
 #include "contact/rigid/rigid_motion.hpp"
 #include "core/base/error.hpp"
+#include "core/io/checkpoint.hpp"
+#include "core/mesh/distributed/partition.hpp"
 #include "core/mesh/generate/generate.hpp"
 #include "tests/support/solids.hpp"
 #include "tests/unit/contact/bodies.hpp"
@@ -103,6 +106,26 @@ TEST(Motion, StepsFollowOneAnother) {
   const auto again = shared(two_arcs());
   RigidMotion(again).set_poses(poses);
   EXPECT_EQ(again->places, end);
+}
+
+// As of a version of the program that made fewer triangles of the same scene.
+TEST(Motion, GoesOnWithTheSurfaceThatWasKeptOnly) {
+  const auto folder = std::filesystem::temp_directory_path() / "bulbus_body_of_a_checkpoint";
+  std::filesystem::create_directories(folder);
+  const std::string path = folder / "checkpoint.h5";
+  const Mesh block = generate(BlockShape{});
+  const LocalMesh mesh = distribute(block, partition(block, 1), Comm(MPI_COMM_SELF));
+  const auto ball = [](int n) { return shared({.sphere = SphereShape{{0, 0, 10}, 1, n}}); };
+  const auto coarse = ball(4), again = ball(4), fine = ball(8);
+  write_checkpoint(path, mesh, [&](Archive& archive) { RigidMotion(coarse).serialize(archive); });
+  EXPECT_NO_THROW(RigidMotion(again).serialize(*open_checkpoint(path, mesh)));
+  EXPECT_THROW(RigidMotion(fine).serialize(*open_checkpoint(path, mesh)), InputError);
+  write_checkpoint(path, mesh, [](Archive& archive) {
+    const Archive::Group older(archive, "rigid body b");
+    double none = 0;
+    archive.scalars("start", none);
+  });
+  EXPECT_THROW(RigidMotion(again).serialize(*open_checkpoint(path, mesh)), InputError);
 }
 
 TEST(Motion, RotationIsARotationHalfwayToo) {
