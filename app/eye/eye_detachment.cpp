@@ -48,25 +48,31 @@ double bed_radius(const EyeShape& e, const Tear& tear) {
 }
 
 std::vector<bool> torn_quads(const EyeSheet& sheet, const EyeShape& e, const Tear& tear) {
-  if (!(tear.width > 0 && tear.length > 0))
-    throw input_error(fmt::format("eye: a tear of width {:g} and length {:g} mm", tear.width, tear.length),
-                      "give sizes above 0 mm");
-  const double radius = bed_radius(e, tear);
-  const auto along = [&](int q) { return std::abs(sheet.middle(q) - tear.center) * degree * radius; };
-  const auto across = [&](int q) {
-    return middle_azimuth(sheet, q) * degree * radius * std::sin(sheet.middle(q) * degree);
-  };
+  const TearEdges edges = edges_of(tear, e);
   std::vector<bool> torn(sheet.quads.size(), false);
+  const auto from_center = [&](int q) {
+    return std::hypot(sheet.middle(q) - tear.center, middle_azimuth(sheet, q));
+  };
   int nearest = 0;
   for (int q = 0; q < static_cast<int>(torn.size()); ++q) {
-    torn[q] = along(q) <= .5 * tear.length && across(q) <= .5 * tear.width;
-    if (std::hypot(along(q), across(q)) < std::hypot(along(nearest), across(nearest))) nearest = q;
+    torn[q] = sheet.middle(q) >= edges.back && sheet.middle(q) <= edges.front &&
+              middle_azimuth(sheet, q) <= edges.side;
+    if (from_center(q) < from_center(nearest)) nearest = q;
   }
   torn[nearest] = true;
   return torn;
 }
 
 }  // namespace
+
+TearEdges edges_of(const Tear& tear, const EyeShape& e) {
+  if (!(tear.width > 0 && tear.length > 0))
+    throw input_error(fmt::format("eye: a tear of width {:g} and length {:g} mm", tear.width, tear.length),
+                      "give sizes above 0 mm");
+  const double radius = bed_radius(e, tear), length = tear.length / radius / degree,
+               width = tear.width / (radius * std::sin(tear.center * degree)) / degree;
+  return {tear.center - .5 * length, tear.center + .5 * length, .5 * width};
+}
 
 double azimuth(const SheetMap::Place& place) { return std::atan2(place.x, place.y) / degree; }
 
@@ -115,14 +121,15 @@ std::string unlike_tear(const EyeSettings& s) {
   const EyeSheet sheet = eye_sheet(s);
   const auto torn = torn_quads(sheet, s.shape, tear);
   const double radius = bed_radius(s.shape, tear);
-  double width = 0, front = 0, back = 180;
+  double side = 0, front = 0, back = 180;
   for (std::size_t q = 0; q < torn.size(); ++q)
     for (int k : sheet.quads[q])
       if (const auto& node = sheet.nodes[k]; torn[q]) {
-        width = std::max(width, 2 * azimuth(node) * degree * radius * std::sin(node.t * degree));
+        side = std::max(side, azimuth(node));
         front = std::max(front, node.t), back = std::min(back, node.t);
       }
-  const double length = (front - back) * degree * radius;
+  const double length = (front - back) * degree * radius,
+               width = 2 * side * degree * radius * std::sin(tear.center * degree);
   const auto alike = [](double is, double wanted) { return std::abs(is / wanted - 1) <= .2; };
   if (alike(width, tear.width) && alike(length, tear.length)) return "";
   return fmt::format(

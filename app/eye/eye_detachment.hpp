@@ -1,12 +1,14 @@
 #pragma once
 #include <optional>
 
+#include "app/eye/tear_lines.hpp"
 #include "core/base/parameters.hpp"
 
 namespace bulbus::inline eye {
 
 /// A hole in the detached retina on the plane x = 0, at 12 o'clock; sizes are those of the whole eye, along
-/// the retina's bed. It is made of whole cells: those with their centre within, one at least.
+/// the retina's bed through its center. Cells are moved until their edges are the tear's (TearLines); where
+/// they would be drawn out too far, it is made of those with their centre within, one at least.
 struct Tear {
   double center = 90, width = 2.6, length = 2;
   template <class V>
@@ -16,6 +18,10 @@ struct Tear {
     v("length", length, About{"along the meridian", Quantity::length}.positive());
   }
 };
+
+struct EyeShape;
+/// Where a tear's edges lie. Throws InputError where it has no size.
+TearEdges edges_of(const Tear& tear, const EyeShape& shape);
 
 /// Retina lifted off the choroid towards the vitreous, about the azimuth of 12 o'clock: shifted along the
 /// globe's radius, on which it keeps its thickness.

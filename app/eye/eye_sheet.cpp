@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "app/eye/degree.hpp"
 #include "core/base/error.hpp"
 
 namespace bulbus::inline eye {
 namespace {
+
+constexpr double equator = 90;
 
 /// Adds a disc's nodes (s of the disc's ring) and quads; returns its rim.
 template <class Level>
@@ -39,8 +41,8 @@ int scaled(int base, int n) { return std::max(1, static_cast<int>(std::lround(ba
 
 std::vector<SheetMap::Band> SheetMap::bands(const EyeSettings& s) const {
   const EyeShape& e = s.shape;
-  const double half = std::asin(s.band_half_width / e.sclera_radius) * 180 / std::numbers::pi;
-  const double lower = 90 - half, upper = 90 + half, span = e.ciliary_end - e.ora;
+  const double half = std::asin(s.band_half_width / e.sclera_radius) / degree;
+  const double lower = equator - half, upper = equator + half, span = e.ciliary_end - e.ora;
   if (!(lower > 55 && upper < e.ora))
     throw input_error("eye: the band does not fit between 55 degrees and the ora",
                       "give a smaller band_half_width");
@@ -74,9 +76,34 @@ SheetMap::SheetMap(const EyeSettings& s)
   bands_ = bands(s);
   for (Band& b : bands_)
     globe_rings_ += b.count = b.halved ? 2 * scaled(b.rings / 2, s.n) : scaled(b.rings, s.n);
+  if (s.detachment && s.detachment->tear) tear_ = tear_lines(s);
+}
+
+// The rings under the retina end at the ora, where other tissue begins.
+TearLines SheetMap::tear_lines(const EyeSettings& s) const {
+  std::vector<double> rings{nerve_}, columns;
+  for (const Band& b : bands_)
+    for (int ring = 1; b.to <= s.shape.ora && ring <= b.count; ++ring) rings.push_back(b.ring_end(ring));
+  for (const Disc disc = o_grid(posterior_, true); int k : disc.rim)
+    columns.push_back(std::atan2(disc.nodes[k].x, disc.nodes[k].y) / degree);
+  return {edges_of(*s.detachment->tear, s.shape), rings, equator, columns};
 }
 
 SheetMap::Place SheetMap::operator()(double i, double j, double s) const {
+  const Place p = on_lattice(i, j, s);
+  if (!tear_) return p;
+  const double before = azimuth(p);
+  const auto [t, after] = (*tear_)(p.t, before);
+  if (after == before) return {t, p.x, p.y};
+  return {t, std::sin(after * degree), std::cos(after * degree)};
+}
+
+bool SheetMap::in_band(int s) const {
+  const int first = posterior_.rings + bands_[0].count + bands_[1].count;
+  return s >= first && s <= first + bands_[2].count;
+}
+
+SheetMap::Place SheetMap::on_lattice(double i, double j, double s) const {
   const double globe = s - posterior_.rings, front = globe - globe_rings_;
   if (globe <= 0) {
     const DiscMap::Place d = posterior_(i, j, s);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "app/eye/eye.hpp"
@@ -25,6 +26,8 @@ class SheetMap {
   /// Rings between the discs; the last one ends on the anterior disc's rim.
   int globe_rings() const { return globe_rings_; }
   int end() const { return posterior_.rings + globe_rings_ + anterior_.rings; }
+  /// Is s one of the rings that follow the band, or the ring that they begin at?
+  bool in_band(int s) const;
 
  private:
   /// Rings from t = `from` to `to`; each is `growth` times as wide as the one before (at n = 14).
@@ -37,11 +40,14 @@ class SheetMap {
     double ring_end(double ring) const;
   };
   std::vector<Band> bands(const EyeSettings& settings) const;
+  TearLines tear_lines(const EyeSettings& settings) const;
+  Place on_lattice(double i, double j, double s) const;
 
   DiscMap posterior_, anterior_;
   std::vector<Band> bands_;
   int globe_rings_ = 0;
   double nerve_, cornea_, end_, limbus_;  ///< degrees
+  std::optional<TearLines> tear_;
 };
 
 /// Degrees from 12 o'clock.

@@ -4,9 +4,9 @@
 namespace bulbus::inline solve {
 
 /// The parts of Newton steps that the guard against inversion leaves. An increment is too long for the mesh,
-/// and two of half its length cost less than what is to come, where less than an eighth is left of the first
-/// four steps together, or of one from a state in which a hexahedron has more than twice its volume. A few
-/// short steps from other states are allowed (docs/decisions/033).
+/// and two of half its length cost less than what is to come, where no more than an eighth is left of the
+/// first four steps together, or of one from a state in which a hexahedron has more than twice its volume. A
+/// few short steps from other states are allowed (docs/decisions/033).
 class StepLengths {
  public:
   /// `before`: the error of the state that the step begins at.
@@ -14,7 +14,7 @@ class StepLengths {
     shortened_ += part < 1;
     nothing_left_ = part == 0;
     if (++steps_ <= first) of_first_ *= part;
-    too_long_ = of_first_ < least || (part < least && before.volume > most_volume);
+    too_long_ = of_first_ <= least || (part <= least && before.volume > most_volume);
   }
   bool too_long() const { return too_long_; }
   /// The increment is to be given up.
