@@ -22,7 +22,8 @@ double ElasticBand::tension() const {
 
 void ElasticBand::set_progress(double s) {
   shortened_ = from_ + s * (to_ - from_);
-  closed_ = kept_ + rate_ * (shortened_ - kept_shortened_);
+  closed_ = kept_ + (ahead_ ? *ahead_ * change_ : rate_ * (shortened_ - kept_shortened_));
+  ahead_.reset();
   last_.reset();
   updates_ = 0;
   gave_up_ = false;
@@ -46,6 +47,7 @@ bool ElasticBand::balance(double pressed) {
 
 void ElasticBand::commit() {
   if (shortened_ != kept_shortened_) rate_ = (closed_ - kept_) / (shortened_ - kept_shortened_);
+  change_ = closed_ - kept_;
   kept_ = closed_, kept_shortened_ = shortened_;
 }
 
@@ -56,6 +58,7 @@ void ElasticBand::freeze() {
 
 void ElasticBand::serialize(Archive& archive) {
   archive.scalars("band", circumference_, closed_, closed_before_, kept_, kept_shortened_, rate_, slope_);
+  if (!archive.reading() || archive.knows("change")) archive.scalars("change", change_);
 }
 
 }  // namespace bulbus::inline contact

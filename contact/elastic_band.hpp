@@ -18,7 +18,11 @@ class ElasticBand {
 
   /// The coming step shortens it by `by` (mm, linearly); C is taken where it first does.
   void shorten(double circumference, double by);
-  /// At the part s of the step done, with a guess of the closing.
+  /// What it closes by in the next increment is guessed to be `factor` times what it did in the last one:
+  /// what it presses on begins there, and would lose it otherwise.
+  void extrapolate(double factor) { ahead_ = factor; }
+  /// At the part s of the step done, with a guess of the closing: without extrapolate() from how it followed
+  /// its shortening.
   void set_progress(double s);
   /// With the hoop force (N) of what it presses on in equilibrium: true if the closing had to change.
   bool balance(double pressed);
@@ -43,8 +47,10 @@ class ElasticBand {
   double from_ = 0, to_ = 0, shortened_ = 0;  // D at the start and the end of the step, and now, mm
   double closed_ = 0, closed_before_ = 0;     // c now and at the start of the step, mm
   double kept_ = 0, kept_shortened_ = 0;      // c and D of the last increment, mm
-  double rate_ = 0, slope_ = 0;  // dc/dD of the last increment; dT/dc of what it presses on, N/mm
-  std::optional<Sample> last_;   // of this increment
+  double rate_ = 0, change_ = 0;              // dc/dD of the last increment, and its change of c, mm
+  double slope_ = 0;                          // dT/dc of what it presses on, N/mm
+  std::optional<double> ahead_;               // of the next increment, in the last one's change
+  std::optional<Sample> last_;                // of this increment
   int updates_ = 0;
   bool gave_up_ = false;
 };

@@ -95,6 +95,10 @@ std::string ElasticBands::refusal(const State&) const {
   return {};
 }
 
+void ElasticBands::extrapolate(double factor) {
+  for (auto& [name, ring] : bands_) ring.band.extrapolate(factor);
+}
+
 void ElasticBands::set_progress(double s) {
   for (auto& [name, ring] : bands_)
     if (ring.band.touches()) {

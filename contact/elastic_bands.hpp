@@ -21,6 +21,7 @@ class ElasticBands final : public Term {
   void begin_step(int step, const State& start) override;
   bool update_multipliers(const State& state) override;
   std::string refusal(const State& state) const override;
+  void extrapolate(double factor) override;
   void set_progress(double s) override;
   void freeze() override;
   void commit(const State&) override;

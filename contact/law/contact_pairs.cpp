@@ -127,7 +127,7 @@ void ContactTerm::follow(const MasterSurface& master, double motion, const Way& 
   const bool touched =
       start >= 0 && project(way.from, corners_of(master.facets, start_.places, start)).gap <= on_surface;
   const int through =
-      touched ? start : entered_through(master, start_.places, motion, way, candidates, on_surface);
+      touched ? start : entered_through(master, start_.places, motion, way, candidates, on_surface, rise_);
   if (inside && through < 0) chosen.triangle = -1;
   if (inside || through < 0) return;
   const int met = track(master, way.to, N, through),

@@ -31,7 +31,7 @@ double farthest_crossing(const MasterSurface& now, double motion, const Way& way
 }
 
 int entered_through(const MasterSurface& now, std::span<const double> before, double motion, const Way& way,
-                    std::span<const int> candidates, double on_surface) {
+                    std::span<const int> candidates, double on_surface, double rise) {
   int first = -1;
   double earliest = 2;
   const double beyond = norm(minus(way.to, way.from)) + 3 * motion;
@@ -44,9 +44,9 @@ int entered_through(const MasterSurface& now, std::span<const double> before, do
     const Side after(way.to, end);
     if (after.distance >= 0 || after.degenerate()) continue;
     const Triangle start = corners_of(now.facets, before, t);
-    if (const Side was(way.from, start); was.degenerate() || was.behind(on_surface)) continue;
+    if (const Side was(way.from, start); was.degenerate() || was.behind(on_surface + rise)) continue;
     const Pair p0 = project(way.from, start), p1 = project(way.to, end);
-    if (p0.gap < -on_surface || p1.gap >= -on_surface) continue;
+    if (p0.gap < -on_surface - rise || p1.gap >= -on_surface) continue;
     const double part = std::max(0., p0.gap) / (std::max(0., p0.gap) - p1.gap);
     if (part >= earliest) continue;
     const auto inside = [&](int i) { return (1 - part) * p0.weights[i] + part * p1.weights[i] >= -beside; };

@@ -18,9 +18,10 @@ struct Way {
 /// whether the point is inside is then decided where it is now. `before`: positions of the corners at the
 /// start of the way, none of which has moved farther than `motion` (mm); `candidates`: all triangles within
 /// the length of the way, relative to the surface, of its end. `on_surface`: gaps that are 0 but for
-/// rounding, mm.
+/// rounding, mm; `rise`: how far before a hollow surface its triangles lie at most, mm, so that a point
+/// between the two is in front.
 int entered_through(const MasterSurface& now, std::span<const double> before, double motion, const Way& way,
-                    std::span<const int> candidates, double on_surface);
+                    std::span<const int> candidates, double on_surface, double rise);
 
 /// A point whose way ends farther from the surface than this has not come through it, mm.
 double farthest_crossing(const MasterSurface& now, double motion, const Way& way);

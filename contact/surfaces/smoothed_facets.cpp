@@ -10,13 +10,27 @@ namespace {
 
 constexpr int most_steps = 12;  // of Newton's method, whose error squares with each
 
+// What a triangle counts for in the normal of its corner `i`: so that it does not matter how a quad is split,
+// its area times its angle there.
+double angle_at(const Facets& facets, std::span<const double> places, int triangle, int i) {
+  const auto& t = facets.triangles[triangle];
+  const Vec3<double> corner = at(places, t[i]), a = minus(at(places, t[(i + 1) % 3]), corner),
+                     b = minus(at(places, t[(i + 2) % 3]), corner);
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
 }  // namespace
 
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places) {
+  struct Share {
+    int triangle;
+    double angle;
+  };
   std::vector<Vec3<double>> areas;
-  std::vector<std::vector<int>> around(places.size() / 3);
+  std::vector<std::vector<Share>> around(places.size() / 3);
   for (const auto& t : facets.triangles) {
-    for (int corner : t) around[corner].push_back(static_cast<int>(areas.size()));
+    const int number = static_cast<int>(areas.size());
+    for (int i = 0; i < 3; ++i) around[t[i]].push_back({number, angle_at(facets, places, number, i)});
     areas.push_back(
         cross(minus(at(places, t[1]), at(places, t[0])), minus(at(places, t[2]), at(places, t[0]))));
   }
@@ -24,9 +38,9 @@ std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const 
   for (std::size_t k = 0; k < areas.size(); ++k)
     for (int i = 0; i < 3; ++i) {
       Vec3<double> sum{0, 0, 0};
-      for (int other : around[facets.triangles[k][i]])
+      for (const auto& [other, angle] : around[facets.triangles[k][i]])
         if (dot(areas[other], areas[k]) >= smooth_edge * norm(areas[other]) * norm(areas[k]))
-          for (int c = 0; c < 3; ++c) sum[c] += areas[other][c];
+          sum = sum + angle * areas[other];
       normals[k][i] = unit(sum);
     }
   return normals;

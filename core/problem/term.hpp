@@ -52,6 +52,9 @@ class Term {
   /// Loads follow the part s of the step done; freeze() keeps the end of the step for the next ones.
   virtual void set_progress(double) {}
   virtual void freeze() {}
+  /// The increment that follows begins where the last two converged states point to, `factor` times the way
+  /// between them farther. Comes before set_progress().
+  virtual void extrapolate(double /*factor*/) {}
   /// What the term remembers follows the increments: kept when one has converged, what it was then when one
   /// is cut.
   virtual void commit(const State&) {}

@@ -12,47 +12,11 @@
 
 #include "core/base/error.hpp"
 #include "core/base/interrupt.hpp"
+#include "core/solve/increments.hpp"
 #include "core/solve/state_increment.hpp"
 
 namespace bulbus::inline solve {
 namespace {
-
-// The part of a step that comes next: whole increments as long as nothing fails.
-class Increments {
- public:
-  // `longest`: of a leap
-  Increments(int count, const SteppingSettings& settings, double size, double longest)
-      : settings_(settings), largest_(1.0 / count), longest_(longest), size_(std::min(size, largest_)) {}
-  double size() const { return size_; }
-  double next(double from) const {
-    const double to = from + size_;
-    return to > 1 - 0.01 * size_ ? 1 : to;  // a hundredth of an increment is none of its own
-  }
-  bool cut() {
-    size_ /= 2;
-    return size_ >= std::min(settings_.minimum, largest_ / most_divided);
-  }
-  /// Longer ones from where short ones cycle: whole, two whole ones, all the rest. False after the last.
-  bool leap(double from) {
-    if ((leaps_ == 0 && size_ > shortest_cycle * largest_) || leaps_ == 3) return false;
-    const double rest = 1 - from;
-    ++leaps_;
-    size_ = std::min(longest_, leaps_ == 3 ? rest : std::min(rest, leaps_ * largest_));
-    return true;
-  }
-  bool leaping() const { return leaps_ > 0; }
-  void landed() { leaps_ = 0, size_ = std::min(size_, largest_); }
-  void succeeded(int iterations) {
-    if (iterations <= settings_.target_iterations) size_ = std::min(largest_, size_ * settings_.growth);
-  }
-
- private:
-  static constexpr double most_divided = 16;  // four halvings at least, however short whole increments are
-  static constexpr double shortest_cycle = 0.125;  // of a whole increment (docs/decisions/049)
-  SteppingSettings settings_;
-  double largest_, longest_, size_;
-  int leaps_ = 0;
-};
 
 // Errors of loose linear solves are pushes that an exact Newton's method does not feel. Where an increment
 // has failed they may have driven it away, as from a symmetric state that is not stable between two
@@ -128,15 +92,17 @@ int increments_of(const StepSpec& step, const SteppingSettings& settings) {
 void MarchProgress::next_step() {
   begun = careful = false;
   done = last = 0;
-  size = 1;
+  pace = {};
   previous = {};
 }
 
 void MarchProgress::serialize(Archive& archive) {
   if (!archive.reading() || archive.knows("careful")) archive.scalars("careful", careful);
   if (!archive.reading() || archive.knows("last")) archive.scalars("last", last);
-  archive.scalars("place", step, begun, done, size, report.increments, report.cuts, report.newton_iterations,
-                  report.krylov_iterations);
+  if (!archive.reading() || archive.knows("pace"))
+    archive.scalars("pace", pace.patience, pace.waited, pace.tried);
+  archive.scalars("place", step, begun, done, pace.size, report.increments, report.cuts,
+                  report.newton_iterations, report.krylov_iterations);
 }
 
 MarchReport march(Problem& problem, LinearSolver& solver, State& state, const SolverSettings& settings,
@@ -162,7 +128,7 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
       observer.step_begun(k, state);
     }
     const double longest = longest_part(steps[k]);
-    Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.size, longest);
+    Increments increments(increments_of(steps[k], settings.stepping), settings.stepping, place.pace, longest);
     const auto settle = [&] {
       problem.set_progress(done, state);
       for (const auto& term : problem.terms()) term->roll_back();
@@ -232,9 +198,8 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
       for (const auto& term : problem.terms()) term->commit(state);
       const double from = std::exchange(done, to);
       shortened = false;
-      increments.landed();
       increments.succeeded(static_cast<int>(newton.iterations.size()));
-      place.size = increments.size();
+      place.pace = increments.pace();
       const Increment increment{k,
                                 ++report.increments,
                                 steps[k].name,
@@ -242,7 +207,7 @@ MarchReport march(Problem& problem, LinearSolver& solver, State& state, const So
                                 k + done,
                                 Clock::now() - start,
                                 std::move(newton),
-                                place.size,
+                                place.pace.size,
                                 from,
                                 leap};
       observer.increment_done(increment, state);

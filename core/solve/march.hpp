@@ -1,4 +1,5 @@
 #pragma once
+#include "core/solve/increments.hpp"
 #include "core/solve/newton.hpp"
 
 namespace bulbus::inline solve {
@@ -34,7 +35,7 @@ struct MarchProgress {
   int step = 0;
   bool begun = false;
   double done = 0;       ///< part of the step
-  double size = 1;       ///< of the next increment
+  Pace pace;             ///< of the next increments
   double last = 0;       ///< the increment that led from `previous` to the present state; 0: no such state
   State previous;        ///< that converged before it in the same step
   bool careful = false;  ///< has an increment of the step failed?

@@ -45,7 +45,8 @@ struct SteppingSettings {
           .between(1e-9, 1)
           .formerly("smallest"));
     v("target_iterations", target_iterations,
-      About{"Newton iterations up to which the next increment grows"}.between(1, 100).formerly("easy"));
+      About{"Newton iterations up to which the next increment grows at once"}.between(1, 100).formerly(
+          "easy"));
     v("growth", growth, About{"growth factor of an increment"}.between(1, 10));
     v("increments", increments,
       About{"times as many increments as the steps say, rounded up"}.between(1e-5, 1000));

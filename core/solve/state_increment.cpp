@@ -46,6 +46,7 @@ void extrapolate(const Problem& problem, const State& previous, double factor, S
                          {scaled_difference(factor, state.x, previous.x), turns, dlambda,
                           scaled_difference(factor, state.P, previous.P)},
                          state);
+  for (const auto& term : problem.terms()) term->extrapolate(factor);
 }
 
 }  // namespace bulbus::inline solve

@@ -98,6 +98,29 @@ TEST(ElasticBand, BalancesWhatItPressesOn) {
   }
 }
 
+// What shrinks away from it is followed as far as the state is extrapolated; without that it stays.
+TEST(ElasticBand, GoesOnWithAnExtrapolatedState) {
+  ElasticBand band(3, turn);
+  band.shorten(turn * 12, 6);
+  const auto balanced_with = [&](double s, double shrunk) {
+    band.set_progress(s);
+    while (band.balance(.5 * std::max(0., band.closing() - shrunk))) {
+    }
+    band.commit();
+    return band.closing();
+  };
+  balanced_with(1, 0);
+  band.freeze();
+  const double first = balanced_with(.25, .02);
+  band.set_progress(.5);
+  EXPECT_EQ(band.closing(), first);
+  band.extrapolate(2);
+  band.set_progress(.75);
+  EXPECT_NEAR(band.closing(), 3 * first, 1e-12);
+  band.set_progress(.5);
+  EXPECT_EQ(band.closing(), first) << "once";
+}
+
 /// A step that does not shorten it is one in which what it presses on has changed.
 TEST(ElasticBand, GivesWayToWhatSwells) {
   ElasticBand band(3, turn);

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "contact/rigid/profile.hpp"
 #include "contact/rigid/rigid_shapes.hpp"
 #include "contact/surfaces/meridians.hpp"
@@ -47,6 +50,35 @@ TEST(RigidContact, LosesNoNodeThatSlidesOverABoxEdge) {
     const State state = strip.sheets.state();
     EXPECT_EQ(term.figures(state).pairs, strip.sheets.nodes()) << shift;
     EXPECT_NEAR(term.figures(state).penetration, inside, 1e-12) << shift;
+  }
+}
+
+// Between the chords of a ring's inner face and the circle that they stand for a point is in front of the
+// face.
+TEST(RigidContact, HollowFacesKeepOutWhatBeganBeforeTheirTriangles) {
+  RigidBodySpec spec;
+  spec.band = BandShape{.width = 2, .thickness = .75, .edge_radius = 1e-3, .radius = 12};
+  spec.band->arc = {.from = -15, .to = 45, .parts = 1, .facets = 24};
+  const auto ring =
+      std::make_shared<const RigidSurface>(make_rigid_surface("ring", spec, "rigid_bodies.ring"));
+  const double sag = 12 * (1 - std::cos(std::numbers::pi / 144));
+  const auto ball_at = [&](double gap) {
+    Sheets s;
+    s.add(8, 40, [&](double u, double v) {
+      const double a = (3 + 24 * v) * std::numbers::pi / 180, r = 12 - gap;
+      return Vec3<double>{r * std::sin(a), r * std::cos(a), .5 * (u - .5)};
+    });
+    return s;
+  };
+  const Sheets ball = ball_at(.3 * sag);
+  auto term = term_of(ball, Sheets{}.add(8, 40, [](double, double) { return Vec3<double>{}; }), ring);
+  for (double deep : {.1, 1., 5.}) {
+    term.begin_step(0, ball_at(.5).state());
+    term.begin_step(1, ball.state());  // which the ring has been brought to
+    EXPECT_EQ(term.figures(ball.state()).pairs, 0);
+    const State inside = ball_at(-deep * sag).state();
+    EXPECT_EQ(term.figures(inside).pairs, ball.nodes()) << deep;
+    EXPECT_NEAR(term.figures(inside).penetration, deep * sag, .06 * sag);
   }
 }
 

@@ -12,7 +12,8 @@ StepLengths after(const std::vector<double>& parts, double volume) {
 }
 
 TEST(StepLengths, OfWhichLittleIsLeftAtFirstEndAnIncrement) {
-  EXPECT_FALSE(after({0.5, 0.5, 1, 0.5}, 0.1).exhausted());
+  EXPECT_FALSE(after({0.5, 1, 1, 0.5}, 0.1).exhausted());
+  EXPECT_TRUE(after({0.5, 0.5, 1, 0.5}, 0.1).too_long());
   EXPECT_TRUE(after({0.5, 0.5, 0.5, 0.5}, 0.1).too_long());
   EXPECT_TRUE(after({0.125}, 0.1).exhausted());
 }
