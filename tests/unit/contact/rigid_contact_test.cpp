@@ -73,8 +73,8 @@ TEST(RigidContact, HollowFacesKeepOutWhatBeganBeforeTheirTriangles) {
   const Sheets ball = ball_at(.3 * sag);
   auto term = term_of(ball, Sheets{}.add(8, 40, [](double, double) { return Vec3<double>{}; }), ring);
   for (double deep : {.1, 1., 5.}) {
-    term.begin_step(0, ball_at(.5).state());
-    term.begin_step(1, ball.state());  // which the ring has been brought to
+    term.begin_step(0, ball_at(1).state());  // farther than the reach
+    term.begin_step(1, ball.state());        // which the ring has been brought to
     EXPECT_EQ(term.figures(ball.state()).pairs, 0);
     const State inside = ball_at(-deep * sag).state();
     EXPECT_EQ(term.figures(inside).pairs, ball.nodes()) << deep;
