@@ -8,7 +8,7 @@ namespace bulbus::inline solve {
 
 /// Newton's iteration and where it stops, all relative and free of units.
 struct NewtonSettings {
-  double force = 1e-6, volume = 1e-6, liquid = 1e-7, intermediate = 1, eta_max = 1e-3;
+  double force = 5e-7, volume = 1e-6, liquid = 1e-7, intermediate = 1, eta_max = 1e-3;
   int max_iterations = 25;
   template <class V>
   void describe(V&& v) {
