@@ -52,11 +52,6 @@ bool farther(const Vec3<double>& x, const EnclosingSpheres::Sphere& s, double di
   return dot(r, r) > (distance + s.radius) * (distance + s.radius);
 }
 
-double angle_at(const Triangle& v, int i) {
-  const Vec3<double> a = minus(v[(i + 1) % 3], v[i]), b = minus(v[(i + 2) % 3], v[i]);
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
-
 // The triangles around a nearest point, with the weights of their normals; none at a rim.
 struct Around {
   std::vector<int> triangles;
@@ -105,13 +100,6 @@ MasterSurface::MasterSurface(const Facets& f, std::span<const double> p, std::sp
       places(p),
       normals(n),
       spheres(s ? std::move(s) : std::make_shared<const EnclosingSpheres>(f, p)) {}
-
-Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle) {
-  Triangle c;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) c[i][k] = places[3 * facets.triangles[triangle][i] + k];
-  return c;
-}
 
 bool Crossing::inside(const std::array<int, 3>& neighbours, double rim) const {
   for (int i = 0; i < 3; ++i)

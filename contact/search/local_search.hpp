@@ -8,9 +8,6 @@
 
 namespace bulbus::inline contact {
 
-/// Corners of a triangle of a surface whose corners are at `places`, 3 numbers each.
-Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle);
-
 /// Spheres around the triangles of a surface, about their centroids.
 struct EnclosingSpheres {
   struct Sphere {

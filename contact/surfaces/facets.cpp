@@ -8,6 +8,13 @@
 
 namespace bulbus::inline contact {
 
+Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle) {
+  Triangle c;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) c[i][k] = places[3 * facets.triangles[triangle][i] + k];
+  return c;
+}
+
 Facets make_facets(std::vector<std::array<int, 3>> triangles, std::span<const double> points) {
   Facets f{std::move(triangles), {}};
   f.neighbours.assign(f.triangles.size(), {-1, -1, -1});

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/surfaces/pair.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace bulbus::inline contact {
@@ -13,6 +14,9 @@ struct Facets {
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<int, 3>> neighbours;  ///< across the edge opposite corner i; −1 at a rim
 };
+
+/// Corners of a triangle of a surface whose corners are at `places`, 3 numbers each.
+Triangle corners_of(const Facets& facets, std::span<const double> places, int triangle);
 
 /// Finds the neighbours. Throws InputError if an edge belongs to more than two triangles, or if two
 /// neighbours disagree on which side is out; `points`, 3 numbers per corner, tell where.

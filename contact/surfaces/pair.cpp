@@ -1,6 +1,13 @@
 #include "contact/surfaces/pair.hpp"
 
+#include <cmath>
+
 namespace bulbus::inline contact {
+
+double angle_at(const Triangle& v, int i) {
+  const Vec3<double> a = minus(v[(i + 1) % 3], v[i]), b = minus(v[(i + 2) % 3], v[i]);
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
 
 Pair project(const Vec3<double>& x, const Triangle& corners) {
   const Vec3<double> e1 = minus(corners[1], corners[0]), e2 = minus(corners[2], corners[0]),

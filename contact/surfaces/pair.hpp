@@ -13,6 +13,9 @@ inline Vec3<double> centroid(const Triangle& v) {
   return middle;
 }
 
+/// Inner angle at corner `i`, rad.
+double angle_at(const Triangle& v, int i);
+
 /// A slave node x above or below a master triangle x1 x2 x3 and its perpendicular projection in the
 /// triangle's plane (formulation, section 5):
 ///     n = e1×e2/j,  G = (x − x1)·n,  L2 = (e2×n/j)·(x−x1),  L3 = (n×e1/j)·(x−x1),  L1 = 1 − L2 − L3

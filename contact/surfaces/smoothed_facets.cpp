@@ -10,15 +10,6 @@ namespace {
 
 constexpr int most_steps = 12;  // of Newton's method, whose error squares with each
 
-// What a triangle counts for in the normal of its corner `i`: so that it does not matter how a quad is split,
-// its area times its angle there.
-double angle_at(const Facets& facets, std::span<const double> places, int triangle, int i) {
-  const auto& t = facets.triangles[triangle];
-  const Vec3<double> corner = at(places, t[i]), a = minus(at(places, t[(i + 1) % 3]), corner),
-                     b = minus(at(places, t[(i + 2) % 3]), corner);
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
-
 }  // namespace
 
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places) {
@@ -28,11 +19,10 @@ std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const 
   };
   std::vector<Vec3<double>> areas;
   std::vector<std::vector<Share>> around(places.size() / 3);
-  for (const auto& t : facets.triangles) {
-    const int number = static_cast<int>(areas.size());
-    for (int i = 0; i < 3; ++i) around[t[i]].push_back({number, angle_at(facets, places, number, i)});
-    areas.push_back(
-        cross(minus(at(places, t[1]), at(places, t[0])), minus(at(places, t[2]), at(places, t[0]))));
+  for (int t = 0; t < static_cast<int>(facets.triangles.size()); ++t) {
+    const Triangle v = corners_of(facets, places, t);
+    for (int i = 0; i < 3; ++i) around[facets.triangles[t][i]].push_back({t, angle_at(v, i)});
+    areas.push_back(cross(minus(v[1], v[0]), minus(v[2], v[0])));
   }
   std::vector<CornerNormals> normals(areas.size());
   for (std::size_t k = 0; k < areas.size(); ++k)

@@ -15,8 +15,8 @@ inline constexpr double smooth_edge = 0.86602540378443865;
 using CornerNormals = std::array<Vec3<double>, 3>;
 
 /// Normals at the three corners of every triangle: the mean over the triangles around the corner whose planes
-/// are within 30 degrees of its own, weighted by area times angle at the corner, so that a flat face beside a
-/// rounded edge stays flat. Sharper edges stay edges.
+/// are within 30 degrees of its own, weighted by area, so that a flat face beside a rounded edge stays flat,
+/// times angle at the corner, so that it does not matter how a quad is split. Sharper edges stay edges.
 std::vector<CornerNormals> corner_normals(const Facets& facets, std::span<const double> places);
 
 /// Closest-point projection (formulation, section 5.2): that of x on a triangle along the normals
