@@ -82,7 +82,6 @@ void fill_columns(Columns& columns, const EyeShape& shape) {
 void name_nodes(Mesh& mesh, Columns& columns, const EyeSettings& s) {
   const EyeSheet& sheet = columns.sheet;
   const double tolerance = 1e-9 * s.shape.sclera_radius;
-  const SheetMap lattice(s);
   mesh.node_sets["apex"] = {columns.node(sheet.anterior_pole, 0)};
   mesh.node_sets["retina_pole"] = {columns.node(sheet.posterior_pole, columns.map.inner)};
   for (int column : sheet.nerve_ring) mesh.node_sets["nerve_ring"].push_back(columns.node(column, 0));
@@ -90,7 +89,7 @@ void name_nodes(Mesh& mesh, Columns& columns, const EyeSettings& s) {
     mesh.node_sets["nerve_end"].push_back(columns.node(c, -columns.map.nerve));
   for (int c = 0; c < static_cast<int>(sheet.nodes.size()); ++c) {
     const int k = columns.node(c, 0);
-    if (lattice.in_band(sheet.nodes[c].s)) mesh.node_sets["equator_band"].push_back(k);
+    if (columns.map.in_band(sheet.nodes[c].s)) mesh.node_sets["equator_band"].push_back(k);
     if (std::abs(mesh.points[k][2]) <= tolerance) mesh.node_sets["equator"].push_back(k);
   }
 }

@@ -65,12 +65,11 @@ struct EyeSettings {
 /// side under it and under the tear). Where the retina is attached again, the two share their nodes.
 ///
 /// Node sets: "apex" (the cornea's anterior pole), "retina_pole" (the retina's, inside), "nerve_ring" (outer
-/// sclera, the ring next to the nerve's edge), "equator_band" (outer sclera, |z| <= band_half_width but
-/// for rings that follow the edges of a tear),
-/// "equator" (outer sclera, z = 0), "nerve_end". With a detachment: "detached" (nodes of "retina_back" that
-/// are free of the choroid) and "detached_bed" (the choroid's nodes they came off, in the same order; both
-/// rise); with a tear: "tear_rim" (of "detached", those on the tear's edge), "tear_bed_front" and
-/// "tear_bed_back" (the choroid's nodes under the tear's front and back edges).
+/// sclera, the ring next to the nerve's edge), "equator_band" (outer sclera, |z| <= band_half_width, but
+/// where its edges follow those of a tear), "equator" (outer sclera, z = 0), "nerve_end". With a detachment:
+/// "detached" (nodes of "retina_back" that are free of the choroid) and "detached_bed" (the choroid's nodes
+/// they came off, in the same order; both rise); with a tear: "tear_rim" (of "detached", those on the tear's
+/// edge), "tear_bed_front" and "tear_bed_back" (the choroid's nodes under the tear's front and back edges).
 ///
 /// Bars "zonules". Throws InputError if the settings do not fit together.
 Mesh generate(const EyeSettings& settings);

@@ -18,6 +18,8 @@ class EyeMap {
 
   explicit EyeMap(const EyeSettings& settings);
   Point operator()(const Parameters& p) const;
+  /// Does a ring of the sheet follow the band, edges included?
+  bool in_band(int s) const { return sheet_.in_band(s); }
 
   const int scale, wall, choroid, inner, nerve;
   const int lens_layers;

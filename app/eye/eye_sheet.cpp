@@ -99,8 +99,10 @@ SheetMap::Place SheetMap::operator()(double i, double j, double s) const {
 }
 
 bool SheetMap::in_band(int s) const {
-  const int first = posterior_.rings + bands_[0].count + bands_[1].count;
-  return s >= first && s <= first + bands_[2].count;
+  int first = posterior_.rings;
+  auto band = bands_.begin();
+  for (; !band->halved; ++band) first += band->count;  // the one with the equator in its middle
+  return s >= first && s <= first + band->count;
 }
 
 SheetMap::Place SheetMap::on_lattice(double i, double j, double s) const {

@@ -26,7 +26,7 @@ class SheetMap {
   /// Rings between the discs; the last one ends on the anterior disc's rim.
   int globe_rings() const { return globe_rings_; }
   int end() const { return posterior_.rings + globe_rings_ + anterior_.rings; }
-  /// Is s one of the rings that follow the band, or the ring that they begin at?
+  /// Does a ring of nodes lie within the band or on its edges?
   bool in_band(int s) const;
 
  private:

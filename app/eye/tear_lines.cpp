@@ -53,14 +53,21 @@ double moved(const Knots& shifts) {
   return sum;
 }
 
+int nearest(std::span<const double> lines, double to) {
+  const auto way = [&](double line) { return std::abs(line - to); };
+  return static_cast<int>(std::ranges::min_element(lines, {}, way) - lines.begin());
+}
+
 }  // namespace
 
 TearLines::TearLines(const TearEdges& edges, std::span<const double> rings, double pinned,
                      std::span<const double> columns) {
-  const auto nearest = [](std::span<const double> lines, double to) {
-    const auto way = [&](double line) { return std::abs(line - to); };
-    return static_cast<int>(std::ranges::min_element(lines, {}, way) - lines.begin());
-  };
+  const int side = std::max(1, nearest(columns, edges.side)), far = side + fading;
+  if (far >= static_cast<int>(columns.size())) return;
+  shift_azimuth_ = {{0, 0}, {columns[side], edges.side - columns[side]}, {columns[far], 0}};
+  weight_azimuth_ = {{columns[side], 1}, {columns[far], 0}};
+  if (!keeps_cells(shift_azimuth_)) return;
+
   const int fixed = nearest(rings, pinned), last = static_cast<int>(rings.size()) - 1;
   double least = std::numeric_limits<double>::infinity();
   for (int back = 1; back < last; ++back)
@@ -72,15 +79,6 @@ TearLines::TearLines(const TearEdges& edges, std::span<const double> rings, doub
       weight_t_ = {{shifts.front().first, 0}, {rings[back], 1}, {rings[front], 1}, {shifts.back().first, 0}};
       shift_t_ = std::move(shifts);
     }
-  const int side = std::max(1, nearest(columns, edges.side)), far = side + fading;
-  if (shift_t_.empty()) return;
-  if (far >= static_cast<int>(columns.size())) {
-    shift_t_.clear();
-    return;
-  }
-  shift_azimuth_ = {{0, 0}, {columns[side], edges.side - columns[side]}, {columns[far], 0}};
-  weight_azimuth_ = {{columns[side], 1}, {columns[far], 0}};
-  if (!keeps_cells(shift_azimuth_)) shift_t_.clear();
 }
 
 std::pair<double, double> TearLines::operator()(double t, double azimuth) const {

@@ -25,7 +25,7 @@ class TearLines {
  private:
   // A function that is linear between its knots and constant beyond them.
   using Knots = std::vector<std::pair<double, double>>;
-  Knots shift_t_, shift_azimuth_;    // of the lines
+  Knots shift_t_, shift_azimuth_;    // of the lines; no ring: nothing moves
   Knots weight_t_, weight_azimuth_;  // of the shift of the other kind of lines, across them
 };
 
