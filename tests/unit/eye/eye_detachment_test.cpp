@@ -322,7 +322,8 @@ TEST(EyeDetachment, RefusesARetinaThatReachesTheLens) {
 TEST(Tear, OfAnotherSizeThanAskedForIsTold) {
   EyeSettings s = settings(8, true);
   s.detachment->tear->width = .5;
-  EXPECT_NE(unlike_tear(s).find("mm are asked for"), std::string::npos);
+  EXPECT_NE(unlike_tear(s).find("mm are asked for: it is made of whole cells"), std::string::npos);
+  EXPECT_EQ(unlike_tear(settings(16, true)), "");
   EXPECT_EQ(unlike_tear(settings(8, false)), "");
 }
 

@@ -16,6 +16,7 @@ TEST(StepLengths, OfWhichLittleIsLeftAtFirstEndAnIncrement) {
   EXPECT_TRUE(after({0.5, 0.5, 1, 0.5}, 0.1).too_long());
   EXPECT_TRUE(after({0.5, 0.5, 0.5, 0.5}, 0.1).too_long());
   EXPECT_TRUE(after({0.125}, 0.1).exhausted());
+  EXPECT_TRUE(after({0.0625}, 0.1).exhausted());
 }
 
 TEST(StepLengths, MayBeShortLaterFromStatesThatKeepTheirVolume) {
