@@ -21,7 +21,7 @@ double move_without_inversion(const Problem& problem, const StateIncrement& incr
                               double longest = 1);
 
 /// Linear extrapolation: moves `state` on by `factor` times its way from `previous`, as far as no element
-/// inverts. Collective.
+/// inverts, and tells the problem's terms. Collective.
 void extrapolate(const Problem& problem, const State& previous, double factor, State& state);
 
 }  // namespace bulbus::inline solve
